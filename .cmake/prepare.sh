@@ -1,0 +1,37 @@
+# Sourced by examples/run.sh and test/run.sh.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+mkdir -p "$root/.build"
+
+# Two runs at a time would build in the same folder. Where there is no flock, nothing is locked.
+exec 9>"$root/.build/lock"
+if command -v flock >/dev/null; then flock 9; fi
+unlock() { exec 9>&-; }
+
+# install_missing PACKAGE...: Debian packages. What fails here is said in one line, and the build is tried all the same.
+install_missing() {
+  local package missing=() as_root=()
+  if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    echo "no Debian-like system: trying to build without installing $*" >&2
+    return
+  fi
+  for package in "$@"; do
+    [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed* ]] || missing+=("$package")
+  done
+  if ((${#missing[@]} == 0)); then return; fi
+  if ((EUID != 0)); then
+    if ! command -v sudo >/dev/null; then
+      echo "no right to install: trying to build without ${missing[*]}" >&2
+      return
+    fi
+    as_root=(sudo)
+  fi
+  echo "installing ${missing[*]}" >&2
+  # A stale source among several does not stop the installation.
+  "${as_root[@]}" apt-get -qq update >/dev/null || true
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get -qq install --no-install-recommends "${missing[@]}" >/dev/null ||
+    echo "could not install: trying to build without ${missing[*]}" >&2
+}
+
+build_packages=(g++ make cmake libcgal-dev libeigen3-dev nlohmann-json3-dev libboost-program-options-dev)

@@ -1,0 +1,200 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_COLLAPSE_HIERARCHY_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_COLLAPSE_HIERARCHY_3_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_builder.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/property_map.h>
+
+#include <Eigen/SparseCore>
+
+#include <boost/range/iterator_range.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationHierarchy
+///
+/// A triangulated surface as a sequence of levels, from a coarse mesh (level 0) to the input (the last level). Each level comes from the next
+/// finer one by a *collapse group*: half-edge collapses whose removed vertices share no edge. A removed vertex stores its *parent triangle*
+/// in the coarser level and its barycentric coordinates there, found by the discrete exponential map.
+///
+/// Vertices are numbered by removal, coarsest first: the *rank*. So the vertices of every level are the ranks from 0 to `number_of_vertices(level) - 1`,
+/// and undoing the collapses one by one, in the order of the ranks, leads through the meshes \f$ M^0, \dots, M^n \f$ of a progressive mesh
+/// (`Progressive_mesh_3`). Faces are numbered likewise. Inside a group the input's order is kept.
+///
+/// Source: Hormann, Greiner, Campagna, *Hierarchical Parametrization of Triangulated Surfaces*, 1999, sections 2 and 3.
+class Collapse_hierarchy_3
+{
+public:
+  typedef internal::Index            Index;      ///< an unsigned integer type: rank of a vertex or of a face
+  typedef internal::Point_3          Point_3;    ///< `CGAL::Exact_predicates_inexact_constructions_kernel::Point_3`
+  typedef internal::Index_triangle   Triangle;   ///< an array of three ranks of vertices, counter-clockwise
+
+  /// builds the hierarchy of a surface.
+  ///
+  /// \param surface the surface; move it in to save memory
+  /// \param np
+  /// - `random_seed`: the seed of the random choice of vertices; default 0
+  /// - `coarsest_size`: collapse groups are made until a level has at most that many vertices, or until nothing can be collapsed; default 100
+  /// - `vertex_is_constrained_map`: a readable property map from an index of `surface.points`, a `std::size_t`, to `bool`: vertices that stay on every level; default: none
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Collapse_hierarchy_3(Triangulated_surface_3 surface, const NamedParameters& np = parameters::default_values())
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    const unsigned int seed = choose_parameter(get_parameter(np, internal_np::random_seed), 0u);
+    const std::size_t coarsest_size = choose_parameter(get_parameter(np, internal_np::coarsest_size), default_coarsest_size);
+    const auto is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
+                                                 CGAL::Constant_property_map<std::size_t, bool>(false));
+
+    std::vector<bool> is_pinned(surface.points.size());
+    for (std::size_t v = 0; v < surface.points.size(); ++v)
+      is_pinned[v] = get(is_constrained, v);
+    m_data = internal::Hierarchy_builder(std::move(surface), std::move(is_pinned)).build(coarsest_size, seed);
+  }
+
+  /// the default of the named parameter `coarsest_size`
+  static constexpr std::size_t default_coarsest_size = 100;
+
+  /// \name Levels
+  /// @{
+
+  /// number of levels, at least 1; level 0 is the coarsest, the last one is the input
+  std::size_t number_of_levels() const { return m_data.level_vertices.size(); }
+
+  std::size_t number_of_vertices(std::size_t level) const { return m_data.level_vertices[level]; }
+  std::size_t number_of_faces(std::size_t level) const { return m_data.level_faces[level]; }
+  std::size_t number_of_vertices() const { return m_data.points.size(); }
+  std::size_t number_of_faces() const { return m_data.triangles.size(); }
+
+  /// @}
+  /// \name Vertices and faces, by rank
+  /// @{
+
+  const Point_3& point(Index v) const { return m_data.points[v]; }
+  bool is_pinned(Index v) const { return m_data.is_pinned[v]; }
+
+  /// whether a vertex lies on the outer border. A border vertex that does not lies on the border of a hole.
+  bool is_on_outer_border(Index v) const { return m_data.is_on_outer_border[v]; }
+
+  /// index of a vertex in the array of points that the hierarchy was built from
+  Index input_vertex(Index v) const { return m_data.input_vertex[v]; }
+
+  /// index of a face in the array of triangles that the hierarchy was built from
+  Index input_face(Index f) const { return m_data.input_face[f]; }
+
+  /// the corners of a face just before it vanishes on the way down; of a face of level 0, its corners there
+  const Triangle& last_triangle(Index f) const { return m_data.triangles[f]; }
+
+  /// @}
+  /// \name Vertex splits
+  /// The following take the rank of a vertex that is not on level 0.
+  /// @{
+
+  /// the vertex that `v` collapsed onto
+  Index kept_vertex(Index v) const { return split(v).parent[0]; }
+
+  /// the parent triangle (W0, Wi, Wi+1) of `v`; it exists on the level that lacks `v`. Of an ear (a border vertex with one triangle), that has
+  /// no parent triangle, its two neighbors: then the last two are the same vertex.
+  const Triangle& parent_triangle(Index v) const { return split(v).parent; }
+
+  /// the barycentric coordinates of `v` in its parent triangle; not negative, their sum is 1
+  std::array<double, 3> barycentric_coordinates(Index v) const
+  {
+    const std::array<double, 2>& c = split(v).coordinates;
+    return { (std::max)(0., 1 - c[0] - c[1]), c[0], c[1] };
+  }
+
+  /// the faces that vanish with `v`, as a range of ranks [first, second): two, or one if `v` lies on the border
+  std::pair<Index, Index> removed_faces(Index v) const { return { split(v).first_removed_face, split_end(v).first_removed_face }; }
+
+  /// the ranks of the faces whose corner `v` becomes `kept_vertex(v)`
+  boost::iterator_range<const Index*> fan_faces(Index v) const
+  {
+    return { m_data.fan_faces.data() + split(v).first_fan_face, m_data.fan_faces.data() + split_end(v).first_fan_face };
+  }
+
+  /// @}
+  /// \name Transfer between levels
+  /// @{
+
+  /// the prolongation from a coarse to a fine level: a sparse matrix with `number_of_vertices(fine)` rows and `number_of_vertices(coarse)`
+  /// columns, whose rows are barycentric coordinates: not negative, with the sum 1. Rows of vertices on the coarse level are those of the identity.
+  /// Its transpose is the restriction.
+  ///
+  /// \pre `coarse <= fine < number_of_levels()`
+  Eigen::SparseMatrix<double, Eigen::RowMajor> prolongation(std::size_t coarse, std::size_t fine) const
+  {
+    CGAL_precondition(coarse <= fine && fine < number_of_levels());
+    typedef std::pair<Index, double> Entry;
+    const Index rows = Index(number_of_vertices(fine)), columns = Index(number_of_vertices(coarse));
+    Eigen::SparseMatrix<double, Eigen::RowMajor> result(rows, columns);
+    std::vector<Entry> row;
+    for (Index v = 0; v < rows; ++v) {
+      row.clear();
+      if (v < columns)
+        row.push_back({ v, 1. });
+      else
+        for (int i = 0; i < 3; ++i)
+          for (typename Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(result, parent_triangle(v)[i]); it; ++it)
+            row.push_back({ Index(it.col()), barycentric_coordinates(v)[i] * it.value() });
+      append_row(result, v, row);
+    }
+    result.finalize();
+    return result;
+  }
+
+  /// @}
+
+  /// bytes that the hierarchy holds
+  std::size_t memory() const
+  {
+    const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
+    return bytes(m_data.points) + bytes(m_data.triangles) + bytes(m_data.input_vertex) + bytes(m_data.input_face) + bytes(m_data.splits) + bytes(m_data.fan_faces)
+         + (m_data.is_pinned.capacity() + m_data.is_on_outer_border.capacity()) / 8 + bytes(m_data.level_vertices) + bytes(m_data.level_faces);
+  }
+
+private:
+  // Adds the sum of the given entries, in the order of their columns, as row v.
+  template <class Matrix, class Entry>
+  static void append_row(Matrix& matrix, Index v, std::vector<Entry>& row)
+  {
+    std::sort(row.begin(), row.end(), [](const Entry& a, const Entry& b) { return a.first < b.first; });
+    matrix.startVec(v);
+    for (std::size_t i = 0; i < row.size();) {
+      const Index column = row[i].first;
+      double sum = 0;
+      for (; i < row.size() && row[i].first == column; ++i)
+        sum += row[i].second;
+      matrix.insertBack(v, column) = sum;
+    }
+  }
+
+  const internal::Vertex_split& split(Index v) const
+  {
+    CGAL_precondition(v >= number_of_vertices(0) && v < number_of_vertices());
+    return m_data.splits[v - number_of_vertices(0)];
+  }
+
+  const internal::Vertex_split& split_end(Index v) const { return m_data.splits[v - number_of_vertices(0) + 1]; }
+
+  internal::Hierarchy_data m_data;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_COLLAPSE_HIERARCHY_3_H

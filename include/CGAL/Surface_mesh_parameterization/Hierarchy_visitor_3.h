@@ -1,0 +1,68 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_HIERARCHY_VISITOR_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_HIERARCHY_VISITOR_3_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <memory>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationRef
+///
+/// A visitor that does nothing: a base for those that are interested in a part only. A visitor is copied; let it hold references to what it
+/// collects. Each function returns whether the run may go on.
+///
+/// \cgalModels `HierarchyVisitor_3`
+struct Hierarchy_visitor_3
+{
+  /// called when the levels are built, before any is parameterized
+  bool hierarchy_built(const Collapse_hierarchy_3&) { return true; }
+
+  /// called when a level, its vertices inserted, has been refined; `uv` is its map by rank, in units of the level's points
+  bool level_parameterized(const Level& /*level*/, const Level::Uv& /*uv*/, const Level_summary& /*summary*/) { return true; }
+};
+
+namespace internal {
+
+// A visitor of any type, so that it does not become a part of the parameterizer's type.
+struct Any_hierarchy_visitor
+{
+  virtual ~Any_hierarchy_visitor() = default;
+  virtual bool hierarchy_built(const Collapse_hierarchy_3&) = 0;
+  virtual bool level_parameterized(const Level&, const Level::Uv&, const Level_summary&) = 0;
+};
+
+template <class Visitor>
+struct Hierarchy_visitor_holder final : Any_hierarchy_visitor
+{
+  explicit Hierarchy_visitor_holder(const Visitor& visitor) : visitor(visitor) { }
+
+  bool hierarchy_built(const Collapse_hierarchy_3& hierarchy) override { return visitor.hierarchy_built(hierarchy); }
+  bool level_parameterized(const Level& level, const Level::Uv& uv, const Level_summary& summary) override
+  {
+    return visitor.level_parameterized(level, uv, summary);
+  }
+
+  Visitor visitor;
+};
+
+// The named parameter `visitor`, or one that does nothing.
+template <class NamedParameters>
+std::shared_ptr<Any_hierarchy_visitor> hierarchy_visitor_of(const NamedParameters& np)
+{
+  const auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor), Hierarchy_visitor_3());
+  return std::make_shared<Hierarchy_visitor_holder<std::decay_t<decltype(visitor)>>>(visitor);
+}
+
+} // namespace internal
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_HIERARCHY_VISITOR_3_H

@@ -1,0 +1,73 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_LEVEL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_LEVEL_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Rest_triangle.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationHierarchy
+///
+/// A read-only view of one level of a hierarchy: what a refinable method sees instead of a mesh. Vertices and faces are numbered by
+/// rank, so a coordinate that is stored by vertex keeps its place on all finer levels.
+class Level
+{
+public:
+  typedef Collapse_hierarchy_3::Index        Index;      ///< rank of a vertex or of a face
+  typedef Collapse_hierarchy_3::Point_3      Point_3;    ///< a point in space
+  typedef Collapse_hierarchy_3::Triangle     Triangle;   ///< an array of three ranks of vertices, counter-clockwise
+  typedef internal::Point_2                  Point_2;    ///< a point of the plane
+  typedef std::vector<Point_2>               Uv;         ///< the places of the vertices in the plane, by rank
+  typedef internal::One_rings::Ring          Ring;       ///< a range of vertices
+
+  /// the level at which `mesh` stands
+  Level(const Progressive_mesh_3& mesh, std::size_t index)
+    : m_mesh(&mesh), m_index(index), m_rings(mesh.number_of_vertices(), mesh.triangles())
+  { }
+
+  const Collapse_hierarchy_3& hierarchy() const { return m_mesh->hierarchy(); }
+
+  /// position in the hierarchy: 0 is the coarsest level
+  std::size_t index() const { return m_index; }
+
+  bool is_finest() const { return m_index + 1 == hierarchy().number_of_levels(); }
+
+  std::size_t number_of_vertices() const { return m_rings.number_of_vertices(); }
+  std::size_t number_of_faces() const { return triangles().size(); }
+
+  /// the number of vertices of the next coarser level, 0 if there is none: the vertices from this rank on are new
+  std::size_t first_new_vertex() const { return m_index == 0 ? 0 : hierarchy().number_of_vertices(m_index - 1); }
+
+  const Point_3& point(Index v) const { return hierarchy().point(v); }
+  const std::vector<Triangle>& triangles() const { return m_mesh->triangles(); }
+  bool is_border(Index v) const { return m_rings.is_border(v); }
+  bool is_pinned(Index v) const { return hierarchy().is_pinned(v); }
+
+  /// the neighbors of `v`, counter-clockwise. With `v`, any two consecutive ones form a triangle; so do the last and the first one unless `v`
+  /// lies on the border: then these are its neighbors on the border, of which the first one comes next when the surface lies to the left.
+  Ring one_ring(Index v) const { return m_rings[v]; }
+
+  /// \cond SKIP_IN_MANUAL
+  const internal::One_rings& rings() const { return m_rings; }
+  /// \endcond
+
+private:
+  const Progressive_mesh_3* m_mesh;
+  std::size_t m_index;
+  internal::One_rings m_rings;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_LEVEL_H

@@ -1,0 +1,214 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_MESH_COMPONENT_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_MESH_COMPONENT_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationHierarchy
+///
+/// The connected component of a mesh that contains a given border halfedge, as flat arrays: what a hierarchy is built from.
+/// The mesh is only read.
+///
+/// Vertices and faces keep the order of `vertices(mesh)` and `faces(mesh)`. The points are scaled by a power of two, which is exact, so
+/// that no later product of lengths over- or underflows, and moved to the center of their box.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` with an internal vertex point map
+template <class TriangleMesh>
+class Mesh_component
+{
+  typedef boost::graph_traits<TriangleMesh>   Graph_traits;
+
+public:
+  typedef typename Graph_traits::vertex_descriptor     vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor   halfedge_descriptor;
+  typedef typename Graph_traits::face_descriptor       face_descriptor;
+
+  /// reads the component of `mesh` around the border halfedge `bhd`. Whether this succeeded is told by `status()`.
+  Mesh_component(const TriangleMesh& mesh, halfedge_descriptor bhd)
+  {
+    if (is_empty(mesh))
+      m_error.code = ERROR_EMPTY_MESH;
+    else if (bhd == Graph_traits::null_halfedge() || !is_border(bhd, mesh) || is_border(opposite(bhd, mesh), mesh))
+      m_error.code = ERROR_WRONG_PARAMETER;
+    else if (read_component(mesh, bhd) && is_disk_with_holes(mesh))
+      normalize();
+  }
+
+  /// `OK`, or what is wrong and where:
+  /// - `ERROR_EMPTY_MESH`: the mesh has no face;
+  /// - `ERROR_WRONG_PARAMETER`: `bhd` is not a border halfedge, or a point has a coordinate that is not finite;
+  /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
+  /// - `ERROR_NO_TOPOLOGICAL_DISC`: two umbrellas meet at a vertex, or the surface has a handle.
+  const Parameterization_error& error() const { return m_error; }
+
+  /// the input's vertices; the position in this array is the vertex's index in the others
+  const std::vector<vertex_descriptor>& vertices_of_component() const { return m_vertices; }
+
+  /// the input's faces
+  const std::vector<face_descriptor>& faces_of_component() const { return m_faces; }
+
+  /// the component's geometry; it may be moved from
+  Triangulated_surface_3& surface() { return m_surface; }
+
+  /// the exponent `k` for which a length in `surface()` is `2^k` times the length in the mesh
+  int scale_exponent() const { return m_exponent; }
+
+private:
+  static bool is_empty(const TriangleMesh& mesh) { return faces(mesh).first == faces(mesh).second; }
+
+  bool fail(Error_code code, Parameterization_error::Place place, std::size_t index)
+  {
+    m_error = { code, place, index };
+    return false;
+  }
+
+  bool read_component(const TriangleMesh& mesh, halfedge_descriptor bhd)
+  {
+    const auto is_reached = get(CGAL::dynamic_face_property_t<bool>(), mesh);
+    mark_component(mesh, bhd, is_reached);
+
+    const auto index_of = get(CGAL::dynamic_vertex_property_t<internal::Index>(), mesh);
+    for (vertex_descriptor v : vertices(mesh))
+      put(index_of, v, internal::no_index);
+
+    std::size_t face_number = 0;
+    for (face_descriptor f : faces(mesh)) {
+      if (get(is_reached, f)) {
+        if (!is_triangle(halfedge(f, mesh), mesh))
+          return fail(ERROR_NON_TRIANGULAR_MESH, Parameterization_error::FACE, face_number);
+        for (vertex_descriptor v : vertices_around_face(halfedge(f, mesh), mesh))
+          put(index_of, v, 0);
+        m_faces.push_back(f);
+      }
+      ++face_number;
+    }
+    if (!read_points(mesh, index_of))
+      return false;
+    read_triangles(mesh, index_of);
+    for (halfedge_descriptor h : halfedges_around_face(bhd, mesh))
+      m_surface.outer_border.push_back(get(index_of, target(h, mesh)));
+    return true;
+  }
+
+  template <class FaceMarkMap>
+  static void mark_component(const TriangleMesh& mesh, halfedge_descriptor bhd, const FaceMarkMap& is_reached)
+  {
+    for (face_descriptor f : faces(mesh))
+      put(is_reached, f, false);
+    std::vector<face_descriptor> stack(1, face(opposite(bhd, mesh), mesh));
+    put(is_reached, stack.back(), true);
+    while (!stack.empty()) {
+      const halfedge_descriptor start = halfedge(stack.back(), mesh);
+      stack.pop_back();
+      for (halfedge_descriptor h : halfedges_around_face(start, mesh)) {
+        const face_descriptor neighbor = face(opposite(h, mesh), mesh);
+        if (neighbor != Graph_traits::null_face() && !get(is_reached, neighbor)) {
+          put(is_reached, neighbor, true);
+          stack.push_back(neighbor);
+        }
+      }
+    }
+  }
+
+  template <class VertexIndexMap>
+  bool read_points(const TriangleMesh& mesh, const VertexIndexMap& index_of)
+  {
+    const auto point_map = get(CGAL::vertex_point, mesh);
+    std::size_t vertex_number = 0;
+    for (vertex_descriptor v : vertices(mesh)) {
+      if (get(index_of, v) != internal::no_index) {
+        const auto& p = get(point_map, v);
+        const internal::Point_3 q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+        if (!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
+          return fail(ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, vertex_number);
+        put(index_of, v, internal::Index(m_surface.points.size()));
+        m_surface.points.push_back(q);
+        m_vertices.push_back(v);
+      }
+      ++vertex_number;
+    }
+    return true;
+  }
+
+  template <class VertexIndexMap>
+  void read_triangles(const TriangleMesh& mesh, const VertexIndexMap& index_of)
+  {
+    m_surface.triangles.reserve(m_faces.size());
+    for (face_descriptor f : m_faces) {
+      internal::Index_triangle t;
+      int i = 0;
+      for (vertex_descriptor v : vertices_around_face(halfedge(f, mesh), mesh))
+        t[i++] = get(index_of, v);
+      m_surface.triangles.push_back(t);
+    }
+  }
+
+  // A connected surface whose vertices have one umbrella each is a disk with holes exactly if V - E + F = 2 - (number of borders).
+  bool is_disk_with_holes(const TriangleMesh& mesh)
+  {
+    const internal::One_rings rings(m_surface.points.size(), m_surface.triangles);
+    const internal::Index bad_vertex = rings.first_non_manifold_vertex();
+    if (bad_vertex != internal::no_index) {
+      const auto place = std::find(vertices(mesh).begin(), vertices(mesh).end(), m_vertices[bad_vertex]);
+      return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX, std::size_t(std::distance(vertices(mesh).begin(), place)));
+    }
+
+    std::size_t border_edges = 0;
+    for (std::size_t v = 0; v < m_surface.points.size(); ++v)
+      border_edges += rings.is_border(internal::Index(v));
+    const long long edges = (3 * (long long)(m_surface.triangles.size()) + (long long)(border_edges)) / 2;
+    const long long characteristic = (long long)(m_surface.points.size()) - edges + (long long)(m_surface.triangles.size());
+    if (characteristic != 2 - (long long)(rings.number_of_borders()))
+      return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::NOWHERE, 0);
+    return true;
+  }
+
+  void normalize()
+  {
+    CGAL::Bbox_3 box;
+    for (const internal::Point_3& p : m_surface.points)
+      box += p.bbox();
+    // Halves, so that the sums of huge coordinates stay finite.
+    const double center[3] = { 0.5 * box.xmin() + 0.5 * box.xmax(), 0.5 * box.ymin() + 0.5 * box.ymax(), 0.5 * box.zmin() + 0.5 * box.zmax() };
+    double half_width = 0;
+    for (int i = 0; i < 3; ++i)
+      half_width = (std::max)(half_width, 0.5 * box.max(i) - 0.5 * box.min(i));
+    const int exponent = half_width > 0 ? -std::ilogb(half_width) : 0;
+    for (internal::Point_3& p : m_surface.points)
+      p = internal::Point_3(std::ldexp(p.x() - center[0], exponent), std::ldexp(p.y() - center[1], exponent), std::ldexp(p.z() - center[2], exponent));
+    m_exponent = exponent;
+  }
+
+  Parameterization_error m_error;
+  std::vector<vertex_descriptor> m_vertices;
+  std::vector<face_descriptor> m_faces;
+  Triangulated_surface_3 m_surface;
+  int m_exponent = 0;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_MESH_COMPONENT_H

@@ -1,0 +1,77 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_PARAMETERIZATION_SUMMARY_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_PARAMETERIZATION_SUMMARY_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationRef
+///
+/// What went wrong, and where.
+struct Parameterization_error
+{
+  /// what `index` counts
+  enum Place { NOWHERE, VERTEX, FACE };
+
+  Error_code code = OK;       ///< `OK` if nothing went wrong
+  Place place = NOWHERE;      ///< whether the error lies at a vertex, at a face, or at no particular place
+  std::size_t index = 0;      ///< the position of that vertex or face in `vertices(mesh)` or `faces(mesh)`, from 0
+};
+
+/// \ingroup PkgHierarchicalParameterizationRef
+///
+/// One level of a hierarchy, as a run saw it.
+struct Level_summary
+{
+  std::size_t vertices = 0;       ///< number of vertices
+  std::size_t faces = 0;          ///< number of triangles
+  double energy_start = 0;        ///< the method's energy before the level was refined, its vertices inserted
+  double energy_end = 0;          ///< the method's energy after the level was refined
+  std::size_t iterations = 0;     ///< the method's iterations: sweeps of relaxation
+  std::size_t vertex_visits = 0;  ///< local optimization steps, in vertices
+  bool converged = false;         ///< whether the method's own criterion of convergence was met
+  double seconds = 0;             ///< wall-clock time of insertion and refinement
+};
+
+/// \ingroup PkgHierarchicalParameterizationRef
+///
+/// What a run of a parameterizer did, beyond the `Error_code` that it returns.
+struct Parameterization_summary
+{
+  Parameterization_error error;           ///< what went wrong, and where
+  bool converged = false;                 ///< whether the finest level converged; a map that has not is as free of flips
+  bool stopped = false;                   ///< whether a visitor stopped the run
+  double energy = 0;                      ///< the method's energy of the result: the sum over the triangles, or the mean over the area
+  std::vector<Level_summary> levels;      ///< from the coarsest level to the finest
+  double seconds_hierarchy = 0;           ///< wall-clock time of reading the mesh and of building the hierarchy
+  double seconds_parameterize = 0;        ///< wall-clock time from the coarsest level to the result
+};
+
+namespace internal {
+
+// The summary that the caller wants to have filled, given as `summary(std::ref(s))`, or null.
+template <class NamedParameters>
+Parameterization_summary* summary_of(const NamedParameters& np)
+{
+  typedef std::reference_wrapper<Parameterization_summary>   Reference;
+  if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::summary_t>::value)
+    return nullptr;
+  else
+    return &static_cast<Reference>(parameters::get_parameter(np, internal_np::summary)).get();
+}
+
+} // namespace internal
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_PARAMETERIZATION_SUMMARY_H

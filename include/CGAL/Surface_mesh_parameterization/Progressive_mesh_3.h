@@ -1,0 +1,88 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_PROGRESSIVE_MESH_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_PROGRESSIVE_MESH_3_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationHierarchy
+///
+/// The triangles of a hierarchy at one place of the sequence \f$ M^0, \dots, M^n \f$ (Hoppe 1996), which can be walked up and down, vertex by
+/// vertex or level by level. The mesh with `k` vertices has the ranks from 0 to `k - 1`; the triangles keep their ranks, too.
+///
+/// The hierarchy must outlive it.
+class Progressive_mesh_3
+{
+public:
+  typedef Collapse_hierarchy_3::Index      Index;      ///< rank of a vertex or of a face
+  typedef Collapse_hierarchy_3::Triangle   Triangle;   ///< an array of three ranks of vertices, counter-clockwise
+
+  /// starts at level 0
+  explicit Progressive_mesh_3(const Collapse_hierarchy_3& hierarchy)
+    : m_hierarchy(&hierarchy), m_number_of_vertices(hierarchy.number_of_vertices(0))
+  {
+    m_triangles.reserve(hierarchy.number_of_faces());
+    for (std::size_t f = 0; f < hierarchy.number_of_faces(0); ++f)
+      m_triangles.push_back(hierarchy.last_triangle(Index(f)));
+  }
+
+  const Collapse_hierarchy_3& hierarchy() const { return *m_hierarchy; }
+
+  std::size_t number_of_vertices() const { return m_number_of_vertices; }
+
+  /// the triangles, by rank; a triangle and its corners have the order of the input
+  const std::vector<Triangle>& triangles() const { return m_triangles; }
+
+  /// splits one vertex: brings back the one with the least rank that is missing.
+  /// \pre `number_of_vertices() < hierarchy().number_of_vertices()`
+  void split_vertex()
+  {
+    CGAL_precondition(m_number_of_vertices < m_hierarchy->number_of_vertices());
+    const Index v = Index(m_number_of_vertices++);
+    for (Index f : m_hierarchy->fan_faces(v))
+      internal::replace_corner(m_triangles[f], m_hierarchy->kept_vertex(v), v);
+    for (Index f = m_hierarchy->removed_faces(v).first; f < m_hierarchy->removed_faces(v).second; ++f)
+      m_triangles.push_back(m_hierarchy->last_triangle(f));
+  }
+
+  /// collapses the vertex with the greatest rank that is left.
+  /// \pre `number_of_vertices() > hierarchy().number_of_vertices(0)`
+  void collapse_vertex()
+  {
+    CGAL_precondition(m_number_of_vertices > m_hierarchy->number_of_vertices(0));
+    const Index v = Index(--m_number_of_vertices);
+    m_triangles.resize(m_hierarchy->removed_faces(v).first);
+    for (Index f : m_hierarchy->fan_faces(v))
+      internal::replace_corner(m_triangles[f], v, m_hierarchy->kept_vertex(v));
+  }
+
+  /// splits or collapses until the mesh is the given level.
+  /// \pre `level < hierarchy().number_of_levels()`
+  void walk_to_level(std::size_t level)
+  {
+    CGAL_precondition(level < m_hierarchy->number_of_levels());
+    while (m_number_of_vertices < m_hierarchy->number_of_vertices(level))
+      split_vertex();
+    while (m_number_of_vertices > m_hierarchy->number_of_vertices(level))
+      collapse_vertex();
+  }
+
+private:
+  const Collapse_hierarchy_3* m_hierarchy;
+  std::size_t m_number_of_vertices;
+  std::vector<Triangle> m_triangles;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_PROGRESSIVE_MESH_3_H

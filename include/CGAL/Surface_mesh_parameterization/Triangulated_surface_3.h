@@ -1,0 +1,33 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_TRIANGULATED_SURFACE_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_TRIANGULATED_SURFACE_3_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationHierarchy
+///
+/// A surface with borders as flat arrays: what a hierarchy is built from. It must be connected, without handles, with one fan of triangles
+/// around every vertex; `Mesh_component` makes it from any mesh and checks that.
+struct Triangulated_surface_3
+{
+  /// the vertices, scaled so that the surface is about of size 1
+  std::vector<internal::Point_3> points;
+
+  /// three indices of points for each triangle, counter-clockwise
+  std::vector<internal::Index_triangle> triangles;
+
+  /// the vertices of the outer border, in any order; other borders are holes
+  std::vector<internal::Index> outer_border;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_TRIANGULATED_SURFACE_3_H

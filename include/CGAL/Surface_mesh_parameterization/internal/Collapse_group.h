@@ -1,0 +1,174 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_COLLAPSE_GROUP_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_COLLAPSE_GROUP_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/Halfedge_collapse.h>
+#include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/discrete_exponential_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// One collapse group (Hormann, Greiner, Campagna 1999, section 3): unlock all vertices; while one is unlocked, take one at random,
+// collapse it, lock its one-ring. No two removed vertices share an edge, so each star is that of the mesh before the group, and every
+// triangle holds at most one removed vertex. Only the link condition has to know the edges that the group itself adds.
+class Collapse_group
+{
+public:
+  struct Collapse
+  {
+    Index removed_vertex;
+    std::array<Index, 3> parent;          // W0, Wi, Wi+1; W0 is the kept vertex
+    std::array<double, 2> coordinates;    // of the removed vertex, with respect to Wi and Wi+1
+  };
+
+  // Chooses the collapses. `is_pinned` marks vertices that must stay; `random` is used and advanced. At least `fewest_vertices` remain.
+  template <class RandomGenerator>
+  void choose(const std::vector<Point_3>& points, const std::vector<Index_triangle>& triangles, const std::vector<bool>& is_pinned,
+              std::size_t fewest_vertices, RandomGenerator& random)
+  {
+    const std::size_t n = points.size();
+    m_rings.build(n, triangles);
+    m_is_locked.assign(n, 0);
+    m_is_in_ring.assign(n, 0);
+    m_first_added.assign(n, no_index);
+    m_added.clear();
+    m_collapses.clear();
+
+    shuffle_vertices(n, random);
+    for (Index v : m_order) {
+      if (m_collapses.size() + fewest_vertices >= n)
+        break;
+      if (!m_is_locked[v] && !is_pinned[v])
+        try_collapse(v, points);
+    }
+    std::sort(m_collapses.begin(), m_collapses.end(),
+              [](const Collapse& a, const Collapse& b) { return a.removed_vertex < b.removed_vertex; });
+  }
+
+  // In the order of the removed vertices' indices.
+  const std::vector<Collapse>& collapses() const { return m_collapses; }
+
+private:
+  // std::shuffle is not the same everywhere.
+  template <class RandomGenerator>
+  void shuffle_vertices(std::size_t n, RandomGenerator& random)
+  {
+    m_order.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+      m_order[i] = Index(i);
+    for (std::size_t i = n; i > 1; --i)
+      std::swap(m_order[i - 1], m_order[std::size_t((std::uint64_t(random()) * i) >> 32)]);
+  }
+
+  void try_collapse(Index v, const std::vector<Point_3>& points)
+  {
+    // The choice of W0 is quadratic in the valence; a hub becomes cheaper as its neighbors go.
+    constexpr std::size_t highest_valence = 32;
+    const One_rings::Ring ring = m_rings[v];
+    const bool is_closed = !m_rings.is_border(v);
+    if (ring.size() > highest_valence || (ring.size() < 3 && is_closed))
+      return;
+
+    m_ring_points.clear();
+    for (Index w : ring)
+      m_ring_points.push_back(points[w]);
+    discrete_exponential_map(points[v], m_ring_points, is_closed, m_flat_ring);
+    rank_candidates(ring.size(), is_closed);
+
+    for (Index w : ring)
+      m_is_in_ring[w] = 1;
+    for (const auto& [quality, w0] : m_candidates)
+      if (satisfies_link_condition(v, ring, w0)) {
+        collapse(v, ring, w0);
+        break;
+      }
+    for (Index w : ring)
+      m_is_in_ring[w] = 0;
+  }
+
+  // The neighbors whose fan has no flipped triangle, the one with the best worst triangle first.
+  void rank_candidates(std::size_t ring_size, bool is_closed)
+  {
+    constexpr double least_quality = 1e-4;
+    m_candidates.clear();
+    const std::size_t step = is_closed ? 1 : ring_size - 1;   // a border vertex has two candidates, the ends of its ring
+    for (std::size_t w0 = 0; w0 < ring_size; w0 += step) {
+      const double quality = worst_quality_after_collapse(m_flat_ring, is_closed, w0);
+      if (quality > least_quality)
+        m_candidates.push_back({ -quality, Index(w0) });
+    }
+    std::sort(m_candidates.begin(), m_candidates.end());
+  }
+
+  // The collapse keeps the mesh a manifold if V and W0 have no common neighbor besides the ones beside W0 in the ring; an ear
+  // additionally needs a triangle on the other side of its base.
+  bool satisfies_link_condition(Index v, const One_rings::Ring& ring, Index w0_slot) const
+  {
+    const Index w0 = ring[w0_slot];
+    const bool is_ear = m_rings.is_border(v) && ring.size() == 2;
+    std::size_t common = 0;
+    for (Index w : m_rings[w0])
+      common += m_is_in_ring[w];
+    for (Index e = m_first_added[w0]; e != no_index; e = m_added[e].next)
+      common += m_is_in_ring[m_added[e].neighbor];
+
+    const std::size_t allowed = m_rings.is_border(v) ? 1 : 2;
+    if (common != allowed)
+      return false;
+    return !is_ear || is_interior_edge(ring[0], ring[1]);
+  }
+
+  // Whether the edge that joins two border vertices has triangles on both sides: they are no border neighbors.
+  bool is_interior_edge(Index a, Index b) const { return m_rings[a].front() != b && m_rings[a].back() != b; }
+
+  void collapse(Index v, const One_rings::Ring& ring, Index w0)
+  {
+    const bool is_closed = !m_rings.is_border(v);
+    const Parent_triangle parent = is_closed ? find_parent_triangle(m_flat_ring, w0) : find_parent_border_edge(m_flat_ring, w0);
+    m_collapses.push_back({ v, { ring[parent.slots[0]], ring[parent.slots[1]], ring[parent.slots[2]] }, parent.coordinates });
+
+    const std::size_t size = ring.size();
+    for (std::size_t i = 0; i < size; ++i) {
+      m_is_locked[ring[i]] = 1;
+      const bool was_adjacent = i == w0 || (is_closed ? i == (w0 + 1) % size || w0 == (i + 1) % size : i == (w0 == 0 ? 1 : size - 2));
+      if (!was_adjacent) {
+        add_edge(ring[w0], ring[i]);
+        add_edge(ring[i], ring[w0]);
+      }
+    }
+    m_is_locked[v] = 1;
+  }
+
+  void add_edge(Index from, Index to)
+  {
+    m_added.push_back({ to, m_first_added[from] });
+    m_first_added[from] = Index(m_added.size() - 1);
+  }
+
+  struct Added_edge { Index neighbor, next; };
+
+  One_rings m_rings;
+  std::vector<Index> m_order;
+  std::vector<unsigned char> m_is_locked, m_is_in_ring;
+  std::vector<Index> m_first_added;               // per vertex: its list in m_added
+  std::vector<Added_edge> m_added;
+  std::vector<Collapse> m_collapses;
+
+  std::vector<Point_3> m_ring_points;             // scratch of try_collapse()
+  std::vector<Vector_2> m_flat_ring;
+  std::vector<std::pair<double, Index>> m_candidates;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_COLLAPSE_GROUP_H

@@ -1,0 +1,282 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_BUILDER_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_BUILDER_H
+
+#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Collapse_group.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// What brings a removed vertex back.
+struct Vertex_split
+{
+  Index_triangle parent;                 // W0, Wi, Wi+1
+  Index first_fan_face;                  // in Hierarchy_data::fan_faces; the next split's value ends the range
+  Index first_removed_face;              // likewise, a rank of a face
+  std::array<double, 2> coordinates;     // with respect to Wi and Wi+1
+};
+
+// The arrays of a Collapse_hierarchy_3; all but the last three run over ranks.
+struct Hierarchy_data
+{
+  std::vector<Point_3> points;
+  std::vector<Index_triangle> triangles;              // as they were just before they vanished, or on level 0
+  std::vector<Index> input_vertex, input_face;
+  std::vector<bool> is_pinned, is_on_outer_border;
+  std::vector<Vertex_split> splits;                   // of the vertices that are not on level 0, and a sentinel
+  std::vector<Index> fan_faces;
+  std::vector<std::size_t> level_vertices, level_faces;   // numbers of vertices and faces, coarsest level first
+};
+
+// Builds a hierarchy group by group, on a copy of the mesh that is compacted after every group, so that coarse levels stay in the cache.
+class Hierarchy_builder
+{
+public:
+  Hierarchy_builder(Triangulated_surface_3 surface, std::vector<bool> is_pinned)
+    : m_input_points(std::move(surface.points)), m_input_is_pinned(std::move(is_pinned)), m_outer_border(std::move(surface.outer_border)),
+      m_points(m_input_points), m_is_pinned(m_input_is_pinned), m_triangles(std::move(surface.triangles))
+  {
+    m_last_triangles.resize(m_triangles.size());
+    m_vertex.resize(m_points.size());
+    for (std::size_t v = 0; v < m_vertex.size(); ++v)
+      m_vertex[v] = Index(v);
+    m_face.resize(m_triangles.size());
+    for (std::size_t f = 0; f < m_face.size(); ++f)
+      m_face[f] = Index(f);
+  }
+
+  // Makes collapse groups until the mesh has at most `coarsest_size` vertices or nothing can be collapsed any more.
+  Hierarchy_data build(std::size_t coarsest_size, unsigned int seed)
+  {
+    constexpr std::size_t fewest_vertices = 3;
+    std::mt19937 random(seed);
+    for (;;) {
+      m_level_vertices.push_back(m_points.size());
+      m_level_faces.push_back(m_triangles.size());
+      if (m_points.size() <= coarsest_size)
+        break;
+      m_group.choose(m_points, m_triangles, m_is_pinned, fewest_vertices, random);
+      if (m_group.collapses().empty())
+        break;
+      perform_group();
+    }
+    return number_by_removal();
+  }
+
+private:
+  // A group's collapses, in the input's numbers.
+  struct Collapse_record
+  {
+    Index removed_vertex;
+    Index_triangle parent;
+    std::array<Index, 2> removed_faces;     // the second one is no_index for a border vertex
+    Index first_fan_face;                   // in m_fan_faces; the next record's value ends the range
+    std::array<double, 2> coordinates;
+  };
+
+  void perform_group()
+  {
+    m_collapse_of.assign(m_points.size(), no_index);
+    const std::size_t first_record = m_records.size();
+    for (const Collapse_group::Collapse& c : m_group.collapses()) {
+      m_collapse_of[c.removed_vertex] = Index(m_records.size());
+      m_records.push_back({ m_vertex[c.removed_vertex],
+                            { m_vertex[c.parent[0]], m_vertex[c.parent[1]], m_vertex[c.parent[2]] },
+                            { no_index, no_index }, 0, c.coordinates });
+    }
+    collapse_triangles(first_record);
+    compact_vertices();
+  }
+
+  // The record of the one removed vertex that a triangle can hold, no_index if it holds none.
+  Index record_of(const Index_triangle& t) const
+  {
+    for (Index v : t)
+      if (m_collapse_of[v] != no_index)
+        return m_collapse_of[v];
+    return no_index;
+  }
+
+  // A triangle with a removed vertex V joins the fan of V, unless it holds the kept vertex, too: then it vanishes.
+  void collapse_triangles(std::size_t first_record)
+  {
+    m_fan_size.assign(m_records.size() - first_record, 0);
+    std::vector<std::pair<Index, Index>>& fans = m_fan_of_group;    // (record, face)
+    fans.clear();
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < m_triangles.size(); ++i) {
+      Index_triangle t = m_triangles[i];
+      const Index face = m_face[i], record_index = record_of(t);
+      if (record_index != no_index) {
+        Collapse_record& record = m_records[record_index];
+        const Collapse_group::Collapse& c = m_group.collapses()[record_index - first_record];
+        if (contains(t, c.parent[0])) {
+          record.removed_faces[record.removed_faces[0] == no_index ? 0 : 1] = face;
+          m_last_triangles[face] = { m_vertex[t[0]], m_vertex[t[1]], m_vertex[t[2]] };
+          continue;
+        }
+        replace_corner(t, c.removed_vertex, c.parent[0]);
+        fans.push_back({ record_index, face });
+        ++m_fan_size[record_index - first_record];
+      }
+      m_triangles[kept] = t;
+      m_face[kept++] = face;
+    }
+    m_triangles.resize(kept);
+    m_face.resize(kept);
+    store_fans(first_record);
+  }
+
+  // Counting sort of the group's fans by record.
+  void store_fans(std::size_t first_record)
+  {
+    Index next = Index(m_fan_faces.size());
+    for (std::size_t i = 0; i < m_fan_size.size(); ++i) {
+      m_records[first_record + i].first_fan_face = next;
+      next += std::exchange(m_fan_size[i], next);
+    }
+    m_fan_faces.resize(next);
+    for (const auto& [record, face] : m_fan_of_group)
+      m_fan_faces[m_fan_size[record - first_record]++] = face;
+  }
+
+  void compact_vertices()
+  {
+    std::size_t kept = 0;
+    for (std::size_t v = 0; v < m_points.size(); ++v)
+      if (m_collapse_of[v] == no_index) {
+        m_points[kept] = m_points[v];
+        m_is_pinned[kept] = m_is_pinned[v];
+        m_vertex[kept] = m_vertex[v];
+        m_collapse_of[v] = Index(kept++);     // from here on: the new number
+      }
+    m_points.resize(kept);
+    m_is_pinned.resize(kept);
+    m_vertex.resize(kept);
+    for (Index_triangle& t : m_triangles)
+      for (Index& corner : t)
+        corner = m_collapse_of[corner];
+  }
+
+  // Turns the records, finest group first, into arrays by rank, coarsest group first.
+  Hierarchy_data number_by_removal()
+  {
+    release(m_points);
+    for (std::size_t i = 0; i < m_triangles.size(); ++i)
+      m_last_triangles[m_face[i]] = { m_vertex[m_triangles[i][0]], m_vertex[m_triangles[i][1]], m_vertex[m_triangles[i][2]] };
+
+    Hierarchy_data data;
+    data.input_vertex = std::move(m_vertex);
+    data.input_face = std::move(m_face);
+    data.level_vertices.assign(m_level_vertices.rbegin(), m_level_vertices.rend());
+    data.level_faces.assign(m_level_faces.rbegin(), m_level_faces.rend());
+    const std::vector<Index> order = records_by_rank();
+    append_splits(order, data);
+    renumber(data);
+    return data;
+  }
+
+  // The groups lie one behind the other, of the sizes by which the levels differ; inside a group the order stays.
+  std::vector<Index> records_by_rank() const
+  {
+    std::vector<Index> order;
+    order.reserve(m_records.size());
+    std::size_t end = m_records.size();
+    for (std::size_t level = m_level_vertices.size() - 1; level > 0; --level) {
+      const std::size_t begin = end - (m_level_vertices[level - 1] - m_level_vertices[level]);
+      for (std::size_t i = begin; i < end; ++i)
+        order.push_back(Index(i));
+      end = begin;
+    }
+    return order;
+  }
+
+  void append_splits(const std::vector<Index>& order, Hierarchy_data& data)
+  {
+    data.input_vertex.reserve(m_input_points.size());
+    data.input_face.reserve(m_last_triangles.size());
+    data.splits.reserve(order.size() + 1);
+    data.fan_faces.reserve(m_fan_faces.size());
+    for (Index i : order) {
+      const Collapse_record& r = m_records[i];
+      data.splits.push_back({ r.parent, Index(data.fan_faces.size()), Index(data.input_face.size()), r.coordinates });
+      const std::size_t fan_end = i + 1 < m_records.size() ? m_records[i + 1].first_fan_face : m_fan_faces.size();
+      data.fan_faces.insert(data.fan_faces.end(), m_fan_faces.begin() + r.first_fan_face, m_fan_faces.begin() + fan_end);
+      data.input_vertex.push_back(r.removed_vertex);
+      for (Index face : r.removed_faces)
+        if (face != no_index)
+          data.input_face.push_back(face);
+    }
+    data.splits.push_back({ {}, Index(data.fan_faces.size()), Index(data.input_face.size()), {} });
+    release(m_records);
+    release(m_fan_faces);
+  }
+
+  void renumber(Hierarchy_data& data)
+  {
+    std::vector<Index> rank(data.input_vertex.size());
+    for (std::size_t v = 0; v < rank.size(); ++v)
+      rank[data.input_vertex[v]] = Index(v);
+    for (Vertex_split& split : data.splits)
+      if (&split != &data.splits.back())
+        for (Index& v : split.parent)
+          v = rank[v];
+    data.triangles.reserve(data.input_face.size());
+    for (Index f : data.input_face) {
+      const Index_triangle& t = m_last_triangles[f];
+      data.triangles.push_back({ rank[t[0]], rank[t[1]], rank[t[2]] });
+    }
+    data.points.reserve(rank.size());
+    data.is_pinned.reserve(rank.size());
+    for (Index v : data.input_vertex) {
+      data.points.push_back(m_input_points[v]);
+      data.is_pinned.push_back(m_input_is_pinned[v]);
+    }
+
+    data.is_on_outer_border.assign(rank.size(), false);
+    for (Index v : m_outer_border)
+      data.is_on_outer_border[rank[v]] = true;
+
+    rank.resize(data.input_face.size());
+    for (std::size_t f = 0; f < rank.size(); ++f)
+      rank[data.input_face[f]] = Index(f);
+    for (Index& face : data.fan_faces)
+      face = rank[face];
+  }
+
+  template <class Array>
+  static void release(Array& array) { Array().swap(array); }
+
+  std::vector<Point_3> m_input_points;
+  std::vector<bool> m_input_is_pinned;
+  std::vector<Index> m_outer_border;
+
+  // The mesh after the groups so far, compacted, and the input's numbers of its vertices and faces.
+  std::vector<Point_3> m_points;
+  std::vector<bool> m_is_pinned;
+  std::vector<Index_triangle> m_triangles;
+  std::vector<Index> m_vertex, m_face;
+
+  std::vector<std::size_t> m_level_vertices, m_level_faces;    // finest first
+  std::vector<Collapse_record> m_records;                      // finest group first
+  std::vector<Index> m_fan_faces;
+  std::vector<Index_triangle> m_last_triangles;                // by input face, in the input's vertices
+
+  Collapse_group m_group;
+  std::vector<Index> m_collapse_of, m_fan_size;                // scratch of a group
+  std::vector<std::pair<Index, Index>> m_fan_of_group;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_BUILDER_H

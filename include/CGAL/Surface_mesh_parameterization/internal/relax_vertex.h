@@ -1,0 +1,60 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_RELAX_VERTEX_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_RELAX_VERTEX_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/Star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star_validity.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// The Newton direction, with the Hessian made positive definite by a multiple of the identity where it is not.
+template <class Derivatives>
+Vector_2 newton_direction(const Derivatives& d)
+{
+  const double half_trace = 0.5 * (d.hessian[0] + d.hessian[2]);
+  const double radius = std::hypot(0.5 * (d.hessian[0] - d.hessian[2]), d.hessian[1]);
+  const double least = half_trace - radius, greatest = half_trace + radius;
+  const double shift = least > 1e-8 * greatest ? 0 : 1e-2 * (std::abs(greatest) + radius) - (std::min)(least, 0.);
+  const double xx = d.hessian[0] + shift, xy = d.hessian[1], yy = d.hessian[2] + shift;
+  const double determinant = xx * yy - xy * xy;
+  return Vector_2((xy * d.gradient[1] - yy * d.gradient[0]) / determinant, (xy * d.gradient[0] - xx * d.gradient[1]) / determinant);
+}
+
+// One step of vertex relaxation (Hormann and Greiner 1999): moves v by a safeguarded Newton step inside the kernel of its star and returns
+// by how much the energy fell, 0 if v stayed. The step is halved until the energy falls and the invariant holds by exact predicates.
+// Precondition: `star` is gathered from v, and the invariant holds.
+template <class Energy>
+double relax_vertex(const Star<Energy>& star, const One_rings& rings, Index v, std::vector<Point_2>& uv)
+{
+  constexpr int most_halvings = 8;
+  constexpr double part_of_longest_step = 0.8, sufficient_decrease = 1e-4, least_relative_decrease = 1e-15;
+
+  const Point_2 start = uv[v];
+  const typename Star<Energy>::Derivatives d = star.derivatives(start);
+  const Vector_2 direction = newton_direction(d);
+  const double slope = d.gradient[0] * direction.x() + d.gradient[1] * direction.y();
+  if (!(slope < -least_relative_decrease * d.value))    // converged, or not a number
+    return 0;
+
+  double step = (std::min)(1., part_of_longest_step * star.longest_step(start, direction));
+  for (int i = 0; i < most_halvings; ++i, step *= 0.5) {
+    const Point_2 trial = start + step * direction;
+    const double decrease = d.value - star.energy(trial);
+    if (!(decrease > -sufficient_decrease * step * slope))
+      continue;
+    uv[v] = trial;
+    if (is_star_valid(rings, uv, v))
+      return decrease;
+    uv[v] = start;
+  }
+  return 0;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_RELAX_VERTEX_H

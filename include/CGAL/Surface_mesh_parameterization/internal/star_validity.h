@@ -1,0 +1,75 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_VALIDITY_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_VALIDITY_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// The invariant of every level, by exact predicates: all triangles are positive, the angles around an interior vertex sum to one
+// turn, and those at a border vertex to less than one turn. While triangles stay positive and vertices move on straight lines, the turn
+// around an interior vertex cannot change; the turn at a border vertex changes only when it or a border neighbor of it moves.
+
+// Whether all triangles at v are positive.
+inline bool is_star_positive(const One_rings& rings, const std::vector<Point_2>& uv, Index v)
+{
+  const One_rings::Ring ring = rings[v];
+  const std::size_t triangles = rings.number_of_triangles(v), size = ring.size();
+  for (std::size_t i = 0; i < triangles; ++i)
+    if (!is_left_turn(uv[v], uv[ring[i]], uv[ring[i + 1 == size ? 0 : i + 1]]))
+      return false;
+  return true;
+}
+
+// Whether the directions from v to its neighbors, that turn left by less than half a turn each, come back to the first one
+// before the last one: for a border vertex, whether its angles sum to at least one turn; for an interior one, whether they sum to more.
+// Precondition: the star of v is positive.
+inline bool turns_too_far(const One_rings& rings, const std::vector<Point_2>& uv, Index v)
+{
+  const One_rings::Ring ring = rings[v];
+  const Point_2 &center = uv[v], &first = uv[ring.front()];
+  bool is_past_half_turn = false;
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    const Orientation side = orientation(center, first, uv[ring[i]]);
+    if (side == LEFT_TURN) {
+      if (is_past_half_turn)
+        return true;
+    } else if (side == RIGHT_TURN)
+      is_past_half_turn = true;
+    else if (collinear_are_ordered_along_line(center, first, uv[ring[i]]) || collinear_are_ordered_along_line(center, uv[ring[i]], first)) {
+      if (is_past_half_turn)
+        return true;    // exactly one turn
+    } else
+      is_past_half_turn = true;
+  }
+  return false;
+}
+
+// Whether the invariant holds at v and, if v lies on the border, at its two border neighbors.
+inline bool is_star_valid(const One_rings& rings, const std::vector<Point_2>& uv, Index v)
+{
+  if (!is_star_positive(rings, uv, v))
+    return false;
+  if (!rings.is_border(v))
+    return true;
+  return !turns_too_far(rings, uv, v) && !turns_too_far(rings, uv, rings[v].front()) && !turns_too_far(rings, uv, rings[v].back());
+}
+
+// Whether the invariant holds everywhere.
+inline bool is_map_valid(const One_rings& rings, const std::vector<Point_2>& uv)
+{
+  for (Index v = 0; v < rings.number_of_vertices(); ++v)
+    if (!is_star_positive(rings, uv, v) || turns_too_far(rings, uv, v))
+      return false;
+  return true;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_VALIDITY_H
