@@ -25,72 +25,92 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 //       ear the place that makes its one triangle similar to the one in space,
 //   (b) the centroid of the kernel,
 //   (c) if neither is valid, points that approach W0 from the centroid or from the middle of the corner at W0.
+// Border vertices come one by one, and the angles at a border neighbor W of V may involve another one, U, that has no place yet. W then sees U
+// where it sees the coarse mesh: along the border at U's other border neighbor, across the surface at the vertex that U collapsed onto. So
+// there is always room left for U.
+//
 // What is valid is decided by exact predicates; of several valid ones the one with the least energy (MIPS: it knows no scale) is taken.
 class Vertex_inserter
 {
 public:
-  // Takes (a) from uv[v] and leaves the best place there. Returns whether one was found. `corners` are the rest shapes around v.
-  bool insert(const One_rings& rings, Index v, const Rest_corner* corners, const Index_triangle& parent, std::vector<Point_2>& uv)
+  // `is_placed` tells of a vertex whether it has its place; one without stands on the vertex that it collapsed onto. Both are kept by reference.
+  Vertex_inserter(const One_rings& rings, std::vector<Point_2>& uv, const std::vector<bool>& is_placed)
+    : m_rings(rings), m_uv(uv), m_is_placed(is_placed)
+  { }
+
+  // Puts the best place into uv[v]. Returns whether one was found. `corners` are the rest shapes around v.
+  bool insert(Index v, const Rest_corner* corners, const Index_triangle& parent, const std::array<double, 3>& coordinates)
   {
-    m_star.gather(rings, uv, v, corners, Triangle_weight::ONE);
+    m_star.gather(m_rings, m_uv, v, corners, Triangle_weight::ONE);
+    m_inserted = v;
     m_best_energy = (std::numeric_limits<double>::infinity)();
 
-    const Point_2 kept = uv[parent[0]], stored = uv[v];
+    const Point_2 kept = m_uv[parent[0]];
+    const Point_2 stored = kept + coordinates[1] * (m_uv[parent[1]] - kept) + coordinates[2] * (m_uv[parent[2]] - kept);
     const bool is_ear = parent[1] == parent[2];
-    offer(rings, v, is_ear ? corners[0].similar_apex(uv[rings[v].front()], uv[rings[v].back()]) : stored, uv);
+    offer(v, is_ear ? corners[0].similar_apex(m_uv[m_rings[v].front()], m_uv[m_rings[v].back()]) : stored);
 
-    const Point_2 centroid = kernel_centroid(rings, v, uv);
-    offer(rings, v, centroid, uv);
+    const Point_2 centroid = kernel_centroid(v);
+    offer(v, centroid);
 
     constexpr int most_halvings = 40;
-    const Point_2 beside_kept = kept + corner_bisector(rings, v, parent[0], uv);
+    const Point_2 beside_kept = kept + corner_bisector(v, parent[0]);
     double fraction = 0.5;
     for (int i = 0; i < most_halvings && !has_place(); ++i, fraction *= 0.5) {
-      offer(rings, v, kept + fraction * (centroid - kept), uv);
-      offer(rings, v, kept + fraction * (beside_kept - kept), uv);
+      offer(v, kept + fraction * (centroid - kept));
+      offer(v, kept + fraction * (beside_kept - kept));
     }
-    uv[v] = has_place() ? m_best : stored;
+    m_uv[v] = has_place() ? m_best : kept;
     return has_place();
+  }
+
+  // Where w lies, seen from its neighbor v.
+  const Point_2& operator()(Index w, Index v) const
+  {
+    if (m_is_placed[w] || w == m_inserted)
+      return m_uv[w];
+    const One_rings::Ring ring = m_rings[w];
+    return m_uv[ring.front() == v ? ring.back() : ring.back() == v ? ring.front() : w];
   }
 
 private:
   bool has_place() const { return m_best_energy < (std::numeric_limits<double>::infinity)(); }
 
-  void offer(const One_rings& rings, Index v, const Point_2& place, std::vector<Point_2>& uv)
+  void offer(Index v, const Point_2& place)
   {
     const double energy = m_star.energy(place);
     if (!(energy < m_best_energy))
       return;
-    uv[v] = place;
-    if (is_star_valid(rings, uv, v)) {
+    m_uv[v] = place;
+    if (is_star_valid(m_rings, m_uv, *this, v)) {
       m_best = place;
       m_best_energy = energy;
     }
   }
 
   // The kernel of a border vertex's star is unbounded: it is clipped to the box that bounds the ring.
-  Point_2 kernel_centroid(const One_rings& rings, Index v, const std::vector<Point_2>& uv)
+  Point_2 kernel_centroid(Index v)
   {
-    const One_rings::Ring ring = rings[v];
-    const Point_2& origin = uv[ring.front()];
+    const One_rings::Ring ring = m_rings[v];
+    const Point_2& origin = m_uv[ring.front()];
     double half_width = 0;
     for (Index w : ring)
-      half_width = (std::max)({ half_width, std::abs(uv[w].x() - origin.x()), std::abs(uv[w].y() - origin.y()) });
+      half_width = (std::max)({ half_width, std::abs(m_uv[w].x() - origin.x()), std::abs(m_uv[w].y() - origin.y()) });
     m_kernel.reset(origin, half_width);
-    for (std::size_t i = 0; i < rings.number_of_triangles(v); ++i)
-      m_kernel.clip(uv[ring[i]], uv[ring[i + 1 == ring.size() ? 0 : i + 1]]);
+    for (std::size_t i = 0; i < m_rings.number_of_triangles(v); ++i)
+      m_kernel.clip(m_uv[ring[i]], m_uv[ring[i + 1 == ring.size() ? 0 : i + 1]]);
     return m_kernel.is_empty() ? origin : m_kernel.centroid();
   }
 
   // A vector from W0 into the kernel: along the bisector of the two half-planes at W0, as long as the shorter edge there. At the end of an
   // open ring there is one edge and one half-plane.
-  static Vector_2 corner_bisector(const One_rings& rings, Index v, Index kept, const std::vector<Point_2>& uv)
+  Vector_2 corner_bisector(Index v, Index kept) const
   {
-    const One_rings::Ring ring = rings[v];
+    const One_rings::Ring ring = m_rings[v];
     const std::size_t size = ring.size(), slot = std::size_t(std::find(ring.begin(), ring.end(), kept) - ring.begin());
-    const bool has_next = slot + 1 < size || !rings.is_border(v), has_previous = slot > 0 || !rings.is_border(v);
-    const Vector_2 next = has_next ? uv[ring[(slot + 1) % size]] - uv[kept] : Vector_2(0, 0);
-    const Vector_2 previous = has_previous ? uv[ring[(slot + size - 1) % size]] - uv[kept] : Vector_2(0, 0);
+    const bool has_next = slot + 1 < size || !m_rings.is_border(v), has_previous = slot > 0 || !m_rings.is_border(v);
+    const Vector_2 next = has_next ? m_uv[ring[(slot + 1) % size]] - m_uv[kept] : Vector_2(0, 0);
+    const Vector_2 previous = has_previous ? m_uv[ring[(slot + size - 1) % size]] - m_uv[kept] : Vector_2(0, 0);
     const double next_length = std::sqrt(next.squared_length()), previous_length = std::sqrt(previous.squared_length());
     const auto left = [](const Vector_2& x) { return Vector_2(-x.y(), x.x()); };
     if (!has_previous)
@@ -100,6 +120,11 @@ private:
     return (std::min)(next_length, previous_length) * 0.5 * (left(next) / next_length - left(previous) / previous_length);
   }
 
+  const One_rings& m_rings;
+  std::vector<Point_2>& m_uv;
+  const std::vector<bool>& m_is_placed;
+
+  Index m_inserted = no_index;
   Star<MIPS_energy_2> m_star;
   Polygon_kernel_2 m_kernel;
   Point_2 m_best;

@@ -18,7 +18,9 @@ template <class Energy>
 class Vertex_relaxation
 {
 public:
-  Vertex_relaxation(const Level& level, Triangle_weight weight) : m_level(level), m_weight(weight)
+  // Steps are `relaxation_factor` times Newton's, as in successive over-relaxation; between 0 and 2.
+  Vertex_relaxation(const Level& level, Triangle_weight weight, double relaxation_factor)
+    : m_level(level), m_weight(weight), m_relaxation_factor(relaxation_factor)
   {
     const One_rings& rings = level.rings();
     m_corners.resize(rings.number_of_slots());
@@ -59,7 +61,7 @@ public:
     if (m_level.is_pinned(v))
       return 0;
     gather(v, uv);
-    return relax_vertex(m_star, m_level.rings(), v, uv);
+    return relax_vertex(m_star, m_level.rings(), v, m_relaxation_factor, uv);
   }
 
   // Relaxes the vertices from `first` on, in the order of their ranks, and returns by how much the energy fell.
@@ -89,6 +91,7 @@ private:
 
   const Level& m_level;
   Triangle_weight m_weight;
+  double m_relaxation_factor;
   std::vector<Rest_corner> m_corners;    // of every slot of the level's rings
   Star<Energy> m_star;
 };

@@ -19,15 +19,14 @@ inline Index insert_new_vertices(const Level& level, Level::Uv& uv)
   const Index first_new = Index(level.first_new_vertex()), end = Index(level.number_of_vertices());
 
   uv.resize(end);
-  for (Index v = first_new; v < end; ++v) {
-    const Index_triangle& parent = hierarchy.parent_triangle(v);
-    const std::array<double, 3> c = hierarchy.barycentric_coordinates(v);
-    uv[v] = uv[parent[0]] + c[1] * (uv[parent[1]] - uv[parent[0]]) + c[2] * (uv[parent[2]] - uv[parent[0]]);
-  }
+  for (Index v = first_new; v < end; ++v)
+    uv[v] = uv[hierarchy.kept_vertex(v)];
 
-  // The new vertices are independent, but the angles at a border vertex involve both of its border neighbors: these still stand on
-  // their coarse border edges, where they leave the angles as they were, until all others have their places.
-  Vertex_inserter inserter;
+  // The vertices are independent of each other but on the border, where the angles involve two neighbors: it comes last.
+  std::vector<bool> is_placed(end, true);
+  for (Index v = first_new; v < end; ++v)
+    is_placed[v] = !level.is_border(v);
+  Vertex_inserter inserter(level.rings(), uv, is_placed);
   std::vector<Rest_corner> corners;
   for (const bool at_border : { false, true })
     for (Index v = first_new; v < end; ++v) {
@@ -37,8 +36,9 @@ inline Index insert_new_vertices(const Level& level, Level::Uv& uv)
       corners.clear();
       for (std::size_t i = 0; i < level.rings().number_of_triangles(v); ++i)
         corners.push_back(rest_corner(level.point(v), level.point(ring[i]), level.point(ring[i + 1 == ring.size() ? 0 : i + 1])));
-      if (!inserter.insert(level.rings(), v, corners.data(), hierarchy.parent_triangle(v), uv))
+      if (!inserter.insert(v, corners.data(), hierarchy.parent_triangle(v), hierarchy.barycentric_coordinates(v)))
         return v;
+      is_placed[v] = true;
     }
   return no_index;
 }

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Vertex_relaxation.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <random>
 
@@ -26,7 +27,8 @@ namespace internal {
 
 struct Relaxation_options
 {
-  std::size_t most_sweeps = 30;
+  std::size_t most_sweeps = 10;
+  double relaxation_factor = 1.8;             // of sweeps; random steps are plain
   double tolerance = 1e-6;                    // of the decrease in one sweep, relative to the excess over the minimum
   std::size_t number_of_local_steps = 0;      // unless 0: exactly so many visits instead of sweeps until convergence
   Visit_order order = Visit_order::SWEEPS;
@@ -48,14 +50,18 @@ struct Relaxation_options
 };
 
 // Lets the vertices that were just inserted settle among their neighbors, then relaxes all vertices until convergence or until the
-// steps are used up. Energies are reported as the sum over the triangles, or as the mean over the area if triangles are weighted so.
+// steps are used up; the coarsest of several levels always until convergence, for what it lacks no finer level can
+// make good, and it costs nothing. Energies are reported as the sum over the triangles, or as the mean over the area if triangles are weighted so.
 template <class Energy>
 void relax_level(const Level& level, Level::Uv& uv, const Relaxation_options& options, Level_summary& summary)
 {
   constexpr int settling_sweeps = 3;
+  constexpr std::size_t most_sweeps_on_coarsest_level = 2000;
   const Index n = Index(level.number_of_vertices());
+  const bool is_first_of_many = level.index() == 0 && !level.is_finest();
+  const std::size_t most_sweeps = is_first_of_many ? (std::max)(options.most_sweeps, most_sweeps_on_coarsest_level) : options.most_sweeps;
 
-  Vertex_relaxation<Energy> relaxation(level, options.weight);
+  Vertex_relaxation<Energy> relaxation(level, options.weight, options.order == Visit_order::SWEEPS ? options.relaxation_factor : 1);
   const double unit = options.weight == Triangle_weight::AREA ? relaxation.total_weight() : 1;
   const double minimum = Energy::minimum * relaxation.total_weight();
   double energy = relaxation.energy(uv);
@@ -71,7 +77,7 @@ void relax_level(const Level& level, Level::Uv& uv, const Relaxation_options& op
       energy -= relaxation.sweep(uv, Index(level.first_new_vertex()));
       summary.vertex_visits += n - level.first_new_vertex();
     }
-    while (summary.iterations < options.most_sweeps && !summary.converged) {
+    while (summary.iterations < most_sweeps && !summary.converged) {
       const double decrease = options.order == Visit_order::RANDOM ? relaxation.random_steps(uv, n, random) : relaxation.sweep(uv);
       summary.converged = !(decrease > options.tolerance * (energy - minimum));
       energy -= decrease;

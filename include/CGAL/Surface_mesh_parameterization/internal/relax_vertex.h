@@ -26,10 +26,10 @@ Vector_2 newton_direction(const Derivatives& d)
 }
 
 // One step of vertex relaxation (Hormann and Greiner 1999): moves v by a safeguarded Newton step inside the kernel of its star and returns
-// by how much the energy fell, 0 if v stayed. The step is halved until the energy falls and the invariant holds by exact predicates.
+// by how much the energy fell, 0 if v stayed. The step is `relaxation_factor` times Newton's; it is halved until the energy falls and the invariant holds by exact predicates.
 // Precondition: `star` is gathered from v, and the invariant holds.
 template <class Energy>
-double relax_vertex(const Star<Energy>& star, const One_rings& rings, Index v, std::vector<Point_2>& uv)
+double relax_vertex(const Star<Energy>& star, const One_rings& rings, Index v, double relaxation_factor, std::vector<Point_2>& uv)
 {
   constexpr int most_halvings = 8;
   constexpr double part_of_longest_step = 0.8, sufficient_decrease = 1e-4, least_relative_decrease = 1e-15;
@@ -41,7 +41,7 @@ double relax_vertex(const Star<Energy>& star, const One_rings& rings, Index v, s
   if (!(slope < -least_relative_decrease * d.value))    // converged, or not a number
     return 0;
 
-  double step = (std::min)(1., part_of_longest_step * star.longest_step(start, direction));
+  double step = (std::min)(relaxation_factor, part_of_longest_step * star.longest_step(start, direction));
   for (int i = 0; i < most_halvings; ++i, step *= 0.5) {
     const Point_2 trial = start + step * direction;
     const double decrease = d.value - star.energy(trial);

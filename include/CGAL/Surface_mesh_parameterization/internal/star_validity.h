@@ -27,45 +27,54 @@ inline bool is_star_positive(const One_rings& rings, const std::vector<Point_2>&
   return true;
 }
 
+// Where a vertex w lies, seen from its neighbor v.
+struct Place_of_vertex
+{
+  const std::vector<Point_2>& uv;
+  const Point_2& operator()(Index w, Index /*v*/) const { return uv[w]; }
+};
+
 // Whether the directions from v to its neighbors, that turn left by less than half a turn each, come back to the first one
 // before the last one: for a border vertex, whether its angles sum to at least one turn; for an interior one, whether they sum to more.
 // Precondition: the star of v is positive.
-inline bool turns_too_far(const One_rings& rings, const std::vector<Point_2>& uv, Index v)
+template <class Place>
+bool turns_too_far(const One_rings& rings, const Place& place, Index v)
 {
   const One_rings::Ring ring = rings[v];
-  const Point_2 &center = uv[v], &first = uv[ring.front()];
+  const Point_2 &center = place(v, v), &first = place(ring.front(), v);
   bool is_past_half_turn = false;
   for (std::size_t i = 1; i < ring.size(); ++i) {
-    const Orientation side = orientation(center, first, uv[ring[i]]);
-    if (side == LEFT_TURN) {
-      if (is_past_half_turn)
-        return true;
-    } else if (side == RIGHT_TURN)
-      is_past_half_turn = true;
-    else if (collinear_are_ordered_along_line(center, first, uv[ring[i]]) || collinear_are_ordered_along_line(center, uv[ring[i]], first)) {
-      if (is_past_half_turn)
-        return true;    // exactly one turn
-    } else
-      is_past_half_turn = true;
+    const Point_2& p = place(ring[i], v);
+    const Orientation side = orientation(center, first, p);
+    const bool is_ahead = side == LEFT_TURN || (side == COLLINEAR && !are_strictly_ordered_along_line(first, center, p));
+    if (is_ahead && is_past_half_turn)
+      return true;
+    is_past_half_turn = is_past_half_turn || !is_ahead;
   }
   return false;
 }
 
 // Whether the invariant holds at v and, if v lies on the border, at its two border neighbors.
-inline bool is_star_valid(const One_rings& rings, const std::vector<Point_2>& uv, Index v)
+template <class Place>
+bool is_star_valid(const One_rings& rings, const std::vector<Point_2>& uv, const Place& place, Index v)
 {
   if (!is_star_positive(rings, uv, v))
     return false;
   if (!rings.is_border(v))
     return true;
-  return !turns_too_far(rings, uv, v) && !turns_too_far(rings, uv, rings[v].front()) && !turns_too_far(rings, uv, rings[v].back());
+  return !turns_too_far(rings, place, v) && !turns_too_far(rings, place, rings[v].front()) && !turns_too_far(rings, place, rings[v].back());
+}
+
+inline bool is_star_valid(const One_rings& rings, const std::vector<Point_2>& uv, Index v)
+{
+  return is_star_valid(rings, uv, Place_of_vertex{ uv }, v);
 }
 
 // Whether the invariant holds everywhere.
 inline bool is_map_valid(const One_rings& rings, const std::vector<Point_2>& uv)
 {
   for (Index v = 0; v < rings.number_of_vertices(); ++v)
-    if (!is_star_positive(rings, uv, v) || turns_too_far(rings, uv, v))
+    if (!is_star_positive(rings, uv, v) || turns_too_far(rings, Place_of_vertex{ uv }, v))
       return false;
   return true;
 }
