@@ -12,6 +12,7 @@ set(table "
 0 internal/flat_types.h
 0 internal/Polygon_kernel_2.h
 0 internal/Rest_triangle.h
+0 internal/Mapped_triangle.h
 1 internal/One_rings.h
 1 internal/Star.h
 1 internal/star_validity.h
@@ -27,7 +28,7 @@ set(table "
 2 parameterization_quality.h
 2 internal/Collapse_group.h
 2 internal/Hierarchy_builder.h
-2 internal/Hierarchy_visitor.h
+2 Hierarchy_visitor_3.h
 2 internal/write_map.h
 2 IO/write_SVG.h
 2 IO/write_OBJ.h

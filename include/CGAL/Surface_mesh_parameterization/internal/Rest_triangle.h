@@ -17,7 +17,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 //              V
 //             /|\           foot    where the height from V meets AB, in lengths of AB: 0 at A, 1 at B
 //            / | \          height  the length of that height, in lengths of AB
-//           /  |  \         area    the triangle's area in space
+//           /  |  \         inverse_area  1 / area, of the triangle in space
 //          A---+---B
 //
 // With a, b, v the images in the plane, the squared Frobenius norm of the map is quadratic and its determinant linear in v:
@@ -25,7 +25,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 //     area (s1^2 + s2^2) = |v - (a + foot ab)|^2 / (2 height) + height |ab|^2 / 2,       area s1 s2 = cross(ab, v - a) / 2.
 struct Rest_corner
 {
-  double foot, height, area;
+  double foot, height, inverse_area;
 
   // The place of V that makes the image similar to the rest shape.
   Point_2 similar_apex(const Point_2& a, const Point_2& b) const
@@ -59,14 +59,14 @@ inline std::array<Rest_corner, 3> rest_corners(const Point_3& p, const Point_3& 
     foot = (base * side) / base2;
     height = (std::max)(std::sqrt(CGAL::cross_product(base, side).squared_length()) / base2, lowest_rest_height);
   }
-  const double area = 0.5 * height * (std::max)(base2, least_squared_length);
+  const double inverse_area = 2 / (height * (std::max)(base2, least_squared_length));
 
   // In lengths of the longest edge AB: A = (0,0), B = (1,0), V = (foot, height).
   const double left2 = foot * foot + height * height, right2 = (1 - foot) * (1 - foot) + height * height;
   std::array<Rest_corner, 3> result;
-  result[top] = { foot, height, area };
-  result[(top + 1) % 3] = { (1 - foot) / right2, height / right2, area };
-  result[(top + 2) % 3] = { (height * height - foot * (1 - foot)) / left2, height / left2, area };
+  result[top] = { foot, height, inverse_area };
+  result[(top + 1) % 3] = { (1 - foot) / right2, height / right2, inverse_area };
+  result[(top + 2) % 3] = { (height * height - foot * (1 - foot)) / left2, height / left2, inverse_area };
   return result;
 }
 
@@ -79,7 +79,7 @@ inline Rest_corner rest_corner(const Point_3& v, const Point_3& a, const Point_3
   const double longest2 = (std::max)({ base2, side2, base2 + side2 - 2 * along });
   if (!(doubled_area > lowest_rest_height * longest2))
     return rest_corners(v, a, b)[0];
-  return { along / base2, doubled_area / base2, 0.5 * doubled_area };
+  return { along / base2, doubled_area / base2, 2 / doubled_area };
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -50,26 +50,37 @@ public:
       const Point_2 b = i + 1 == ring.size() ? first : uv[ring[i + 1]];
       const Vector_2 ab = b - a;
       const Rest_corner& c = corners[i];
-      const double inverse_area = 1 / c.area;
-      m_triangles[i] = { a, ab, c.foot * ab, 0.5 * inverse_area / c.height, 0.5 * inverse_area * c.height * ab.squared_length(), 0.5 * inverse_area,
-                         weight == Triangle_weight::AREA ? c.area : 1. };
+      const double determinant_scale = 0.5 * c.inverse_area;
+      m_triangles[i] = { a, ab, c.foot * ab, determinant_scale / c.height, determinant_scale * c.height * ab.squared_length(), determinant_scale,
+                         weight == Triangle_weight::AREA ? 1 / c.inverse_area : 1. };
       a = b;
     }
   }
 
-  // The energy with V at p; infinite unless all triangles are positive.
-  double energy(const Point_2& p) const
+  struct Filtered_energy
   {
-    double sum = 0;
+    double value;                // infinite unless all triangles are positive
+    bool is_surely_positive;     // whether they are so beyond any rounding error
+  };
+
+  // The energy with V at p, and a filter that spares the exact predicates, except for stars that are almost flat.
+  Filtered_energy filtered_energy(const Point_2& p) const
+  {
+    // A determinant of rounded differences is off by at most 4 * 2^-53 times the sum of its two products, unless these underflow.
+    constexpr double relative_error = 1e-14, least_determinant = 1e-280;
+    double sum = 0, least_margin = 1;
     for (const Triangle& t : m_triangles) {
       const Vector_2 x = p - t.a, u = x - t.foot;
-      const double determinant = t.determinant_scale * cross(t.ab, x);
-      if (!(determinant > 0))
-        return (std::numeric_limits<double>::infinity)();
-      sum += t.weight * Energy::value(t.frobenius_scale * u.squared_length() + t.least_frobenius, determinant);
+      const double plus = t.ab.x() * x.y(), minus = t.ab.y() * x.x(), doubled_area = plus - minus;
+      if (!(doubled_area > 0))
+        return { (std::numeric_limits<double>::infinity)(), false };
+      least_margin = (std::min)(least_margin, doubled_area - relative_error * (std::abs(plus) + std::abs(minus)));
+      sum += t.weight * Energy::value(t.frobenius_scale * u.squared_length() + t.least_frobenius, t.determinant_scale * doubled_area);
     }
-    return sum;
+    return { sum, least_margin > least_determinant };
   }
+
+  double energy(const Point_2& p) const { return filtered_energy(p).value; }
 
   // Value, gradient and Hessian with V at p. Precondition: all triangles are positive.
   Derivatives derivatives(const Point_2& p) const

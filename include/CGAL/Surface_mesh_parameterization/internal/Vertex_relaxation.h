@@ -51,7 +51,7 @@ public:
     double sum = 0;
     for (Index v = 0; v < m_level.number_of_vertices(); ++v)
       for (std::size_t i = 0; i < m_level.rings().number_of_triangles(v); ++i)
-        sum += m_corners[m_level.rings().first_slot(v) + i].area;
+        sum += 1 / m_corners[m_level.rings().first_slot(v) + i].inverse_area;
     return sum / 3;
   }
 

@@ -12,17 +12,22 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The Newton direction, with the Hessian made positive definite by a multiple of the identity where it is not.
+// The Newton direction. A Hessian that is not positive definite, or hardly, is shifted until it is.
 template <class Derivatives>
 Vector_2 newton_direction(const Derivatives& d)
 {
-  const double half_trace = 0.5 * (d.hessian[0] + d.hessian[2]);
-  const double radius = std::hypot(0.5 * (d.hessian[0] - d.hessian[2]), d.hessian[1]);
-  const double least = half_trace - radius, greatest = half_trace + radius;
-  const double shift = least > 1e-8 * greatest ? 0 : 1e-2 * (std::abs(greatest) + radius) - (std::min)(least, 0.);
-  const double xx = d.hessian[0] + shift, xy = d.hessian[1], yy = d.hessian[2] + shift;
-  const double determinant = xx * yy - xy * xy;
-  return Vector_2((xy * d.gradient[1] - yy * d.gradient[0]) / determinant, (xy * d.gradient[0] - xx * d.gradient[1]) / determinant);
+  constexpr double least_relative_determinant = 1e-8, relative_shift = 1e-2;
+
+  double xx = d.hessian[0], yy = d.hessian[2];
+  const double xy = d.hessian[1], trace = xx + yy;
+  if (!(trace > 0 && xx * yy - xy * xy > least_relative_determinant * trace * trace)) {
+    const double radius = std::hypot(0.5 * (xx - yy), xy), least = 0.5 * trace - radius, greatest = 0.5 * trace + radius;
+    const double shift = (std::max)(-least, 0.) + relative_shift * (std::max)(std::abs(least), std::abs(greatest));
+    xx += shift;
+    yy += shift;
+  }
+  const double inverse = 1 / (xx * yy - xy * xy);
+  return Vector_2((xy * d.gradient[1] - yy * d.gradient[0]) * inverse, (xy * d.gradient[0] - xx * d.gradient[1]) * inverse);
 }
 
 // One step of vertex relaxation (Hormann and Greiner 1999): moves v by a safeguarded Newton step inside the kernel of its star and returns
@@ -41,14 +46,18 @@ double relax_vertex(const Star<Energy>& star, const One_rings& rings, Index v, d
   if (!(slope < -least_relative_decrease * d.value))    // converged, or not a number
     return 0;
 
-  double step = (std::min)(relaxation_factor, part_of_longest_step * star.longest_step(start, direction));
+  double step = relaxation_factor;
   for (int i = 0; i < most_halvings; ++i, step *= 0.5) {
     const Point_2 trial = start + step * direction;
-    const double decrease = d.value - star.energy(trial);
-    if (!(decrease > -sufficient_decrease * step * slope))
+    const auto energy = star.filtered_energy(trial);
+    const double decrease = d.value - energy.value;
+    if (!(decrease > -sufficient_decrease * step * slope)) {
+      if (!std::isfinite(energy.value))
+        step = (std::min)(step, 2 * part_of_longest_step * star.longest_step(start, direction));    // outside the kernel
       continue;
+    }
     uv[v] = trial;
-    if (is_star_valid(rings, uv, v))
+    if ((energy.is_surely_positive && !rings.is_border(v)) || is_star_valid(rings, uv, v))
       return decrease;
     uv[v] = start;
   }

@@ -1,0 +1,65 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_IO_WRITE_OBJ_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_IO_WRITE_OBJ_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <cstddef>
+#include <limits>
+#include <ostream>
+
+namespace CGAL::Surface_mesh_parameterization::IO {
+
+/// \ingroup PkgHierarchicalParameterizationIO
+///
+/// writes a mesh with its parameterization as Wavefront OBJ: `v` and `vt` lines in the order of `vertices(mesh)`, faces in the order of
+/// `faces(mesh)`, all digits.
+///
+/// \param os the stream; whether writing succeeded is told by its state
+/// \param mesh a model of `FaceListGraph` with an internal vertex point map
+/// \param uvmap a readable property map from vertices to points of the plane
+/// \param vpmap a readable property map from vertices to `bool`: which vertices have a place in the plane. Faces with one that has not are
+///        written without texture coordinates
+template <class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
+void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, VertexParameterizedMap vpmap)
+{
+  const auto point_map = get(CGAL::vertex_point, mesh);
+  const auto index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+  const auto texture_index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+  const std::streamsize old_precision = os.precision((std::numeric_limits<double>::max_digits10));
+
+  std::size_t index = 0, texture_index = 0;
+  for (const auto v : vertices(mesh)) {
+    const auto& p = get(point_map, v);
+    os << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    put(index_of, v, ++index);
+  }
+  for (const auto v : vertices(mesh))
+    if (get(vpmap, v)) {
+      const auto& p = get(uvmap, v);
+      os << "vt " << p.x() << ' ' << p.y() << '\n';
+      put(texture_index_of, v, ++texture_index);
+    }
+  for (const auto f : faces(mesh)) {
+    bool has_texture = true;
+    for (const auto v : vertices_around_face(halfedge(f, mesh), mesh))
+      has_texture = has_texture && get(vpmap, v);
+    os << 'f';
+    for (const auto v : vertices_around_face(halfedge(f, mesh), mesh)) {
+      os << ' ' << get(index_of, v);
+      if (has_texture)
+        os << '/' << get(texture_index_of, v);
+    }
+    os << '\n';
+  }
+  os.precision(old_precision);
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::IO
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_IO_WRITE_OBJ_H

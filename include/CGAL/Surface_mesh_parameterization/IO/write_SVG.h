@@ -1,0 +1,115 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_IO_WRITE_SVG_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_IO_WRITE_SVG_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Mapped_triangle.h>
+
+#include <CGAL/Bbox_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+namespace internal {
+
+// A drawing of plane triangles, each in one of a few colors.
+class Triangle_drawing
+{
+public:
+  // `distortion` is at least 1; the color scale is logarithmic and ends at 2.
+  void add(const std::array<Point_2, 3>& triangle, double distortion)
+  {
+    const double position = (std::min)(1., (std::max)(0., std::log2(distortion)));
+    m_triangles[std::size_t(std::lround(position * double(number_of_colors - 1)))].push_back(triangle);
+    for (const Point_2& p : triangle)
+      m_box += p.bbox();
+  }
+
+  void write(std::ostream& os) const
+  {
+    constexpr double size = 1000, margin = 10;
+    const double extent = (std::max)(m_box.xmax() - m_box.xmin(), m_box.ymax() - m_box.ymin());
+    const double scale = extent > 0 ? size / extent : 1;
+    os << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << rounded(scale * (m_box.xmax() - m_box.xmin()) + 2 * margin) << ' '
+       << rounded(scale * (m_box.ymax() - m_box.ymin()) + 2 * margin) << "\" stroke=\"#222\" stroke-width=\"0.4\" stroke-linejoin=\"round\">\n";
+    for (std::size_t i = 0; i < number_of_colors; ++i) {
+      if (m_triangles[i].empty())
+        continue;
+      os << "<path fill=\"" << color(double(i) / double(number_of_colors - 1)) << "\" d=\"";
+      for (const std::array<Point_2, 3>& t : m_triangles[i]) {
+        char command = 'M';
+        for (const Point_2& p : t) {
+          os << command << rounded(margin + scale * (p.x() - m_box.xmin())) << ' ' << rounded(margin + scale * (m_box.ymax() - p.y()));
+          command = 'L';
+        }
+        os << 'Z';
+      }
+      os << "\"/>\n";
+    }
+    os << "</svg>\n";
+  }
+
+private:
+  static constexpr std::size_t number_of_colors = 16;
+
+  // Two digits behind the point: a hundred-thousandth of the drawing.
+  static double rounded(double coordinate) { return std::round(100 * coordinate) / 100; }
+
+  // From nearly white over orange to dark red.
+  static std::string color(double position)
+  {
+    static const std::array<std::array<double, 3>, 3> stops = { { { 247, 247, 240 }, { 244, 165, 96 }, { 150, 10, 30 } } };
+    const std::size_t segment = position < 0.5 ? 0 : 1;
+    const double fraction = 2 * position - double(segment);
+    std::ostringstream text;
+    text << "rgb(";
+    for (int i = 0; i < 3; ++i)
+      text << (i ? "," : "") << std::lround((1 - fraction) * stops[segment][i] + fraction * stops[segment + 1][i]);
+    text << ')';
+    return text.str();
+  }
+
+  std::array<std::vector<std::array<Point_2, 3>>, number_of_colors> m_triangles;
+  CGAL::Bbox_2 m_box;
+};
+
+} // namespace internal
+
+namespace IO {
+
+/// \ingroup PkgHierarchicalParameterizationIO
+///
+/// draws a parameterization as SVG: the triangles in the plane, colored by their angle distortion `(s1/s2 + s2/s1) / 2` from nearly white (1) over
+/// orange to dark red (2 and more).
+///
+/// \param os the stream; whether writing succeeded is told by its state
+/// \param mesh a triangle mesh, a model of `FaceGraph` with an internal vertex point map
+/// \param face_range the faces to draw; their map must be positive
+/// \param uvmap a readable property map from vertices to points of the plane
+template <class TriangleMesh, class FaceRange, class VertexUVMap>
+void write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face_range, VertexUVMap uvmap)
+{
+  internal::Triangle_drawing drawing;
+  for (const auto f : face_range) {
+    const internal::Mapped_triangle t(f, mesh, uvmap);
+    drawing.add(t.uv, internal::Map_invariants(t).angle_distortion());
+  }
+  drawing.write(os);
+}
+
+} // namespace IO
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_IO_WRITE_SVG_H
