@@ -1,0 +1,224 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parameterizes surfaces from the command line: see --help.
+
+#include "program_input.h"
+#include "program_output.h"
+
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
+#include <CGAL/Surface_mesh_parameterization/IO/write_SVG.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <boost/program_options.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace {
+
+typedef SMP::MIPS_parameterizer_3<Mesh>   MIPS;
+
+enum Exit_status { WRITTEN = 0, WRONG_USAGE = 1, BAD_INPUT = 2, METHOD_FAILED = 3 };
+
+struct Options
+{
+  std::vector<std::string> inputs;
+  std::string method, weights, output, picture, report, levels;
+  double tolerance;
+  std::size_t iterations;
+  unsigned int seed;
+  bool flat, quiet;
+};
+
+struct Usage_error { std::string message; };
+
+// Returns whether there is something to do: not after --help.
+bool read_options(int argc, char** argv, Options& options)
+{
+  namespace po = boost::program_options;
+  po::options_description described("Options");
+  described.add_options()
+    ("help,h", "print this text")
+    ("method", po::value(&options.method)->default_value("mips"), "mips: free border, least distortion of angles")
+    ("output", po::value(&options.output), "write the mesh with its map as OBJ")
+    ("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion")
+    ("report", po::value(&options.report), "write figures as JSON, one line per input")
+    ("levels", po::value(&options.levels), "write every level of the hierarchy as OBJ into this folder")
+    ("flat", po::bool_switch(&options.flat), "run the method without the hierarchy")
+    ("tolerance", po::value(&options.tolerance)->default_value(1e-6), "a level has converged when a sweep lowers its excess energy by less than this part")
+    ("iterations", po::value(&options.iterations)->default_value(100), "the most sweeps on a level")
+    ("weights", po::value(&options.weights)->default_value("triangle"), "triangle: all alike, or area: by their area in space")
+    ("seed", po::value(&options.seed)->default_value(0), "of the random choices: the same seed gives the same result")
+    ("quiet", po::bool_switch(&options.quiet), "print errors only");
+  po::options_description all;
+  all.add(described).add_options()("input", po::value(&options.inputs));
+  po::variables_map values;
+  try {
+    po::store(po::command_line_parser(argc, argv).options(all).positional(po::positional_options_description().add("input", -1)).run(), values);
+    po::notify(values);
+  } catch (const po::error& error) {
+    throw Usage_error{ error.what() };
+  }
+  if (values.count("help")) {
+    std::cout << "Usage: hierarchical_parameterization [INPUT ...] [OPTION ...]\n\n"
+                 "Lays triangulated surfaces (OFF, OBJ, PLY or STL) in the plane without a flip, coarse to fine.\n"
+                 "Without INPUT: a built-in face of 1042 vertices.\n\n" << described << "\n"
+                 "Exit status: 0 maps written, 1 wrong usage, 2 an input is no surface to parameterize, 3 a method failed.\n";
+    return false;
+  }
+  if (options.method != "mips")
+    throw Usage_error{ "unknown method '" + options.method + "'; there is: mips" };
+  if (options.weights != "triangle" && options.weights != "area")
+    throw Usage_error{ "unknown weights '" + options.weights + "'; there are: triangle, area" };
+  if (!(options.tolerance >= 0))
+    throw Usage_error{ "the tolerance must not be negative" };
+  if (options.inputs.size() > 1 && !(options.output.empty() && options.picture.empty() && options.levels.empty()))
+    throw Usage_error{ "--output, --picture and --levels take one input" };
+  if (options.inputs.empty())
+    options.inputs.emplace_back();
+  return true;
+}
+
+// Tells of progress on a terminal and writes the levels.
+struct Visitor : SMP::Hierarchy_visitor_3
+{
+  const Options& options;
+  const Mesh& mesh;
+  const std::vector<Mesh::Vertex_index>& vertices;    // of the component
+  bool has_progress_line;
+
+  Visitor(const Options& options, const Mesh& mesh, const std::vector<Mesh::Vertex_index>& vertices)
+    : options(options), mesh(mesh), vertices(vertices), has_progress_line(!options.quiet && isatty(STDERR_FILENO))
+  { }
+
+  bool level_parameterized(const SMP::Level& level, const SMP::Level::Uv& uv, const SMP::Level_summary& summary)
+  {
+    if (has_progress_line)
+      std::fprintf(stderr, "\rlevel %zu of %zu: %zu triangles, energy %.6g %s", level.index() + 1, level.hierarchy().number_of_levels(),
+                   summary.faces, summary.energy_end, level.is_finest() ? "\n" : "");
+    if (!options.levels.empty()) {
+      char name[32];
+      std::snprintf(name, sizeof name, "level_%02zu.obj", level.index());
+      write_file((std::filesystem::path(options.levels) / name).string(),
+                 [&](std::ostream& out) { write_level(out, mesh, vertices, level, uv); });
+    }
+    return true;
+  }
+};
+
+std::vector<Mesh::Vertex_index> vertices_of_component(const Input& input)
+{
+  std::vector<bool> is_used(input.mesh.number_of_vertices(), false);
+  for (const Mesh::Face_index f : input.faces)
+    for (const Mesh::Vertex_index v : input.mesh.vertices_around_face(input.mesh.halfedge(f)))
+      is_used[v] = true;
+  std::vector<Mesh::Vertex_index> result;
+  for (const Mesh::Vertex_index v : input.mesh.vertices())
+    if (is_used[v])
+      result.push_back(v);
+  return result;
+}
+
+template <class UVMap>
+SMP::Parameterization_summary parameterize(Input& input, const Options& options, UVMap uvmap)
+{
+  SMP::Parameterization_summary summary;
+  const MIPS mips(CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary))
+                  .triangle_weight(options.weights == "area" ? SMP::Triangle_weight::AREA : SMP::Triangle_weight::ONE)
+                  .number_of_iterations(options.iterations));
+  if (options.flat)
+    SMP::parameterize(input.mesh, mips, input.border, uvmap);
+  else {
+    const std::vector<Mesh::Vertex_index> vertices = vertices_of_component(input);
+    const SMP::Hierarchical_parameterizer_3<MIPS> hierarchical(mips, CGAL::parameters::summary(std::ref(summary)).random_seed(options.seed)
+                                                                     .visitor(Visitor(options, input.mesh, vertices)));
+    SMP::parameterize(input.mesh, hierarchical, input.border, uvmap);
+  }
+  return summary;
+}
+
+void print_summary(const Input& input, const SMP::Parameterization_summary& summary, const SMP::Parameterization_quality& quality)
+{
+  if (input.number_of_components > 1)
+    std::cout << input.name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
+  std::printf("%s: %zu triangles, %zu levels, %s, MIPS energy %.6f (%.6f above its minimum), %zu flips, %.3f s\n", input.name.c_str(),
+              input.faces.size(), summary.levels.size(), summary.converged ? "converged" : "not converged", quality.mips, quality.mips_excess,
+              quality.flips, summary.seconds_hierarchy + summary.seconds_parameterize);
+}
+
+// Reads, parameterizes, checks and writes one input; appends its line to the report.
+Exit_status run(const std::string& file, const Options& options, std::string& report)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  Input input;
+  try {
+    input = read_input(file);
+  } catch (const Input_error& error) {
+    std::cerr << file << ": " << error.message << '\n';
+    return BAD_INPUT;
+  }
+  const double seconds_read = timer.time();
+
+  if (!options.levels.empty())
+    std::filesystem::create_directories(options.levels);
+  auto uvmap = input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+  const SMP::Parameterization_summary summary = parameterize(input, options, uvmap);
+  if (summary.error.code != SMP::OK) {
+    std::cerr << input.name << ": " << error_message(summary.error) << '\n';
+    report += make_report(input, options.method, summary, seconds_read, 0, nullptr).dump() + '\n';
+    return summary.error.code == SMP::ERROR_NO_1_TO_1_MAPPING || summary.error.code == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM ? METHOD_FAILED : BAD_INPUT;
+  }
+
+  const SMP::Parameterization_quality quality = SMP::parameterization_quality(input.mesh, input.faces, uvmap);
+  const double seconds_before_writing = timer.time();
+  if (!options.output.empty()) {
+    auto is_parameterized = input.mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_parameterized", false).first;
+    for (const Mesh::Vertex_index v : vertices_of_component(input))
+      is_parameterized[v] = true;
+    write_file(options.output, [&](std::ostream& out) { SMP::IO::write_OBJ(out, input.mesh, uvmap, is_parameterized); });
+  }
+  if (!options.picture.empty())
+    write_file(options.picture, [&](std::ostream& out) { SMP::IO::write_SVG(out, input.mesh, input.faces, uvmap); });
+  report += make_report(input, options.method, summary, seconds_read, timer.time() - seconds_before_writing, &quality).dump() + '\n';
+  if (!options.quiet)
+    print_summary(input, summary, quality);
+  return quality.flips == 0 ? WRITTEN : METHOD_FAILED;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try {
+    Options options;
+    if (!read_options(argc, argv, options))
+      return WRITTEN;
+    std::string report;
+    int status = WRITTEN;
+    for (const std::string& input : options.inputs)
+      status = (std::max)(status, int(run(input, options, report)));
+    if (!options.report.empty())
+      write_file(options.report, [&](std::ostream& out) { out << report; });
+    return status;
+  } catch (const Usage_error& error) {
+    std::cerr << "hierarchical_parameterization: " << error.message << "; see --help\n";
+    return WRONG_USAGE;
+  } catch (const std::exception& error) {
+    std::cerr << "hierarchical_parameterization: " << error.what() << '\n';
+    return METHOD_FAILED;
+  }
+}

@@ -1,0 +1,50 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parameterizes a mesh with border by MIPS, coarse to fine, and writes it as OBJ with texture coordinates.
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/IO/OFF.h>
+
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
+#include <fstream>
+#include <iostream>
+
+typedef CGAL::Simple_cartesian<double>          Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3>     Mesh;
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  if (argc != 3 || !CGAL::IO::read_OFF(argv[1], mesh)) {
+    std::cerr << "usage: mips_example INPUT.off OUTPUT.obj\n";
+    return 1;
+  }
+
+  const Mesh::Halfedge_index border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+  auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+
+  SMP::Hierarchical_parameterizer_3<SMP::MIPS_parameterizer_3<Mesh>> mips;
+  const SMP::Error_code status = SMP::parameterize(mesh, mips, border, uvmap);
+  if (status != SMP::OK) {
+    std::cerr << "could not be parameterized: error " << status << '\n';
+    return 1;
+  }
+
+  const SMP::Parameterization_quality quality = SMP::parameterization_quality(mesh, uvmap);
+  std::cout << quality.flips << " flips, mean angle distortion " << quality.angle << '\n';
+
+  std::ofstream out(argv[2]);
+  SMP::IO::write_OBJ(out, mesh, uvmap, CGAL::Constant_property_map<Mesh::Vertex_index, bool>(true));
+  return out ? 0 : 1;
+}

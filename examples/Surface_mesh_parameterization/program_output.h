@@ -1,0 +1,127 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROGRAM_OUTPUT_H
+#define PROGRAM_OUTPUT_H
+
+#include "program_input.h"
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
+
+#include <nlohmann/json.hpp>
+
+#include <sys/resource.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
+// Writes a file as a whole or not at all: under another name first, unless the path is no regular file (a pipe, a device).
+template <class Write>
+void write_file(const std::string& path, const Write& write)
+{
+  namespace fs = std::filesystem;
+  const bool is_special = fs::exists(path) && !fs::is_regular_file(path);
+  const std::string temporary = is_special ? path : path + ".part";
+  std::ofstream out(temporary, std::ios::binary);
+  write(out);
+  out.close();
+  std::error_code error;
+  if (out && !is_special)
+    fs::rename(temporary, path, error);
+  if (!out || error) {
+    if (!is_special)
+      fs::remove(temporary, error);
+    throw std::runtime_error(path + ": cannot be written");
+  }
+}
+
+// One level as OBJ: its vertices where the input has them, its triangles, and its map (up to scale).
+inline void write_level(std::ostream& out, const Mesh& mesh, const std::vector<Mesh::Vertex_index>& vertices_of_component,
+                        const SMP::Level& level, const SMP::Level::Uv& uv)
+{
+  out.precision(17);
+  for (SMP::Level::Index v = 0; v < level.number_of_vertices(); ++v)
+    out << "v " << mesh.point(vertices_of_component[level.hierarchy().input_vertex(v)]) << '\n';
+  for (const SMP::Level::Point_2& p : uv)
+    out << "vt " << p << '\n';
+  for (const SMP::Level::Triangle& t : level.triangles())
+    out << "f " << t[0] + 1 << '/' << t[0] + 1 << ' ' << t[1] + 1 << '/' << t[1] + 1 << ' ' << t[2] + 1 << '/' << t[2] + 1 << '\n';
+}
+
+inline const char* error_name(SMP::Error_code code)
+{
+  switch (code) {
+    case SMP::OK: return "ok";
+    case SMP::ERROR_EMPTY_MESH: return "ERROR_EMPTY_MESH";
+    case SMP::ERROR_NON_TRIANGULAR_MESH: return "ERROR_NON_TRIANGULAR_MESH";
+    case SMP::ERROR_NO_TOPOLOGICAL_DISC: return "ERROR_NO_TOPOLOGICAL_DISC";
+    case SMP::ERROR_NO_TOPOLOGICAL_BALL: return "ERROR_NO_TOPOLOGICAL_BALL";
+    case SMP::ERROR_BORDER_TOO_SHORT: return "ERROR_BORDER_TOO_SHORT";
+    case SMP::ERROR_NON_CONVEX_BORDER: return "ERROR_NON_CONVEX_BORDER";
+    case SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM: return "ERROR_CANNOT_SOLVE_LINEAR_SYSTEM";
+    case SMP::ERROR_NO_1_TO_1_MAPPING: return "ERROR_NO_1_TO_1_MAPPING";
+    case SMP::ERROR_WRONG_PARAMETER: return "ERROR_WRONG_PARAMETER";
+  }
+  return "unknown";
+}
+
+// What went wrong and where, in words; CGAL's own texts lack an entry.
+inline std::string error_message(const SMP::Parameterization_error& error)
+{
+  std::string message;
+  switch (error.code) {
+    case SMP::ERROR_NON_TRIANGULAR_MESH: message = "not all faces are triangles"; break;
+    case SMP::ERROR_NO_TOPOLOGICAL_DISC: message = error.place == SMP::Parameterization_error::VERTEX ? "several fans of triangles meet at a vertex"
+                                                                                                        : "the surface has a handle; cut it open first"; break;
+    case SMP::ERROR_WRONG_PARAMETER: message = "a coordinate is not a finite number"; break;
+    case SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM: message = "a linear system could not be solved"; break;
+    case SMP::ERROR_NO_1_TO_1_MAPPING: message = "no map without flips was found"; break;
+    default: message = error_name(error.code);
+  }
+  if (error.place != SMP::Parameterization_error::NOWHERE)
+    message += std::string(error.place == SMP::Parameterization_error::VERTEX ? " (vertex " : " (face ") + std::to_string(error.index) + ")";
+  return message;
+}
+
+inline std::size_t peak_memory_bytes()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return std::size_t(usage.ru_maxrss) * 1024;
+}
+
+// The report of one input. What is not finite, or was not measured, is null.
+inline nlohmann::ordered_json make_report(const Input& input, const std::string& method, const SMP::Parameterization_summary& summary,
+                                          double seconds_read, double seconds_write, const SMP::Parameterization_quality* quality)
+{
+  nlohmann::ordered_json report = {
+    { "input", input.name }, { "vertices", input.mesh.number_of_vertices() }, { "faces", input.mesh.number_of_faces() },
+    { "borders", input.number_of_borders }, { "method", method },
+    { "status", summary.error.code == SMP::OK && !summary.converged ? "not_converged" : error_name(summary.error.code) },
+    { "levels", nlohmann::ordered_json::array() },
+    { "seconds", { { "read", seconds_read }, { "hierarchy", summary.seconds_hierarchy },
+                   { "parameterize", summary.seconds_parameterize }, { "write", seconds_write } } },
+    { "peak_memory_bytes", peak_memory_bytes() },
+    { "quality", nullptr } };
+  for (const SMP::Level_summary& level : summary.levels)
+    report["levels"].push_back({ { "vertices", level.vertices }, { "faces", level.faces }, { "energy_start", level.energy_start },
+                                 { "energy_end", level.energy_end }, { "iterations", level.iterations }, { "seconds", level.seconds } });
+  if (quality)
+    report["quality"] = { { "flips", quality->flips }, { "degenerate", quality->degenerate }, { "overlaps", nullptr },
+                          { "mips", quality->mips }, { "mips_excess", quality->mips_excess },
+                          { "symmetric_dirichlet", quality->symmetric_dirichlet }, { "l2_stretch", quality->l2_stretch },
+                          { "linf_stretch", quality->linf_stretch }, { "angle", quality->angle }, { "area", quality->area } };
+  return report;
+}
+
+#endif // PROGRAM_OUTPUT_H
