@@ -9,15 +9,15 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/Face_filtered_graph.h>
 #include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -50,6 +50,8 @@ inline Mesh read_mesh(const std::string& file)
   namespace PMP = CGAL::Polygon_mesh_processing;
   std::vector<Kernel::Point_3> points;
   std::vector<std::vector<std::size_t>> polygons;
+  if (!std::ifstream(file))
+    throw Input_error{ "cannot be opened" };
   if (!CGAL::IO::read_polygon_soup(file, points, polygons))
     throw Input_error{ "cannot be read as OFF, OBJ, PLY or STL" };
 

@@ -37,7 +37,8 @@ struct Level_summary
   std::size_t faces = 0;          ///< number of triangles
   double energy_start = 0;        ///< the method's energy before the level was refined, its vertices inserted
   double energy_end = 0;          ///< the method's energy after the level was refined
-  std::size_t iterations = 0;     ///< the method's iterations: sweeps of relaxation
+  std::size_t iterations = 0;     ///< the method's iterations: Newton steps, or sweeps of vertex relaxation
+  std::size_t cycles = 0;         ///< V-cycles in all Newton steps
   std::size_t vertex_visits = 0;  ///< local optimization steps, in vertices
   bool converged = false;         ///< whether the method's own criterion of convergence was met
   double seconds = 0;             ///< wall-clock time of insertion and refinement

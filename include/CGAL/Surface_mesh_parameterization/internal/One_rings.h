@@ -54,6 +54,10 @@ public:
   std::size_t first_slot(Index v) const { return m_first[v]; }
   std::size_t number_of_slots() const { return m_neighbors.size(); }
 
+  // All rings one after the other, and where each begins: the pattern of a sparse matrix.
+  const Index* offsets() const { return m_first.data(); }
+  const Index* neighbors() const { return m_neighbors.data(); }
+
   // The first vertex whose triangles are not one fan with one orientation, `no_index` if there is none.
   Index first_non_manifold_vertex() const { return m_first_bad_vertex; }
 

@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_H
 
 #include <CGAL/Surface_mesh_parameterization/Distortion_derivatives_2.h>
+#include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
 #include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rest_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
@@ -15,18 +16,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL::Surface_mesh_parameterization {
-
-/// \ingroup PkgHierarchicalParameterizationEnergies
-///
-/// What a triangle's energy is multiplied with in the sum over all triangles.
-enum class Triangle_weight
-{
-  ONE,    ///< 1, as in the paper
-  AREA    ///< the triangle's area in space
-};
-
-namespace internal {
+namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The triangles around one vertex V with their opposite edges in the plane, and the sum of their energies as a function of the place of V.
 // All is computed from differences to a triangle's own corner, so a small star far from the origin loses nothing.
@@ -129,8 +119,6 @@ private:
   std::vector<Triangle> m_triangles;
 };
 
-} // namespace internal
-
-} // namespace CGAL::Surface_mesh_parameterization
+} // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_H

@@ -4,63 +4,30 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_VERTEX_RELAXATION_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_VERTEX_RELAXATION_H
 
-#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/relax_vertex.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Vertex relaxation on one level: minimizes the weighted sum of the energies of all triangles, one vertex at a time.
+// Vertex relaxation on one level: minimizes its energy one vertex at a time.
 template <class Energy>
 class Vertex_relaxation
 {
 public:
   // Steps are `relaxation_factor` times Newton's, as in successive over-relaxation; between 0 and 2.
-  Vertex_relaxation(const Level& level, Triangle_weight weight, double relaxation_factor)
-    : m_level(level), m_weight(weight), m_relaxation_factor(relaxation_factor)
-  {
-    const One_rings& rings = level.rings();
-    m_corners.resize(rings.number_of_slots());
-    for (Index v = 0; v < level.number_of_vertices(); ++v) {
-      const Level::Ring ring = level.one_ring(v);
-      Rest_corner* const corners = m_corners.data() + rings.first_slot(v);
-      for (std::size_t i = 0; i < rings.number_of_triangles(v); ++i)
-        corners[i] = rest_corner(level.point(v), level.point(ring[i]), level.point(ring[i + 1 == ring.size() ? 0 : i + 1]));
-    }
-  }
-
-  // The weighted sum of the triangles' energies; infinite if one of them is not positive.
-  double energy(const Level::Uv& uv)
-  {
-    double sum = 0;
-    for (Index v = 0; v < m_level.number_of_vertices(); ++v) {
-      gather(v, uv);
-      sum += m_star.energy(uv[v]);
-    }
-    return sum / 3;
-  }
-
-  // The sum of the triangles' weights.
-  double total_weight() const
-  {
-    if (m_weight == Triangle_weight::ONE)
-      return double(m_level.number_of_faces());
-    double sum = 0;
-    for (Index v = 0; v < m_level.number_of_vertices(); ++v)
-      for (std::size_t i = 0; i < m_level.rings().number_of_triangles(v); ++i)
-        sum += 1 / m_corners[m_level.rings().first_slot(v) + i].inverse_area;
-    return sum / 3;
-  }
+  Vertex_relaxation(const Level_energy<Energy>& energy, double relaxation_factor)
+    : m_energy(energy), m_level(energy.level()), m_relaxation_factor(relaxation_factor)
+  { }
 
   // Returns by how much the energy fell.
   double relax(Index v, Level::Uv& uv)
   {
     if (m_level.is_pinned(v))
       return 0;
-    gather(v, uv);
+    m_energy.gather(v, uv, m_star);
     return relax_vertex(m_star, m_level.rings(), v, m_relaxation_factor, uv);
   }
 
@@ -84,15 +51,9 @@ public:
   }
 
 private:
-  void gather(Index v, const Level::Uv& uv)
-  {
-    m_star.gather(m_level.rings(), uv, v, m_corners.data() + m_level.rings().first_slot(v), m_weight);
-  }
-
+  const Level_energy<Energy>& m_energy;
   const Level& m_level;
-  Triangle_weight m_weight;
   double m_relaxation_factor;
-  std::vector<Rest_corner> m_corners;    // of every slot of the level's rings
   Star<Energy> m_star;
 };
 

@@ -73,8 +73,16 @@ inline bool is_star_valid(const One_rings& rings, const std::vector<Point_2>& uv
 // Whether the invariant holds everywhere.
 inline bool is_map_valid(const One_rings& rings, const std::vector<Point_2>& uv)
 {
+  for (Index v = 0; v < rings.number_of_vertices(); ++v) {
+    const One_rings::Ring ring = rings[v];
+    for (std::size_t i = 0; i < rings.number_of_triangles(v); ++i) {
+      const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+      if (v < a && v < b && !is_left_turn(uv[v], uv[a], uv[b]))
+        return false;
+    }
+  }
   for (Index v = 0; v < rings.number_of_vertices(); ++v)
-    if (!is_star_positive(rings, uv, v) || turns_too_far(rings, Place_of_vertex{ uv }, v))
+    if (turns_too_far(rings, Place_of_vertex{ uv }, v))
       return false;
   return true;
 }

@@ -1,0 +1,28 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// \ingroup PkgHierarchicalParameterizationConcepts
+/// \cgalConcept
+///
+/// What is told of a run of `Nested_iteration_parameterizer_3` while it goes on, and can stop it. A visitor is copied: let it hold references to what it
+/// collects. A run that is stopped leaves the user's property maps untouched, returns `ERROR_NO_1_TO_1_MAPPING`, and its summary says `stopped`.
+///
+/// \cgalHasModel `CGAL::Surface_mesh_parameterization::Hierarchy_visitor_3`
+class HierarchyVisitor_3
+{
+public:
+  /// called when all levels are built, before any is parameterized; called again if they had to be built anew with a coarser coarsest level.
+  /// \return whether the run may go on
+  bool hierarchy_built(const CGAL::Surface_mesh_parameterization::Collapse_hierarchy_3& hierarchy);
+
+  /// called after each level's refinement, from the coarsest to the finest.
+  ///
+  /// \param level the level
+  /// \param uv its map, by rank, in units of `level.point()`
+  /// \param summary vertices, faces, energies before and after, iterations, seconds
+  ///
+  /// \return whether the run may go on
+  bool level_parameterized(const CGAL::Surface_mesh_parameterization::Level& level,
+                           const CGAL::Surface_mesh_parameterization::Level::Uv& uv,
+                           const CGAL::Surface_mesh_parameterization::Level_summary& summary);
+};

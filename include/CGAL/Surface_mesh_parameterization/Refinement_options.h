@@ -1,0 +1,66 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_REFINEMENT_OPTIONS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_REFINEMENT_OPTIONS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <cstddef>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationMethods
+///
+/// How the energy of a level is minimized.
+enum class Optimizer
+{
+  NEWTON,           ///< Newton's method with multigrid: to convergence
+  SWEEPS,           ///< vertex relaxation, all vertices one after the other, over and over, with over-relaxation
+  RANDOM_VERTICES   ///< vertex relaxation, each time of a vertex that is chosen at random, as in the paper
+};
+
+/// \ingroup PkgHierarchicalParameterizationMethods
+///
+/// The options of the methods that minimize a distortion energy, with their defaults.
+struct Refinement_options
+{
+  /// named parameter `optimizer`
+  Optimizer optimizer = Optimizer::NEWTON;
+
+  /// named parameter `tolerance`: a level has converged when an iteration lowers the energy by less than this part of its excess over the minimum
+  double tolerance = 1e-6;
+
+  /// named parameter `number_of_iterations`: the most iterations on a level: Newton steps, or sweeps (of as many visits as there are vertices)
+  std::size_t number_of_iterations = 100;
+
+  /// named parameter `number_of_local_steps`: unless 0, exactly so many vertex visits on every level, whatever the two above say; for `RANDOM_VERTICES`
+  std::size_t number_of_local_steps = 0;
+
+  /// named parameter `triangle_weight`
+  Triangle_weight triangle_weight = Triangle_weight::ONE;
+
+  /// named parameter `random_seed`, of `RANDOM_VERTICES`
+  unsigned int random_seed = 0;
+
+  /// takes from named parameters what they hold.
+  template <class NamedParameters>
+  void set(const NamedParameters& np)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    optimizer = choose_parameter(get_parameter(np, internal_np::optimizer), optimizer);
+    tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), tolerance);
+    number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), number_of_iterations);
+    number_of_local_steps = choose_parameter(get_parameter(np, internal_np::number_of_local_steps), number_of_local_steps);
+    triangle_weight = choose_parameter(get_parameter(np, internal_np::triangle_weight), triangle_weight);
+    random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), random_seed);
+  }
+};
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_REFINEMENT_OPTIONS_H

@@ -1,0 +1,48 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_SYMMETRIC_DIRICHLET_PARAMETERIZER_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_SYMMETRIC_DIRICHLET_PARAMETERIZER_3_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Distortion_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationMethods
+///
+/// Minimizes the symmetric Dirichlet energy, the mean over the area of `s1^2 + s2^2 + 1/s1^2 + 1/s2^2`, with a free border. It keeps lengths, in the units of
+/// the mesh. See `Distortion_parameterizer_3` for what it guarantees and takes; `triangle_weight` is `AREA` by default.
+///
+/// Source: Smith and Schaefer, *Bijective parameterization with free boundaries*, 2015.
+///
+/// \cgalModels `Parameterizer_3`
+/// \cgalModels `RefinableParameterizer_3`
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` with an internal vertex point map
+template <class TriangleMesh>
+class Symmetric_Dirichlet_parameterizer_3
+  : public Distortion_parameterizer_3<TriangleMesh, Symmetric_Dirichlet_energy_2>
+{
+  typedef Distortion_parameterizer_3<TriangleMesh, Symmetric_Dirichlet_energy_2>   Base;
+
+  static Refinement_options defaults()
+  {
+    Refinement_options options;
+    options.triangle_weight = Triangle_weight::AREA;
+    return options;
+  }
+
+public:
+  /// \param np as of `Distortion_parameterizer_3`
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Symmetric_Dirichlet_parameterizer_3(const NamedParameters& np = parameters::default_values())
+    : Base(defaults(), np)
+  { }
+};
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_SYMMETRIC_DIRICHLET_PARAMETERIZER_3_H

@@ -1,0 +1,92 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVEL_ENERGY_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVEL_ENERGY_H
+
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Star.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// The weighted sum of the energies of a level's triangles, as a function of the map: the rest shapes and weights of the triangles.
+template <class Energy_>
+class Level_energy
+{
+public:
+  typedef Energy_   Energy;
+
+  Level_energy(const Level& level, Triangle_weight weight) : m_level(level), m_weight(weight)
+  {
+    const One_rings& rings = level.rings();
+    m_corners.resize(rings.number_of_slots());
+    for (Index v = 0; v < level.number_of_vertices(); ++v) {
+      const Level::Ring ring = level.one_ring(v);
+      Rest_corner* const corners = m_corners.data() + rings.first_slot(v);
+      for (std::size_t i = 0; i < rings.number_of_triangles(v); ++i)
+        corners[i] = rest_corner(level.point(v), level.point(ring[i]), level.point(ring[i + 1 == ring.size() ? 0 : i + 1]));
+    }
+  }
+
+  const Level& level() const { return m_level; }
+
+  // The rest shapes of the triangles around v, seen from v, in the order of its ring.
+  const Rest_corner* corners(Index v) const { return m_corners.data() + m_level.rings().first_slot(v); }
+
+  double weight(const Rest_corner& c) const { return m_weight == Triangle_weight::AREA ? 1 / c.inverse_area : 1; }
+
+  void gather(Index v, const Level::Uv& uv, Star<Energy>& star) const { star.gather(m_level.rings(), uv, v, corners(v), m_weight); }
+
+  // Calls f(v, a, b, corner) once for each triangle vab.
+  template <class Function>
+  void for_each_triangle(const Function& f) const
+  {
+    for (Index v = 0; v < m_level.number_of_vertices(); ++v) {
+      const Level::Ring ring = m_level.one_ring(v);
+      const Rest_corner* const c = corners(v);
+      for (std::size_t i = 0; i < m_level.rings().number_of_triangles(v); ++i) {
+        const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+        if (v < a && v < b)
+          f(v, a, b, c[i]);
+      }
+    }
+  }
+
+  // Infinite if a triangle is not positive.
+  double operator()(const Level::Uv& uv) const
+  {
+    double sum = 0;
+    for_each_triangle([&](Index v, Index a, Index b, const Rest_corner& c) {
+      const Vector_2 ab = uv[b] - uv[a], x = uv[v] - uv[a], from_foot = x - c.foot * ab;
+      const double doubled_area = cross(ab, x), scale = 0.5 * c.inverse_area;
+      sum += !(doubled_area > 0) ? (std::numeric_limits<double>::infinity)() :
+             weight(c) * Energy::value(scale * (from_foot.squared_length() / c.height + c.height * ab.squared_length()), scale * doubled_area);
+    });
+    return sum;
+  }
+
+  double total_weight() const
+  {
+    double sum = 0;
+    for_each_triangle([&](Index, Index, Index, const Rest_corner& c) { sum += weight(c); });
+    return sum;
+  }
+
+  double minimum() const { return Energy::minimum * total_weight(); }
+
+  // What energies are reported in: the sum, or the mean over the area if triangles are weighted by it.
+  double unit() const { return m_weight == Triangle_weight::AREA ? total_weight() : 1; }
+
+private:
+  const Level& m_level;
+  Triangle_weight m_weight;
+  std::vector<Rest_corner> m_corners;    // of every slot of the level's rings
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVEL_ENERGY_H

@@ -1,0 +1,150 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVEL_REFINER_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVEL_REFINER_H
+
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Newton_multigrid.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Vertex_relaxation.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <random>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Minimizes an energy on one level, from a valid map to a better one.
+template <class Energy>
+class Level_refiner
+{
+public:
+  Level_refiner(const Level& level, Level::Uv& uv, const Refinement_options& options, Level_summary& summary)
+    : m_level(level), m_uv(uv), m_options(options), m_summary(summary), m_energy(level, options.triangle_weight),
+      m_minimum(m_energy.minimum()), m_current(m_energy(uv))
+  { }
+
+  // Energies are reported as the sum over the triangles, or as the mean over the area if triangles are weighted so.
+  void run()
+  {
+    m_summary.energy_start = m_current / m_energy.unit();
+    if (m_options.optimizer == Optimizer::RANDOM_VERTICES)
+      relax_random_vertices();
+    else {
+      settle_new_vertices();
+      if (m_options.optimizer == Optimizer::SWEEPS)
+        sweep_until_convergence();
+      else
+        iterate_newton();
+    }
+    m_summary.energy_end = m_energy(m_uv) / m_energy.unit();
+  }
+
+private:
+  bool is_coarsest_of_many() const { return m_level.index() == 0 && !m_level.is_finest(); }
+  std::size_t size() const { return m_level.number_of_vertices(); }
+  double excess() const { return m_current - m_minimum; }
+
+  // Subtracts what an iteration gained; returns whether that was next to nothing.
+  bool has_converged_by(double decrease, double tolerance)
+  {
+    const bool result = !(decrease > tolerance * excess());
+    m_current -= decrease;
+    return result;
+  }
+
+  void relax_random_vertices()
+  {
+    Vertex_relaxation<Energy> relaxation(m_energy, 1);
+    std::mt19937 random(m_options.random_seed);
+    if (m_options.number_of_local_steps > 0) {
+      relaxation.random_steps(m_uv, m_options.number_of_local_steps, random);
+      m_summary.vertex_visits = m_options.number_of_local_steps;
+      m_summary.iterations = (m_summary.vertex_visits + size() - 1) / size();
+    } else
+      repeat(m_options.number_of_iterations, [&] { return relaxation.random_steps(m_uv, size(), random); });
+  }
+
+  // Lets vertices that were just inserted find their places among their neighbors, before these move.
+  void settle_new_vertices()
+  {
+    constexpr int sweeps = 3;
+    Vertex_relaxation<Energy> relaxation(m_energy, 1);
+    for (int i = 0; i < sweeps && m_level.index() > 0; ++i) {
+      m_current -= relaxation.sweep(m_uv, Index(m_level.first_new_vertex()));
+      m_summary.vertex_visits += size() - m_level.first_new_vertex();
+    }
+  }
+
+  // The coarsest of several levels gets as many sweeps as it needs: they cost nothing, and what it lacks no finer level can make good.
+  void sweep_until_convergence()
+  {
+    constexpr std::size_t most_sweeps_on_coarsest_level = 2000;
+    Vertex_relaxation<Energy> relaxation(m_energy, over_relaxation);
+    repeat(is_coarsest_of_many() ? (std::max)(m_options.number_of_iterations, most_sweeps_on_coarsest_level) : m_options.number_of_iterations,
+           [&] { return relaxation.sweep(m_uv); });
+  }
+
+  template <class Sweep>
+  void repeat(std::size_t most_sweeps, const Sweep& sweep)
+  {
+    while (m_summary.iterations < most_sweeps && !m_summary.converged) {
+      m_summary.converged = has_converged_by(sweep(), m_options.tolerance);
+      m_summary.vertex_visits += size();
+      ++m_summary.iterations;
+    }
+  }
+
+  // Newton's method pays on the levels that the V-cycle has as grids; in between a few sweeps carry the map over.
+  void iterate_newton()
+  {
+    constexpr std::size_t sweeps_before_newton = 2, sweeps_between_grids = 3;
+    const std::size_t groups_above = m_level.hierarchy().number_of_levels() - 1 - m_level.index();
+    const bool is_grid = groups_above % V_cycle::groups_per_grid == 0 || m_level.index() == 0;
+
+    Vertex_relaxation<Energy> relaxation(m_energy, over_relaxation);
+    for (std::size_t i = 0; i < (is_grid ? sweeps_before_newton : sweeps_between_grids); ++i) {
+      m_current -= relaxation.sweep(m_uv);
+      m_summary.vertex_visits += size();
+    }
+    if (is_grid)
+      take_newton_steps(relaxation);
+  }
+
+  // Levels below the finest only have to hand on a good start.
+  void take_newton_steps(Vertex_relaxation<Energy>& relaxation)
+  {
+    constexpr double coarse_tolerance = 1e-3, residual_tolerance = 0.1, short_step = 0.3;
+    const double tolerance = m_level.is_finest() ? m_options.tolerance : (std::max)(m_options.tolerance, coarse_tolerance);
+
+    Newton_multigrid<Energy> newton(m_energy);
+    while (m_summary.iterations < m_options.number_of_iterations && !m_summary.converged) {
+      const auto step = newton.step(m_uv, m_current, residual_tolerance);
+      ++m_summary.iterations;
+      m_summary.cycles += step.cycles;
+      m_summary.converged = has_converged_by(step.decrease, tolerance);
+      // A few triangles that are about to vanish can hold up a step of the whole map: these are for relaxation.
+      if (step.length < short_step) {
+        const bool is_stuck = has_converged_by(relaxation.sweep(m_uv), tolerance);
+        m_summary.converged = m_summary.converged && is_stuck;
+        m_summary.vertex_visits += size();
+      }
+    }
+  }
+
+  // Of a vertex's Newton step in sweeps; as in successive over-relaxation it cuts their number by a multiple.
+  static constexpr double over_relaxation = 1.8;
+
+  const Level& m_level;
+  Level::Uv& m_uv;
+  const Refinement_options& m_options;
+  Level_summary& m_summary;
+  Level_energy<Energy> m_energy;
+  const double m_minimum;
+  double m_current;       // the energy of m_uv
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVEL_REFINER_H

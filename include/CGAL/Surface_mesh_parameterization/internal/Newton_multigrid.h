@@ -1,0 +1,159 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_MULTIGRID_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_MULTIGRID_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/Level_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/V_cycle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/conjugate_gradients.h>
+#include <CGAL/Surface_mesh_parameterization/internal/corner_hessian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star_validity.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Newton's method for the energy of a level: the exact gradient, a positive semidefinite Hessian, the step by conjugate gradients that are preconditioned
+// by a V-cycle, and a line search that keeps the map valid. Patterns are made once, for all steps.
+template <class Energy>
+class Newton_multigrid
+{
+public:
+  struct Step
+  {
+    double decrease = 0;          // of the energy; 0 if no step was possible
+    double predicted = 0;         // decrease of the quadratic model by the whole step
+    double length = 0;            // 1 for the whole step
+    std::size_t cycles = 0;       // V-cycles
+  };
+
+  explicit Newton_multigrid(const Level_energy<Energy>& energy)
+    : m_energy(energy), m_level(energy.level()), m_cycle(energy.level())
+  {
+    const One_rings& rings = m_level.rings();
+    m_cycle.matrix().set_pattern(rings.number_of_vertices(), rings.offsets(), rings.neighbors());
+    m_gradient.resize(rings.number_of_vertices());
+    m_direction.resize(rings.number_of_vertices());
+  }
+
+  // One step from `uv`, whose energy is given; the linear system is solved to the relative residual `tolerance`.
+  Step step(Level::Uv& uv, double energy, double tolerance)
+  {
+    Step result;
+    assemble(uv);
+    m_cycle.setup();
+    if (!m_cycle.is_ready())
+      return result;
+    result.cycles = solve(tolerance);
+
+    double slope = 0;
+    for (std::size_t v = 0; v < m_gradient.size(); ++v)
+      slope += m_gradient[v] * m_direction[v];
+    result.predicted = -0.5 * slope;
+    if (slope < 0)
+      search_line(uv, energy, slope, result);
+    return result;
+  }
+
+private:
+  // Gradient and Hessian row by row, so that no two rows write to one place.
+  void assemble(const Level::Uv& uv)
+  {
+    Block_matrix& matrix = m_cycle.matrix();
+    for (Index v = 0; v < m_level.number_of_vertices(); ++v)
+      assemble_row(uv, v, matrix);
+    for (Index v = 0; v < m_level.number_of_vertices(); ++v)
+      for (Index k = matrix.first[v]; k < matrix.first[v + 1]; ++k)
+        for (double& entry : matrix.blocks[k])
+          entry *= matrix.scale[v] * matrix.scale[matrix.columns[k]];
+  }
+
+  void assemble_row(const Level::Uv& uv, Index v, Block_matrix& matrix)
+  {
+    const Level::Ring ring = m_level.one_ring(v);
+    const Rest_corner* const corners = m_energy.corners(v);
+    Block_matrix::Block* const row = matrix.blocks.data() + matrix.first[v];
+    std::fill(row, row + ring.size(), Block_matrix::Block{ 0, 0, 0, 0 });
+    Block_matrix::Block diagonal = { 0, 0, 0, 0 };
+    m_gradient[v] = Vector_2(0, 0);
+    for (std::size_t i = 0; i < m_level.rings().number_of_triangles(v); ++i) {
+      const std::size_t j = i + 1 == ring.size() ? 0 : i + 1;
+      const Corner_hessian h = corner_hessian<Energy>(corners[i], m_energy.weight(corners[i]), uv[ring[i]] - uv[v], uv[ring[j]] - uv[v]);
+      m_gradient[v] = m_gradient[v] + Vector_2(h.gradient[0], h.gradient[1]);
+      for (int e = 0; e < 4; ++e) {
+        diagonal[e] += h.to_v[e];
+        row[j][e] += h.to_b[e];
+        row[i][e] -= h.to_v[e] + h.to_b[e];
+      }
+    }
+    matrix.set_diagonal(v, diagonal[0], 0.5 * (diagonal[1] + diagonal[2]), diagonal[3]);
+  }
+
+  // Solves for the direction, in scaled variables; returns the number of V-cycles.
+  std::size_t solve(double tolerance)
+  {
+    constexpr std::size_t most_cycles = 10;
+    const std::vector<double>& scale = m_cycle.matrix().scale;
+    m_space.residual.resize(m_gradient.size());
+    for (std::size_t v = 0; v < m_gradient.size(); ++v)
+      m_space.residual[v] = { -scale[v] * m_gradient[v].x(), -scale[v] * m_gradient[v].y() };
+    const std::size_t cycles = conjugate_gradients(m_cycle.matrix(), m_cycle, tolerance, most_cycles, m_space);
+    for (std::size_t v = 0; v < m_gradient.size(); ++v)
+      m_direction[v] = Vector_2(scale[v] * m_space.solution[v][0], scale[v] * m_space.solution[v][1]);
+    return cycles;
+  }
+
+  // The least t > 0 at which a triangle vanishes on the way to uv + t direction.
+  double longest_step(const Level::Uv& uv) const
+  {
+    double longest = (std::numeric_limits<double>::infinity)();
+    m_energy.for_each_triangle([&](Index v, Index a, Index b, const Rest_corner&) {
+      const Vector_2 p = uv[a] - uv[v], q = uv[b] - uv[v], dp = m_direction[a] - m_direction[v], dq = m_direction[b] - m_direction[v];
+      const double c0 = cross(p, q), c1 = cross(p, dq) + cross(dp, q), c2 = cross(dp, dq);
+      // The least positive root of c0 + c1 t + c2 t^2, c0 > 0, in the form that does not cancel.
+      const double discriminant = c1 * c1 - 4 * c0 * c2;
+      if (discriminant < 0 || (c1 >= 0 && c2 >= 0))
+        return;
+      const double root = 2 * c0 / (std::sqrt(discriminant) - c1);
+      if (root > 0)
+        longest = (std::min)(longest, root);
+    });
+    return longest;
+  }
+
+  void search_line(Level::Uv& uv, double energy, double slope, Step& result)
+  {
+    constexpr int most_halvings = 12;
+    constexpr double part_of_longest_step = 0.9, sufficient_decrease = 1e-4;
+    double length = (std::min)(1., part_of_longest_step * longest_step(uv));
+    m_trial.resize(uv.size());
+    for (int i = 0; i < most_halvings; ++i, length *= 0.5) {
+      for (std::size_t v = 0; v < uv.size(); ++v)
+        m_trial[v] = uv[v] + length * m_direction[v];
+      const double decrease = energy - m_energy(m_trial);
+      if (decrease > -sufficient_decrease * length * slope && is_map_valid(m_level.rings(), m_trial)) {
+        uv.swap(m_trial);
+        result.decrease = decrease;
+        result.length = length;
+        return;
+      }
+    }
+  }
+
+  const Level_energy<Energy>& m_energy;
+  const Level& m_level;
+  V_cycle m_cycle;
+  std::vector<Vector_2> m_gradient, m_direction;
+  Conjugate_gradients_space m_space;
+  Level::Uv m_trial;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_MULTIGRID_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PRUNED_PROLONGATION_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PRUNED_PROLONGATION_H
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// The prolongation over several collapse groups, each row pruned to its four greatest weights, whose sum is made 1 again: that keeps coarse
+// operators sparse. The first rows, those of the coarse vertices, are the identity's and are not stored.
+class Pruned_prolongation
+{
+public:
+  static constexpr int row_size = 4;
+
+  struct Row
+  {
+    std::array<Index, row_size> columns;     // of those with weight 0, any
+    std::array<double, row_size> weights;
+  };
+
+  struct Entry { Index row; double weight; };  // of the transpose
+
+  Pruned_prolongation(const Collapse_hierarchy_3& hierarchy, std::size_t coarse, std::size_t fine)
+    : m_coarse_size(hierarchy.number_of_vertices(coarse))
+  {
+    std::vector<std::pair<Index, double>> entries;
+    m_rows.reserve(hierarchy.number_of_vertices(fine) - m_coarse_size);
+    for (std::size_t v = m_coarse_size; v < hierarchy.number_of_vertices(fine); ++v) {
+      entries.clear();
+      const Collapse_hierarchy_3::Triangle& parent = hierarchy.parent_triangle(Index(v));
+      const std::array<double, 3> coordinates = hierarchy.barycentric_coordinates(Index(v));
+      for (int i = 0; i < 3; ++i) {
+        if (coordinates[i] == 0)
+          continue;
+        if (parent[i] < m_coarse_size)
+          entries.push_back({ parent[i], coordinates[i] });
+        else
+          for (int k = 0; k < row_size; ++k)
+            entries.push_back({ row(parent[i]).columns[k], coordinates[i] * row(parent[i]).weights[k] });
+      }
+      m_rows.push_back(prune(entries));
+    }
+    transpose();
+  }
+
+  std::size_t coarse_size() const { return m_coarse_size; }
+  std::size_t fine_size() const { return m_coarse_size + m_rows.size(); }
+
+  // The row of a fine vertex v >= coarse_size().
+  const Row& row(Index v) const { return m_rows[v - m_coarse_size]; }
+
+  // The rows in which a coarse vertex occurs, besides its own.
+  const Entry* column_begin(Index v) const { return m_entries.data() + m_first[v]; }
+  const Entry* column_end(Index v) const { return m_entries.data() + m_first[v + 1]; }
+
+private:
+  static Row prune(std::vector<std::pair<Index, double>>& entries)
+  {
+    std::sort(entries.begin(), entries.end());
+    std::size_t size = 0;
+    for (const auto& e : entries)
+      if (size > 0 && entries[size - 1].first == e.first)
+        entries[size - 1].second += e.second;
+      else
+        entries[size++] = e;
+    entries.resize(size);
+    const auto end = entries.begin() + (std::min)(std::size_t(row_size), size);
+    std::partial_sort(entries.begin(), end, entries.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+    double sum = 0;
+    for (auto e = entries.begin(); e != end; ++e)
+      sum += e->second;
+    Row row;
+    for (int k = 0; k < row_size; ++k) {
+      const bool is_used = entries.begin() + k < end;
+      row.columns[k] = entries[is_used ? k : 0].first;
+      row.weights[k] = is_used ? entries[k].second / sum : 0;
+    }
+    return row;
+  }
+
+  void transpose()
+  {
+    m_first.assign(m_coarse_size + 1, 0);
+    for (const Row& row : m_rows)
+      for (int k = 0; k < row_size; ++k)
+        if (row.weights[k] != 0)
+          ++m_first[row.columns[k] + 1];
+    for (std::size_t v = 0; v < m_coarse_size; ++v)
+      m_first[v + 1] += m_first[v];
+    m_entries.resize(m_first.back());
+    std::vector<Index> next(m_first.begin(), m_first.end() - 1);
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+      for (int k = 0; k < row_size; ++k)
+        if (m_rows[i].weights[k] != 0)
+          m_entries[next[m_rows[i].columns[k]]++] = { Index(m_coarse_size + i), m_rows[i].weights[k] };
+  }
+
+  std::size_t m_coarse_size;
+  std::vector<Row> m_rows;
+  std::vector<Index> m_first;
+  std::vector<Entry> m_entries;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PRUNED_PROLONGATION_H

@@ -1,0 +1,103 @@
+#!/usr/bin/env bash
+# Runs the program as a user would: program_test.sh PROGRAM
+set -u
+program=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+failures=0
+
+fail() { echo "FAILED: $*" >&2; failures=$((failures + 1)); }
+
+# expect STATUS ARGUMENT...: the program ends with that status; on an error with exactly one line on stderr.
+expect() {
+  local wanted=$1 status=0
+  shift
+  "$program" "$@" >stdout 2>stderr || status=$?
+  [ "$status" -eq "$wanted" ] || fail "'$*' ended with $status instead of $wanted: $(cat stderr)"
+  [ "$wanted" -eq 0 ] || [ "$(wc -l <stderr)" -eq 1 ] || fail "'$*' printed $(wc -l <stderr) lines on stderr instead of one"
+}
+
+# field NAME: the first value of that name in the report.
+field() { grep -o "\"$1\":[^,}]*" report.json | head -1 | cut -d: -f2; }
+is_field() { [ "$(field "$1")" = "$2" ] || fail "$1 is $(field "$1") instead of $2 after '$3'"; }
+
+# The built-in face.
+expect 0 --output face.obj --picture face.svg --report report.json --levels levels
+is_field vertices 1042 face
+is_field flips 0 face
+[ "$(tail -c +1 report.json | wc -l)" -eq 1 ] || fail "the report is not one line"
+[ "$(grep -c '^v ' face.obj)/$(grep -c '^vt ' face.obj)/$(grep -c '^f ' face.obj)" = 1042/1042/1999 ] || fail "face.obj has not 1042 v, 1042 vt, 1999 f"
+grep -q '</svg>' face.svg || fail "face.svg is not whole"
+[ "$(ls levels | wc -l)" -eq "$(grep -o '"energy_end"' report.json | wc -l)" ] || fail "not every level was written"
+finest=$(ls levels | tail -1)
+[ "$(grep -c '^f ' "levels/$finest")" -eq 1999 ] || fail "the finest level is not the input"
+[ -z "$(ls | grep -F .part)" ] || fail "a temporary file was left"
+
+# What it writes can be read again, with the same vertices and faces in the same order.
+expect 0 face.obj --output again.obj
+cmp -s <(grep '^v ' face.obj) <(grep '^v ' again.obj) || fail "the vertices have changed"
+cmp -s <(grep '^f ' face.obj) <(grep '^f ' again.obj) || fail "the faces have changed"
+
+# The same seed gives the same bytes, another one another hierarchy.
+expect 0 --output twice.obj
+cmp -s face.obj twice.obj || fail "two runs differ"
+expect 0 --seed 1 --output other.obj
+cmp -s face.obj other.obj && fail "the seed has no effect"
+
+expect 0 --flat --report report.json
+is_field flips 0 flat
+[ "$(grep -o '"energy_end"' report.json | wc -l)" -eq 1 ] || fail "a flat run has one level"
+expect 0 --weights area --tolerance 1e-3 --iterations 5 --quiet
+[ ! -s stdout ] && [ ! -s stderr ] || fail "--quiet printed something"
+expect 0 --help
+
+# A square of two triangles, with a triangle apart and an isolated vertex: the larger component is laid out.
+cat >components.off <<END
+OFF
+8 3 0
+5 5 5
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+0 0 9
+1 0 9
+0 1 9
+3 5 6 7
+3 1 2 3
+3 1 3 4
+END
+expect 0 components.off --output components.obj --report report.json
+[ "$(grep -c '^v ' components.obj)/$(grep -c '^vt ' components.obj)/$(grep -c '^f ' components.obj)" = 8/4/3 ] || fail "components.obj is wrong"
+
+# Wrong usage.
+expect 1 --no-such-option
+expect 1 --method no-such-method
+expect 1 --weights no-such-weights
+expect 1 --tolerance nonsense
+expect 1 a.off b.off --output one.obj
+
+# No surface to parameterize.
+bad() { expect 2 "$1" --output bad.obj --picture bad.svg; [ ! -e bad.obj ] && [ ! -e bad.svg ] || fail "'$1' wrote a file"; }
+bad missing.off
+: >empty.off; bad empty.off
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' >range.off; bad range.off
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n' >truncated.off; bad truncated.off
+printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' >quad.off; bad quad.off
+printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >closed.off; bad closed.off
+printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n' >edge.off; bad edge.off
+printf 'OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n' >umbrellas.off; bad umbrellas.off
+printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 3 2\n3 0 2 3\n' >orientation.off; bad orientation.off
+printf 'OBJ\n' >text.txt; bad text.txt
+
+# Several inputs: a line each, the worst status.
+"$program" components.off closed.off face.obj --report report.json >/dev/null 2>&1
+[ $? -eq 2 ] || fail "the worst status of several inputs is not reported"
+
+# What cannot be written is an error, and leaves nothing behind.
+expect 3 --output no/such/folder/face.obj
+expect 3 --output /dev/full
+
+[ "$failures" -eq 0 ] && echo "all passed"
+exit "$failures"
