@@ -66,6 +66,15 @@ struct Block_matrix
     inverse_diagonal[i] = { yy / determinant, -xy / determinant, xx / determinant };
   }
 
+  // Scales the blocks beside the diagonal, when all scales are fixed.
+  void scale_blocks()
+  {
+    for (Index i = 0; i < number_of_rows(); ++i)
+      for (Index k = first[i]; k < first[i + 1]; ++k)
+        for (double& entry : blocks[k])
+          entry *= scale[i] * scale[columns[k]];
+  }
+
   // A x, row i
   Pair row_times(Index i, const Pair_vector& x) const
   {

@@ -42,44 +42,34 @@ public:
   void compute(const Block_matrix& fine, Block_matrix& coarse)
   {
     coarse.set_pattern(m_prolongation.coarse_size(), m_first.data(), m_columns.data());
-    m_sums.resize(m_columns.size());
-    // Position 0 of the row's sums is the diagonal.
-    std::vector<Sum> sums;
     for (Index row = 0; row < m_prolongation.coarse_size(); ++row) {
       m_position[row] = 0;
-      sums.assign(m_first[row + 1] - m_first[row] + 1, Sum{ 0, 0, 0, 0 });
+      m_sums.assign(m_first[row + 1] - m_first[row] + 1, Block_matrix::Block{ 0, 0, 0, 0 });
       for (Index k = m_first[row]; k < m_first[row + 1]; ++k)
         m_position[m_columns[k]] = k - m_first[row] + 1;
 
       for_each_fine_row(row, [&](Index i, double weight) {
         const double row_weight = weight / fine.scale[i];
         const Block_matrix::Symmetric_block& d = fine.diagonal[i];
-        for_each_column(i, row_weight / fine.scale[i], [&](Index column, double w) { add(sums[m_position[column]], w, d[0], d[1], d[1], d[2]); });
+        for_each_column(i, row_weight / fine.scale[i], [&](Index column, double w) { add(m_sums[m_position[column]], w, d[0], d[1], d[1], d[2]); });
         for (Index k = fine.first[i]; k < fine.first[i + 1]; ++k) {
           const Block_matrix::Block& a = fine.blocks[k];
           for_each_column(fine.columns[k], row_weight / fine.scale[fine.columns[k]],
-                          [&](Index column, double w) { add(sums[m_position[column]], w, a[0], a[1], a[2], a[3]); });
+                          [&](Index column, double w) { add(m_sums[m_position[column]], w, a[0], a[1], a[2], a[3]); });
         }
       });
-      coarse.set_diagonal(row, sums[0][0], 0.5 * (sums[0][1] + sums[0][2]), sums[0][3]);
+      coarse.set_diagonal(row, m_sums[0][0], 0.5 * (m_sums[0][1] + m_sums[0][2]), m_sums[0][3]);
       for (Index k = m_first[row]; k < m_first[row + 1]; ++k) {
-        m_sums[k] = sums[k - m_first[row] + 1];
+        coarse.blocks[k] = m_sums[k - m_first[row] + 1];
         m_position[m_columns[k]] = no_index;
       }
       m_position[row] = no_index;
     }
-    for (Index row = 0; row < m_prolongation.coarse_size(); ++row)
-      for (Index k = m_first[row]; k < m_first[row + 1]; ++k) {
-        const double scale = coarse.scale[row] * coarse.scale[m_columns[k]];
-        for (int e = 0; e < 4; ++e)
-          coarse.blocks[k][e] = scale * m_sums[k][e];
-      }
+    coarse.scale_blocks();
   }
 
 private:
-  typedef std::array<double, 4>   Sum;
-
-  static void add(Sum& sum, double w, double xx, double xy, double yx, double yy)
+  static void add(Block_matrix::Block& sum, double w, double xx, double xy, double yx, double yy)
   {
     sum[0] += w * xx;
     sum[1] += w * xy;
@@ -120,7 +110,7 @@ private:
   const Pruned_prolongation& m_prolongation;
   std::vector<Index> m_first, m_columns;
   std::vector<Index> m_position;      // scratch: of a column in the current row
-  std::vector<Sum> m_sums;            // scratch: the unscaled product
+  std::vector<Block_matrix::Block> m_sums;    // scratch: the current row, its diagonal first
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -47,10 +47,12 @@ public:
   {
     Step result;
     assemble(uv);
-    m_cycle.setup();
+    if (m_needs_setup)
+      m_cycle.setup();
     if (!m_cycle.is_ready())
       return result;
     result.cycles = solve(tolerance);
+    m_needs_setup = result.cycles > most_cycles_without_setup;
 
     double slope = 0;
     for (std::size_t v = 0; v < m_gradient.size(); ++v)
@@ -68,10 +70,7 @@ private:
     Block_matrix& matrix = m_cycle.matrix();
     for (Index v = 0; v < m_level.number_of_vertices(); ++v)
       assemble_row(uv, v, matrix);
-    for (Index v = 0; v < m_level.number_of_vertices(); ++v)
-      for (Index k = matrix.first[v]; k < matrix.first[v + 1]; ++k)
-        for (double& entry : matrix.blocks[k])
-          entry *= matrix.scale[v] * matrix.scale[matrix.columns[k]];
+    matrix.scale_blocks();
   }
 
   void assemble_row(const Level::Uv& uv, Index v, Block_matrix& matrix)
@@ -94,6 +93,9 @@ private:
     }
     matrix.set_diagonal(v, diagonal[0], 0.5 * (diagonal[1] + diagonal[2]), diagonal[3]);
   }
+
+  // The coarse grids of an earlier step serve as long as they work: to make them costs as much as several cycles.
+  static constexpr std::size_t most_cycles_without_setup = 3;
 
   // Solves for the direction, in scaled variables; returns the number of V-cycles.
   std::size_t solve(double tolerance)
@@ -149,6 +151,7 @@ private:
   const Level_energy<Energy>& m_energy;
   const Level& m_level;
   V_cycle m_cycle;
+  bool m_needs_setup = true;
   std::vector<Vector_2> m_gradient, m_direction;
   Conjugate_gradients_space m_space;
   Level::Uv m_trial;

@@ -15,12 +15,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The prolongation over several collapse groups, each row pruned to its four greatest weights, whose sum is made 1 again: that keeps coarse
+// The prolongation over several collapse groups, each row pruned to its three greatest weights, whose sum is made 1 again: that keeps coarse
 // operators sparse. The first rows, those of the coarse vertices, are the identity's and are not stored.
 class Pruned_prolongation
 {
 public:
-  static constexpr int row_size = 4;
+  static constexpr int row_size = 3;
 
   struct Row
   {

@@ -18,12 +18,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A symmetric multigrid V-cycle for a block matrix on a level: Galerkin operators over every fourth collapse group, two block Gauss-Seidel
+// A symmetric multigrid V-cycle for a block matrix on a level: Galerkin operators over every fifth collapse group, two block Gauss-Seidel
 // sweeps each way, a direct solution at the bottom. On a hierarchy of one level there is only that one.
 class V_cycle
 {
 public:
-  static constexpr std::size_t groups_per_grid = 4;
+  static constexpr std::size_t groups_per_grid = 5;
   static constexpr std::size_t coarsest_size = 1000;      // is solved directly
 
   explicit V_cycle(const Level& level)
@@ -37,7 +37,7 @@ public:
     }
   }
 
-  // The matrix of the finest grid, to be filled in; then call setup().
+  // The matrix of the finest grid, to be filled in. The coarse grids are made from it by setup(); while it changes little they may stay as they are.
   Block_matrix& matrix() { return m_grids.front().matrix; }
   const Block_matrix& matrix() const { return m_grids.front().matrix; }
 
