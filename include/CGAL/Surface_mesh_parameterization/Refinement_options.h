@@ -37,13 +37,13 @@ struct Refinement_options
   /// named parameter `number_of_iterations`: the most iterations on a level: Newton steps, or sweeps (of as many visits as there are vertices)
   std::size_t number_of_iterations = 100;
 
-  /// named parameter `number_of_local_steps`: unless 0, exactly so many vertex visits on every level, whatever the two above say; for `RANDOM_VERTICES`
+  /// named parameter `number_of_local_steps`: unless 0, exactly so many vertex visits on every level, of vertices chosen at random, whatever the others say: the paper's experiment
   std::size_t number_of_local_steps = 0;
 
   /// named parameter `triangle_weight`
   Triangle_weight triangle_weight = Triangle_weight::ONE;
 
-  /// named parameter `random_seed`, of `RANDOM_VERTICES`
+  /// named parameter `random_seed`, of vertices chosen at random
   unsigned int random_seed = 0;
 
   /// takes from named parameters what they hold.

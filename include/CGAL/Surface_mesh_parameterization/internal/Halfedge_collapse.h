@@ -79,10 +79,12 @@ inline Parent_triangle find_parent_triangle(const std::vector<Vector_2>& flat_ri
 }
 
 // Where a border vertex V that collapses onto one end W0 of its open ring lies on the coarse border edge from W0 to the other end Wn,
-// by arc length. V may lie outside the coarse fan, so its third coordinate is 0.
+// by arc length. V may lie outside the coarse fan, so its third coordinate is 0. An ear leaves no fan: its parent is the edge, Wn twice.
 inline Parent_triangle find_parent_border_edge(const std::vector<Vector_2>& flat_ring, std::size_t w0)
 {
-  const std::size_t last = flat_ring.size() - 1, other = w0 == 0 ? last : 0, beside = w0 == 0 ? last - 1 : 1;
+  const std::size_t last = flat_ring.size() - 1, other = w0 == 0 ? last : 0;
+  const bool is_ear = last == 1;
+  const std::size_t beside = is_ear ? other : w0 == 0 ? last - 1 : 1;     // of the coarse triangle at the edge
   const double to_kept = std::sqrt(flat_ring[w0].squared_length()), to_other = std::sqrt(flat_ring[other].squared_length());
   const double fraction = to_kept + to_other > 0 ? to_kept / (to_kept + to_other) : 0.5;
   Parent_triangle parent;

@@ -20,6 +20,9 @@ template <class Energy>
 class Level_refiner
 {
 public:
+  // The steps of sweeps, in Newton steps of a vertex: as in successive over-relaxation this cuts the number of sweeps by a multiple.
+  static constexpr double over_relaxation = 1.8;
+
   Level_refiner(const Level& level, Level::Uv& uv, const Refinement_options& options, Level_summary& summary)
     : m_level(level), m_uv(uv), m_options(options), m_summary(summary), m_energy(level, options.triangle_weight),
       m_minimum(m_energy.minimum()), m_current(m_energy(uv))
@@ -29,14 +32,14 @@ public:
   void run()
   {
     m_summary.energy_start = m_current / m_energy.unit();
-    if (m_options.optimizer == Optimizer::RANDOM_VERTICES)
-      relax_random_vertices();
+    if (m_options.number_of_local_steps > 0)
+      take_local_steps();
     else {
       settle_new_vertices();
-      if (m_options.optimizer == Optimizer::SWEEPS)
-        sweep_until_convergence();
-      else
+      if (m_options.optimizer == Optimizer::NEWTON)
         iterate_newton();
+      else
+        relax_until_convergence();
     }
     m_summary.energy_end = m_energy(m_uv) / m_energy.unit();
   }
@@ -54,16 +57,13 @@ private:
     return result;
   }
 
-  void relax_random_vertices()
+  // The paper's experiment: nothing but so many steps.
+  void take_local_steps()
   {
-    Vertex_relaxation<Energy> relaxation(m_energy, 1);
     std::mt19937 random(m_options.random_seed);
-    if (m_options.number_of_local_steps > 0) {
-      relaxation.random_steps(m_uv, m_options.number_of_local_steps, random);
-      m_summary.vertex_visits = m_options.number_of_local_steps;
-      m_summary.iterations = (m_summary.vertex_visits + size() - 1) / size();
-    } else
-      repeat(m_options.number_of_iterations, [&] { return relaxation.random_steps(m_uv, size(), random); });
+    Vertex_relaxation<Energy>(m_energy, 1).random_steps(m_uv, m_options.number_of_local_steps, random);
+    m_summary.vertex_visits = m_options.number_of_local_steps;
+    m_summary.iterations = (m_summary.vertex_visits + size() - 1) / size();
   }
 
   // Lets vertices that were just inserted find their places among their neighbors, before these move.
@@ -78,19 +78,17 @@ private:
   }
 
   // The coarsest of several levels gets as many sweeps as it needs: they cost nothing, and what it lacks no finer level can make good.
-  void sweep_until_convergence()
+  void relax_until_convergence()
   {
     constexpr std::size_t most_sweeps_on_coarsest_level = 2000;
-    Vertex_relaxation<Energy> relaxation(m_energy, over_relaxation);
-    repeat(is_coarsest_of_many() ? (std::max)(m_options.number_of_iterations, most_sweeps_on_coarsest_level) : m_options.number_of_iterations,
-           [&] { return relaxation.sweep(m_uv); });
-  }
-
-  template <class Sweep>
-  void repeat(std::size_t most_sweeps, const Sweep& sweep)
-  {
+    const std::size_t most_sweeps = is_coarsest_of_many() ? (std::max)(m_options.number_of_iterations, most_sweeps_on_coarsest_level)
+                                                           : m_options.number_of_iterations;
+    const bool is_random = m_options.optimizer == Optimizer::RANDOM_VERTICES;
+    Vertex_relaxation<Energy> relaxation(m_energy, is_random ? 1 : over_relaxation);
+    std::mt19937 random(m_options.random_seed);
     while (m_summary.iterations < most_sweeps && !m_summary.converged) {
-      m_summary.converged = has_converged_by(sweep(), m_options.tolerance);
+      const double decrease = is_random ? relaxation.random_steps(m_uv, size(), random) : relaxation.sweep(m_uv);
+      m_summary.converged = has_converged_by(decrease, m_options.tolerance);
       m_summary.vertex_visits += size();
       ++m_summary.iterations;
     }
@@ -132,9 +130,6 @@ private:
       }
     }
   }
-
-  // Of a vertex's Newton step in sweeps; as in successive over-relaxation it cuts their number by a multiple.
-  static constexpr double over_relaxation = 1.8;
 
   const Level& m_level;
   Level::Uv& m_uv;

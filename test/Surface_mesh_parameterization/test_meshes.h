@@ -1,0 +1,430 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef TEST_MESHES_H
+#define TEST_MESHES_H
+
+#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Tiny meshes with names, and what several tests measure them with.
+namespace test_meshes {
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+using SMP::internal::Index;
+using SMP::internal::Index_triangle;
+using SMP::internal::One_rings;
+using SMP::internal::Point_2;
+using SMP::internal::Point_3;
+using SMP::internal::Vector_2;
+using SMP::internal::Vector_3;
+
+struct Flat_mesh
+{
+  std::vector<Point_3> points;
+  std::vector<Index_triangle> triangles;
+};
+
+// The same numbers everywhere; std::uniform_real_distribution does not promise that.
+class Random
+{
+public:
+  explicit Random(unsigned int seed) : m_generator(seed) { }
+  double operator()(double from, double to) { return from + (to - from) * (double(m_generator()) / 4294967296.); }
+  std::size_t below(std::size_t n) { return std::size_t((*this)(0, double(n))); }
+
+private:
+  std::mt19937 m_generator;
+};
+
+// ---- meshes ----
+
+inline double flat(double, double) { return 0; }
+inline double wavy(double x, double y) { return 0.15 * std::sin(7 * x) * std::cos(5 * y); }
+inline double rolled(double x, double) { return 0.3 * std::sin(4 * x); }
+
+template <class Height>
+Flat_mesh grid(Index columns, Index rows, Height height)
+{
+  Flat_mesh m;
+  for (Index j = 0; j <= rows; ++j)
+    for (Index i = 0; i <= columns; ++i) {
+      const double x = double(i) / columns, y = double(j) / columns;
+      m.points.emplace_back(x, y, height(x, y));
+    }
+  for (Index j = 0; j < rows; ++j)
+    for (Index i = 0; i < columns; ++i) {
+      const Index a = j * (columns + 1) + i, b = a + 1, c = b + columns + 1, d = c - 1;
+      m.triangles.push_back({ a, b, c });
+      m.triangles.push_back({ a, c, d });
+    }
+  return m;
+}
+
+inline Flat_mesh crumpled_grid(Index n, unsigned int seed)
+{
+  Random random(seed);
+  return grid(n, n, [&](double, double) { return random(-0.4, 0.4); });
+}
+
+inline Flat_mesh single_triangle() { return { { Point_3(0, 0, 0), Point_3(1, 0, 0.5), Point_3(0.2, 0.7, 0) }, { { 0, 1, 2 } } }; }
+
+// Two triangles: each is an ear over the same edge.
+inline Flat_mesh two_ears() { return grid(1, 1, flat); }
+
+// A triangle with an ear on each side.
+inline Flat_mesh three_ears()
+{
+  return { { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.5, 0.8, 0), Point_3(0.5, -0.5, 0.4), Point_3(1.2, 0.8, 0.1), Point_3(-0.2, 0.8, 0) },
+           { { 0, 1, 2 }, { 1, 0, 3 }, { 2, 1, 4 }, { 0, 2, 5 } } };
+}
+
+// One interior vertex, number 0, of valence n.
+inline Flat_mesh fan(Index n)
+{
+  Flat_mesh m;
+  m.points.emplace_back(0, 0, 0.3);
+  for (Index i = 0; i < n; ++i) {
+    const double angle = 2 * CGAL_PI * i / n;
+    m.points.emplace_back(std::cos(angle), 0.8 * std::sin(angle), 0);
+    m.triangles.push_back({ 0, 1 + i, 1 + (i + 1) % n });
+  }
+  return m;
+}
+
+// A border vertex, number 0, with n triangles.
+inline Flat_mesh open_fan(Index n)
+{
+  Flat_mesh m;
+  m.points.emplace_back(0, 0, 0.3);
+  for (Index i = 0; i <= n; ++i) {
+    const double angle = 1.5 * CGAL_PI * i / n;
+    m.points.emplace_back(std::cos(angle), std::sin(angle), 0.1 * (i % 3));
+    if (i < n)
+      m.triangles.push_back({ 0, 1 + i, 2 + i });
+  }
+  return m;
+}
+
+// No interior vertex; every inner edge joins two border vertices.
+inline Flat_mesh strip(Index n)
+{
+  Flat_mesh m;
+  for (Index i = 0; i < n; ++i) {
+    m.points.emplace_back(double(i) / n, 0, 0.1 * std::sin(double(i)));
+    m.points.emplace_back((i + 0.4) / n, 0.2, 0);
+    if (i + 1 < n) {
+      m.triangles.push_back({ 2 * i, 2 * i + 2, 2 * i + 1 });
+      m.triangles.push_back({ 2 * i + 1, 2 * i + 2, 2 * i + 3 });
+    }
+  }
+  return m;
+}
+
+// A strip whose ends meet: an annulus without interior vertices.
+inline Flat_mesh annulus(Index n)
+{
+  Flat_mesh m;
+  for (Index i = 0; i < n; ++i)
+    for (const double radius : { 1., 0.6 })
+      m.points.emplace_back(radius * std::cos(2 * CGAL_PI * i / n), radius * std::sin(2 * CGAL_PI * i / n), 0.1 * (i % 2));
+  for (Index i = 0; i < n; ++i) {
+    const Index j = (i + 1) % n;
+    m.triangles.push_back({ 2 * i, 2 * j, 2 * i + 1 });
+    m.triangles.push_back({ 2 * i + 1, 2 * j, 2 * j + 1 });
+  }
+  return m;
+}
+
+// The part of the unit sphere within `angle` of its pole, vertex 0.
+inline Flat_mesh cap(Index rings, Index sectors, double angle)
+{
+  Flat_mesh m;
+  m.points.emplace_back(0, 0, 1);
+  for (Index r = 1; r <= rings; ++r)
+    for (Index s = 0; s < sectors; ++s) {
+      const double theta = angle * r / rings, phi = 2 * CGAL_PI * (s + 0.5 * (r % 2)) / sectors;
+      m.points.emplace_back(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+    }
+  const auto at = [&](Index r, Index s) { return 1 + (r - 1) * sectors + s % sectors; };
+  for (Index s = 0; s < sectors; ++s)
+    m.triangles.push_back({ 0, at(1, s), at(1, s + 1) });
+  for (Index r = 1; r < rings; ++r)
+    for (Index s = 0; s < sectors; ++s) {
+      const Index shift = r % 2;   // odd rings are turned by half a sector
+      m.triangles.push_back({ at(r, s), at(r + 1, s + shift), at(r, s + 1) });
+      m.triangles.push_back({ at(r, s + 1), at(r + 1, s + shift), at(r + 1, s + shift + 1) });
+    }
+  return m;
+}
+
+inline Flat_mesh hemisphere() { return cap(6, 16, 0.5 * CGAL_PI); }
+inline Flat_mesh deep_cap() { return cap(14, 16, 0.93 * CGAL_PI); }
+
+// A closed sphere.
+inline Flat_mesh sphere(Index rings, Index sectors)
+{
+  Flat_mesh m = cap(rings, sectors, CGAL_PI * rings / (rings + 1.));
+  const Index south = Index(m.points.size()), last = south - sectors;
+  m.points.emplace_back(0, 0, -1);
+  for (Index s = 0; s < sectors; ++s)
+    m.triangles.push_back({ south, last + (s + 1) % sectors, last + s });
+  return m;
+}
+
+// A torus that lacks its first face.
+inline Flat_mesh torus_with_hole(Index n)
+{
+  Flat_mesh m;
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < n; ++j) {
+      const double a = 2 * CGAL_PI * i / n, b = 2 * CGAL_PI * j / n, radius = 1 + 0.4 * std::cos(b);
+      m.points.emplace_back(radius * std::cos(a), radius * std::sin(a), 0.4 * std::sin(b));
+      const Index k = (i + 1) % n, l = (j + 1) % n;
+      m.triangles.push_back({ i * n + j, k * n + j, k * n + l });
+      m.triangles.push_back({ i * n + j, k * n + l, i * n + l });
+    }
+  m.triangles.erase(m.triangles.begin());
+  return m;
+}
+
+// Two triangles that share nothing but vertex 0.
+inline Flat_mesh two_umbrellas()
+{
+  return { { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(-1, 0, 0), Point_3(-1, -1, 0) }, { { 0, 1, 2 }, { 0, 3, 4 } } };
+}
+
+// The triangles of `m` for which `is_kept(centroid)` holds, with their vertices.
+template <class Predicate>
+Flat_mesh part(const Flat_mesh& m, Predicate is_kept)
+{
+  Flat_mesh result;
+  std::map<Index, Index> number;
+  for (Index_triangle t : m.triangles)
+    if (is_kept(CGAL::centroid(m.points[t[0]], m.points[t[1]], m.points[t[2]]))) {
+      for (Index& v : t) {
+        const auto [place, is_new] = number.insert({ v, Index(result.points.size()) });
+        if (is_new)
+          result.points.push_back(m.points[v]);
+        v = place->second;
+      }
+      result.triangles.push_back(t);
+    }
+  return result;
+}
+
+inline Flat_mesh grid_with_holes(Index n)
+{
+  const auto is_in_square = [](const Point_3& p, double x, double y) { return std::abs(p.x() - x) < 0.1 && std::abs(p.y() - y) < 0.1; };
+  return part(grid(n, n, wavy), [&](const Point_3& p) { return !is_in_square(p, 0.3, 0.3) && !is_in_square(p, 0.7, 0.3) && !is_in_square(p, 0.5, 0.7); });
+}
+
+// A disk without one triangle inside.
+inline Flat_mesh disk_with_hole()
+{
+  Flat_mesh m = grid(7, 6, wavy);
+  m.triangles.erase(m.triangles.begin() + 2 * (2 * 7 + 3));
+  return m;
+}
+
+// Random points in a disk, Delaunay-triangulated: irregular, with slivers at the border.
+template <class Height>
+Flat_mesh delaunay_patch(std::size_t n, unsigned int seed, Height height)
+{
+  typedef SMP::internal::Flat_kernel                                Kernel;
+  typedef CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>  Vertex_base;
+  typedef CGAL::Triangulation_data_structure_2<Vertex_base>          Data_structure;
+  Random random(seed);
+  CGAL::Delaunay_triangulation_2<Kernel, Data_structure> triangulation;
+  Flat_mesh m;
+  while (m.points.size() < n) {
+    const double x = random(-1, 1), y = random(-1, 1);
+    if (x * x + y * y > 1)
+      continue;
+    triangulation.insert(Point_2(x, y))->info() = Index(m.points.size());
+    m.points.emplace_back(x, y, height(x, y));
+  }
+  for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f)
+    m.triangles.push_back({ f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info() });
+  return m;
+}
+
+// Triangles without area and edges without length: a row of the grid lies in one point, another one on one line with its neighbors.
+inline Flat_mesh degenerate_grid()
+{
+  Flat_mesh m = grid(8, 8, wavy);
+  for (Index i = 0; i < 9; ++i) {
+    m.points[3 * 9 + i] = m.points[3 * 9];
+    m.points[6 * 9 + i] = m.points[5 * 9 + i];
+  }
+  return m;
+}
+
+inline std::vector<std::pair<std::string, Flat_mesh>> named_meshes()
+{
+  return { { "single_triangle", single_triangle() }, { "two_ears", two_ears() }, { "three_ears", three_ears() }, { "fan_3", fan(3) },
+           { "fan_5", fan(5) }, { "hub", fan(500) }, { "hub_on_border", open_fan(60) }, { "strip", strip(20) }, { "annulus", annulus(12) },
+           { "grid", grid(12, 9, wavy) }, { "flat_grid", grid(15, 15, flat) }, { "crumpled_grid", crumpled_grid(14, 1) }, { "hemisphere", hemisphere() },
+           { "deep_cap", deep_cap() }, { "delaunay_patch", delaunay_patch(400, 2, wavy) }, { "disk_with_hole", disk_with_hole() },
+           { "grid_with_holes", grid_with_holes(20) }, { "degenerate_grid", degenerate_grid() } };
+}
+
+// ---- borders, conversions ----
+
+// All borders as cycles of vertices.
+inline std::vector<std::vector<Index>> borders(const One_rings& rings)
+{
+  std::vector<std::vector<Index>> result;
+  std::set<Index> found;
+  for (Index start = 0; start < rings.number_of_vertices(); ++start)
+    if (rings.is_border(start) && found.count(start) == 0) {
+      result.emplace_back();
+      for (Index v = start; found.insert(v).second; v = rings[v].front())
+        result.back().push_back(v);
+    }
+  return result;
+}
+
+// With the border that has most vertices as the outer one.
+inline SMP::Triangulated_surface_3 surface(const Flat_mesh& m)
+{
+  SMP::Triangulated_surface_3 s = { m.points, m.triangles, {} };
+  for (const std::vector<Index>& border : borders(One_rings(m.points.size(), m.triangles)))
+    if (border.size() > s.outer_border.size())
+      s.outer_border = border;
+  return s;
+}
+
+template <class TriangleMesh>
+void append(const Flat_mesh& m, TriangleMesh& mesh)
+{
+  typedef boost::graph_traits<TriangleMesh>   Graph_traits;
+  auto point_map = get(CGAL::vertex_point, mesh);
+  typedef typename boost::property_traits<decltype(point_map)>::value_type   Point;
+  std::vector<typename Graph_traits::vertex_descriptor> vertices;
+  for (const Point_3& p : m.points) {
+    vertices.push_back(add_vertex(mesh));
+    put(point_map, vertices.back(), Point(p.x(), p.y(), p.z()));
+  }
+  for (const Index_triangle& t : m.triangles)
+    CGAL::Euler::add_face(std::array<typename Graph_traits::vertex_descriptor, 3>{ vertices[t[0]], vertices[t[1]], vertices[t[2]] }, mesh);
+}
+
+template <class TriangleMesh>
+TriangleMesh make(const Flat_mesh& m)
+{
+  TriangleMesh mesh;
+  append(m, mesh);
+  return mesh;
+}
+
+// A halfedge of the border that has most edges.
+template <class TriangleMesh>
+typename boost::graph_traits<TriangleMesh>::halfedge_descriptor longest_border(const TriangleMesh& mesh)
+{
+  auto longest = boost::graph_traits<TriangleMesh>::null_halfedge();
+  std::size_t most = 0;
+  for (const auto h : halfedges(mesh))
+    if (CGAL::is_border(h, mesh)) {
+      std::size_t size = 0;
+      for (const auto g : CGAL::halfedges_around_face(h, mesh)) {
+        static_cast<void>(g);
+        ++size;
+      }
+      if (size > most) {
+        most = size;
+        longest = h;
+      }
+    }
+  return longest;
+}
+
+// V - E + F
+inline long euler_characteristic(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles)
+{
+  std::set<std::pair<Index, Index>> edges;
+  for (const Index_triangle& t : triangles)
+    for (int i = 0; i < 3; ++i)
+      edges.insert(std::minmax({ t[i], t[(i + 1) % 3] }));
+  return long(number_of_vertices) - long(edges.size()) + long(triangles.size());
+}
+
+// ---- measuring ----
+
+struct Singular_values
+{
+  double greatest, least, determinant, area;   // the area is that of the triangle in space
+
+  double mips() const { return greatest / least + least / greatest; }
+};
+
+inline Singular_values singular_values(const Point_3& p, const Point_3& q, const Point_3& r, const Point_2& a, const Point_2& b, const Point_2& c)
+{
+  const Vector_3 pq = q - p, pr = r - p;
+  const double length = std::sqrt(pq.squared_length()), doubled_area = std::sqrt(CGAL::cross_product(pq, pr).squared_length());
+  Eigen::Matrix2d rest, image;
+  rest << length, pq * pr / length, 0, doubled_area / length;
+  image << b.x() - a.x(), c.x() - a.x(), b.y() - a.y(), c.y() - a.y();
+  const Eigen::Matrix2d jacobian = image * rest.inverse();
+  const Eigen::Vector2d s = Eigen::JacobiSVD<Eigen::Matrix2d>(jacobian).singularValues();
+  return { s[0], s[1], jacobian.determinant(), 0.5 * doubled_area };
+}
+
+// ---- real meshes, where they are at hand ----
+
+// The folder with the real meshes: of the environment, or beside the repository; ends in '/'.
+inline std::string data_folder()
+{
+  if (const char* folder = std::getenv("SHARED_DATA"))
+    return std::string(folder) + '/';
+  const std::string file = __FILE__;
+  const std::size_t slash = file.find_last_of('/');
+  return (slash == std::string::npos ? std::string() : file.substr(0, slash + 1)) + "../../../shared/data/";
+}
+
+// Returns whether the file could be read; triangles only.
+inline bool read_off(const std::string& name, Flat_mesh& m)
+{
+  std::ifstream file(data_folder() + name);
+  std::string word;
+  std::size_t number_of_points, number_of_triangles, unused;
+  if (!(file >> word >> number_of_points >> number_of_triangles >> unused))
+    return false;
+  m = Flat_mesh();
+  double x, y, z;
+  for (std::size_t i = 0; i < number_of_points && file >> x >> y >> z; ++i)
+    m.points.emplace_back(x, y, z);
+  Index_triangle t;
+  for (std::size_t i = 0; i < number_of_triangles && file >> unused >> t[0] >> t[1] >> t[2]; ++i)
+    m.triangles.push_back(t);
+  return m.triangles.size() == number_of_triangles;
+}
+
+} // namespace test_meshes
+
+#endif // TEST_MESHES_H
