@@ -81,11 +81,11 @@ inline double nose(double x, double y)
 // The head, half an ellipsoid cut off a little (`rim`) before its slope grows infinite, with nose and features.
 inline double height(double x, double y)
 {
-  constexpr double depth = 0.62, rim = 0.10;
-  double z = depth * std::sqrt(1 + rim - squared_radius(x, y)) + nose(x, y);
+  constexpr double depth = 0.8, rim = 0.10, relief = 1.2;
+  double features_height = nose(x, y);
   for(const Feature& f : features)
-    z += f.height * bell(f, x, y);
-  return z;
+    features_height += f.height * bell(f, x, y);
+  return depth * std::sqrt(1 + rim - squared_radius(x, y)) + relief * features_height;
 }
 
 // Wanted points per area: 1 on the plain parts of the face, up to `contrast` on brows, eyes, nose and mouth.
@@ -116,7 +116,7 @@ inline Point_2 random_point(std::mt19937& random)
 // farthest from all points before it, in units of the wanted spacing.
 inline std::vector<Point_2> sample()
 {
-  constexpr std::size_t number_of_candidates = 20;
+  constexpr std::size_t number_of_candidates = 2;     // few: irregular, as what decimation leaves of a scan
   std::mt19937 random(1999);
   std::vector<Point_2> points;
   for(std::size_t i = 0; i < border_size; ++i)

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_SVG.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <CGAL/Real_timer.h>
@@ -28,8 +29,6 @@
 #include <vector>
 
 namespace {
-
-typedef SMP::MIPS_parameterizer_3<Mesh>   MIPS;
 
 enum Exit_status { WRITTEN = 0, WRONG_USAGE = 1, BAD_INPUT = 2, METHOD_FAILED = 3 };
 
@@ -52,15 +51,15 @@ bool read_options(int argc, char** argv, Options& options)
   po::options_description described("Options");
   described.add_options()
     ("help,h", "print this text")
-    ("method", po::value(&options.method)->default_value("mips"), "mips: free border, least distortion of angles")
+    ("method", po::value(&options.method)->default_value("mips"), "mips: least distortion of angles; symmetric-dirichlet: least distortion of lengths; both with a free border")
     ("output", po::value(&options.output), "write the mesh with its map as OBJ")
     ("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion")
     ("report", po::value(&options.report), "write figures as JSON, one line per input")
     ("levels", po::value(&options.levels), "write every level of the hierarchy as OBJ into this folder")
     ("flat", po::bool_switch(&options.flat), "run the method without the hierarchy")
-    ("tolerance", po::value(&options.tolerance)->default_value(1e-6), "a level has converged when a sweep lowers its excess energy by less than this part")
-    ("iterations", po::value(&options.iterations)->default_value(100), "the most sweeps on a level")
-    ("weights", po::value(&options.weights)->default_value("triangle"), "triangle: all alike, or area: by their area in space")
+    ("tolerance", po::value(&options.tolerance)->default_value(1e-6), "converged when a step lowers the energy by less than this part of its excess over the minimum")
+    ("iterations", po::value(&options.iterations)->default_value(100), "the most steps of Newton's method on a level")
+    ("weights", po::value(&options.weights), "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)")
     ("seed", po::value(&options.seed)->default_value(0), "of the random choices: the same seed gives the same result")
     ("quiet", po::bool_switch(&options.quiet), "print errors only");
   po::options_description all;
@@ -79,8 +78,10 @@ bool read_options(int argc, char** argv, Options& options)
                  "Exit status: 0 maps written, 1 wrong usage, 2 an input is no surface to parameterize, 3 a method failed.\n";
     return false;
   }
-  if (options.method != "mips")
-    throw Usage_error{ "unknown method '" + options.method + "'; there is: mips" };
+  if (options.method != "mips" && options.method != "symmetric-dirichlet")
+    throw Usage_error{ "unknown method '" + options.method + "'; there are: mips, symmetric-dirichlet" };
+  if (options.weights.empty())
+    options.weights = options.method == "mips" ? "triangle" : "area";
   if (options.weights != "triangle" && options.weights != "area")
     throw Usage_error{ "unknown weights '" + options.weights + "'; there are: triangle, area" };
   if (!(options.tolerance >= 0))
@@ -132,19 +133,19 @@ std::vector<Mesh::Vertex_index> vertices_of_component(const Input& input)
   return result;
 }
 
-template <class UVMap>
+template <class Method, class UVMap>
 SMP::Parameterization_summary parameterize(Input& input, const Options& options, UVMap uvmap)
 {
   SMP::Parameterization_summary summary;
-  const MIPS mips(CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary))
-                  .triangle_weight(options.weights == "area" ? SMP::Triangle_weight::AREA : SMP::Triangle_weight::ONE)
-                  .number_of_iterations(options.iterations));
+  const Method method(CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary))
+                      .triangle_weight(options.weights == "area" ? SMP::Triangle_weight::AREA : SMP::Triangle_weight::ONE)
+                      .number_of_iterations(options.iterations));
   if (options.flat)
-    SMP::parameterize(input.mesh, mips, input.border, uvmap);
+    SMP::parameterize(input.mesh, method, input.border, uvmap);
   else {
     const std::vector<Mesh::Vertex_index> vertices = vertices_of_component(input);
-    const SMP::Hierarchical_parameterizer_3<MIPS> hierarchical(mips, CGAL::parameters::summary(std::ref(summary)).random_seed(options.seed)
-                                                                     .visitor(Visitor(options, input.mesh, vertices)));
+    const SMP::Hierarchical_parameterizer_3<Method> hierarchical(method, CGAL::parameters::summary(std::ref(summary)).random_seed(options.seed)
+                                                                         .visitor(Visitor(options, input.mesh, vertices)));
     SMP::parameterize(input.mesh, hierarchical, input.border, uvmap);
   }
   return summary;
@@ -154,9 +155,9 @@ void print_summary(const Input& input, const SMP::Parameterization_summary& summ
 {
   if (input.number_of_components > 1)
     std::cout << input.name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
-  std::printf("%s: %zu triangles, %zu levels, %s, MIPS energy %.6f (%.6f above its minimum), %zu flips, %.3f s\n", input.name.c_str(),
-              input.faces.size(), summary.levels.size(), summary.converged ? "converged" : "not converged", quality.mips, quality.mips_excess,
-              quality.flips, summary.seconds_hierarchy + summary.seconds_parameterize);
+  std::printf("%s: %zu triangles, %zu levels, %s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %.3f s\n",
+              input.name.c_str(), input.faces.size(), summary.levels.size(), summary.converged ? "converged" : "not converged",
+              quality.mips, quality.mips_excess, quality.symmetric_dirichlet, quality.flips, summary.seconds_hierarchy + summary.seconds_parameterize);
 }
 
 // Reads, parameterizes, checks and writes one input; appends its line to the report.
@@ -176,7 +177,9 @@ Exit_status run(const std::string& file, const Options& options, std::string& re
   if (!options.levels.empty())
     std::filesystem::create_directories(options.levels);
   auto uvmap = input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
-  const SMP::Parameterization_summary summary = parameterize(input, options, uvmap);
+  const SMP::Parameterization_summary summary = options.method == "mips"
+    ? parameterize<SMP::MIPS_parameterizer_3<Mesh>>(input, options, uvmap)
+    : parameterize<SMP::Symmetric_Dirichlet_parameterizer_3<Mesh>>(input, options, uvmap);
   if (summary.error.code != SMP::OK) {
     std::cerr << input.name << ": " << error_message(summary.error) << '\n';
     report += make_report(input, options.method, summary, seconds_read, 0, nullptr).dump() + '\n';

@@ -48,6 +48,9 @@ cmp -s face.obj other.obj && fail "the seed has no effect"
 expect 0 --flat --report report.json
 is_field flips 0 flat
 [ "$(grep -o '"energy_end"' report.json | wc -l)" -eq 1 ] || fail "a flat run has one level"
+expect 0 --method symmetric-dirichlet --report report.json
+is_field flips 0 symmetric-dirichlet
+is_field status '"ok"' symmetric-dirichlet
 expect 0 --weights area --tolerance 1e-3 --iterations 5 --quiet
 [ ! -s stdout ] && [ ! -s stderr ] || fail "--quiet printed something"
 expect 0 --help
