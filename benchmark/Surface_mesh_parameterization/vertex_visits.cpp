@@ -23,7 +23,7 @@ public:
   {
     if (!level.is_finest())
       return true;
-    constexpr double over_relaxation = 1.8;   // as in the sweeps of the parameterizers
+    const double over_relaxation = SMP::internal::Level_refiner<SMP::MIPS_energy_2>::over_relaxation;
     m_timings.sweeps = time(level, uv, over_relaxation, [](Relaxation& relaxation, SMP::Level::Uv& map) { relaxation.sweep(map); });
     std::mt19937 random;
     m_timings.random_steps = time(level, uv, 1, [&](Relaxation& relaxation, SMP::Level::Uv& map) { relaxation.random_steps(map, map.size(), random); });

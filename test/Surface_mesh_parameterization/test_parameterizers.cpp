@@ -22,6 +22,7 @@
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 
+#include <boost/property_map/compose_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <gtest/gtest.h>
@@ -270,17 +271,20 @@ TYPED_TEST(RefinableParameterizer_3, hierarchical_and_flat_runs_find_the_same_mi
 TYPED_TEST(RefinableParameterizer_3, similar_surfaces_have_similar_maps)
 {
   const Flat_mesh m = delaunay_patch(300, 1, wavy);
-  const auto run = [](const Flat_mesh& mesh) {
-    Mapped_mesh mapped(mesh);
+  // The quality as a map of `m`.
+  const auto run = [&](const Flat_mesh& similar, double scale) {
+    Mapped_mesh mapped(similar), measured(m);
     EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(TypeParam(parameters::tolerance(1e-10)), parameters::coarsest_size(30))), OK);
-    return mapped.quality();
+    for (const auto v : vertices(measured.mesh))
+      measured.uvmap[v] = Kernel::Point_2(mapped.uvmap[v].x() / scale, mapped.uvmap[v].y() / scale);
+    return measured.quality();
   };
-  const Parameterization_quality expected = run(m);
+  const Parameterization_quality expected = run(m, 1);
   for (const double scale : { 1e-120, 1e-3, 1., 0.7, 1e120 }) {
     Flat_mesh moved = m;
     for (Point_3& p : moved.points)
       p = Point_3(scale * (0.6 * p.x() - 0.8 * p.z() + 3), scale * (0.8 * p.x() + 0.6 * p.z()), scale * (5 - p.y()));
-    const Parameterization_quality found = run(moved);
+    const Parameterization_quality found = run(moved, scale);
     EXPECT_NEAR(found.mips_excess / expected.mips_excess, 1, 1e-6) << "scale " << scale;
     EXPECT_NEAR((found.symmetric_dirichlet - 4) / (expected.symmetric_dirichlet - 4), 1, 1e-6) << "scale " << scale;
   }
@@ -539,26 +543,37 @@ TEST(Archetypes, run)
 class Method_for_small_levels : public Method_archetype
 {
 public:
-  using Method_archetype::Method_archetype;
+  Method_for_small_levels(Log& log, std::size_t most_vertices) : Method_archetype(log, OK), m_most_vertices(most_vertices) { }
+
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv)
   {
     const Error_code status = Method_archetype::parameterize_coarsest(level, uv);
-    return level.number_of_vertices() > 15 ? ERROR_NO_1_TO_1_MAPPING : status;
+    return level.number_of_vertices() > m_most_vertices ? ERROR_NO_1_TO_1_MAPPING : status;
   }
+
+private:
+  std::size_t m_most_vertices;
 };
 
 TEST(Nested_iteration, coarsens_further_what_the_method_cannot_lay_out)
 {
-  Log log;
-  Parameterization_summary s;
-  Mapped_mesh mapped(grid(16, 12, wavy));
-  EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Method_for_small_levels>(Method_for_small_levels(log, OK), parameters::summary(std::ref(s)))), OK);
-  EXPECT_GT(log.coarsest, 1);
-  EXPECT_LE(s.levels.front().vertices, 15u);
-  EXPECT_TRUE(mapped.is_valid());
-
-  Mapped_mesh many_holes(grid_with_holes(60));   // more than 15 vertices stay pinned to holes nowhere: still finite
-  EXPECT_EQ(many_holes.parameterize(Hierarchical_parameterizer_3<Method_for_small_levels>(Method_for_small_levels(log, OK))), OK);
+  for (const std::size_t most_vertices : { 15, 0 }) {
+    Log log;
+    Parameterization_summary s;
+    Mapped_mesh mapped(grid(16, 12, wavy));
+    const Method_for_small_levels method(log, most_vertices);
+    const Error_code status = mapped.parameterize(Hierarchical_parameterizer_3<Method_for_small_levels>(method, parameters::summary(std::ref(s))));
+    EXPECT_GT(log.coarsest, 1);
+    if (most_vertices > 0) {
+      EXPECT_EQ(status, OK);
+      EXPECT_LE(s.levels.front().vertices, most_vertices);
+      EXPECT_TRUE(mapped.is_valid());
+    } else {    // but it gives up in the end
+      EXPECT_EQ(status, ERROR_NO_1_TO_1_MAPPING);
+      EXPECT_FALSE(s.stopped);
+      EXPECT_TRUE(mapped.is_untouched());
+    }
+  }
 }
 
 // ---- quality ----
@@ -582,8 +597,9 @@ TEST(Parameterization_quality, is_perfect_for_similarities)
     EXPECT_EQ(q.degenerate, 0u);
     EXPECT_NEAR(q.mips_excess, 0, 1e-6);
     EXPECT_NEAR(q.symmetric_dirichlet, 4, 1e-8);
-    for (const double measure : { q.l2_stretch, q.linf_stretch, q.angle, q.area })
-      EXPECT_NEAR(measure, 1, 1e-4 * (measure == q.linf_stretch) + 1e-8);    // the greatest one is of a sliver
+    EXPECT_NEAR(q.linf_stretch, 1, 1e-4);   // that of a sliver
+    for (const double measure : { q.l2_stretch, q.angle, q.area })
+      EXPECT_NEAR(measure, 1, 1e-8);
   }
 }
 
@@ -641,6 +657,28 @@ TEST(Parameterization_quality, agrees_with_the_singular_values)
   EXPECT_NEAR(q.linf_stretch / (greatest / scale), 1, 1e-8);
   EXPECT_NEAR(q.angle / (angle / area), 1, 1e-10);
   EXPECT_NEAR(q.area / (0.5 * (1 + inverse_determinant / (scale * scale * area))), 1, 1e-10);
+}
+
+TEST(Parameterization_quality, does_not_depend_on_units)
+{
+  const Flat_mesh m = grid(12, 9, wavy);
+  for (const double in_space : { 1e-20, 1e20 })
+    for (const double in_plane : { 1e-20, 1e20 }) {
+      Mapped_mesh mapped(m), scaled(m);
+      for (const auto v : vertices(mapped.mesh)) {
+        const Kernel::Point_3 p = mapped.mesh.point(v);
+        mapped.uvmap[v] = Kernel::Point_2(p.x() + 0.3 * p.z(), p.y());
+        scaled.uvmap[v] = Kernel::Point_2(in_plane * (p.x() + 0.3 * p.z()), in_plane * p.y());
+        scaled.mesh.point(v) = Kernel::Point_3(in_space * p.x(), in_space * p.y(), in_space * p.z());
+      }
+      const Parameterization_quality q = mapped.quality(), r = scaled.quality();
+      EXPECT_NEAR(q.mips / r.mips, 1, 1e-12);
+      EXPECT_NEAR(q.symmetric_dirichlet / r.symmetric_dirichlet, 1, 1e-12);
+      EXPECT_NEAR(q.l2_stretch / r.l2_stretch, 1, 1e-12);
+      EXPECT_NEAR(q.linf_stretch / r.linf_stretch, 1, 1e-12);
+      EXPECT_NEAR(q.angle / r.angle, 1, 1e-12);
+      EXPECT_NEAR(q.area / r.area, 1, 1e-12);
+    }
 }
 
 TEST(Parameterization_quality, counts_what_is_not_positive)

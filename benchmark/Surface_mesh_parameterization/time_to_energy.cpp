@@ -1,0 +1,128 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Seconds to a map within a thousandth of the optimum's excess energy, for a mesh and its Loop subdivisions, in units of one sparse direct
+// factorization on the same mesh. CSV on stdout.
+
+#include "benchmark_utilities.h"
+
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+
+#include <Eigen/SparseCholesky>
+
+#include <fstream>
+
+// The unit: analysis, factorization and two solutions of the cotangent Laplacian of the interior vertices by Eigen::SimplicialLDLT.
+double seconds_of_direct_solver(const Mesh& mesh)
+{
+  std::vector<int> unknown(mesh.number_of_vertices(), -1);
+  int size = 0;
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    if (!mesh.is_border(v))
+      unknown[v] = size++;
+
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Mesh::Face_index f : mesh.faces())
+    for (const Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      const Point_3& top = mesh.point(mesh.target(mesh.next(h)));
+      const int i = unknown[mesh.source(h)], j = unknown[mesh.target(h)];
+      const Kernel::Vector_3 p = mesh.point(mesh.source(h)) - top, q = mesh.point(mesh.target(h)) - top;
+      const double weight = 0.5 * (p * q) / std::sqrt(CGAL::cross_product(p, q).squared_length());
+      if (i >= 0)
+        entries.emplace_back(i, i, weight);
+      if (j >= 0)
+        entries.emplace_back(j, j, weight);
+      if (i >= 0 && j >= 0) {
+        entries.emplace_back(i, j, -weight);
+        entries.emplace_back(j, i, -weight);
+      }
+    }
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::MatrixX2d right_side = Eigen::MatrixX2d::Ones(size, 2);
+  return seconds_of([&] {
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+    const Eigen::VectorXd u = solver.solve(right_side.col(0)), v = solver.solve(right_side.col(1));
+    if (!u.allFinite() || !v.allFinite())
+      throw std::runtime_error("the direct solver failed");
+  });
+}
+
+// Peak resident memory since the last reset, in bytes (Linux; 0 elsewhere).
+void reset_peak_memory() { std::ofstream("/proc/self/clear_refs") << "5"; }
+
+double peak_memory()
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (word == "VmHWM:") {
+      double kilobytes = 0;
+      status >> kilobytes;
+      return 1024 * kilobytes;
+    }
+  return 0;
+}
+
+template <class Method>
+SMP::Parameterization_summary run_method(Mesh& mesh, bool is_flat, std::size_t most_steps)
+{
+  SMP::Parameterization_summary summary;
+  const Method method(CGAL::parameters::summary(std::ref(summary)).number_of_iterations(most_steps));
+  if (is_flat)
+    parameterize(mesh, method);
+  else
+    parameterize(mesh, SMP::Hierarchical_parameterizer_3<Method>(method, CGAL::parameters::summary(std::ref(summary))));
+  return summary;
+}
+
+// Finds the optimum, then the least number of steps on the finest level that comes close enough, and prints what that run took.
+template <class Method>
+void measure(Mesh& mesh, const std::string& method, double minimum, bool is_flat, double unit)
+{
+  constexpr std::size_t steps_to_optimum = 40;
+  constexpr double accuracy = 1e-3;
+  const double optimum = run_method<Method>(mesh, false, steps_to_optimum).energy;
+  for (std::size_t steps = 1; steps <= steps_to_optimum; ++steps) {
+    reset_peak_memory();
+    const SMP::Parameterization_summary summary = run_method<Method>(mesh, is_flat, steps);
+    if (summary.energy - minimum > (1 + accuracy) * (optimum - minimum))
+      continue;
+    const double seconds = summary.seconds_hierarchy + summary.seconds_parameterize;
+    std::cout << method << ',' << (is_flat ? "flat" : "hierarchical") << ',' << mesh.number_of_faces() << ',' << mesh.number_of_vertices() << ','
+              << summary.levels.back().iterations << ',' << summary.levels.back().cycles << ',' << summary.energy - minimum << ',' << optimum - minimum << ','
+              << summary.seconds_hierarchy << ',' << seconds << ',' << unit << ',' << seconds / unit << ','
+              << peak_memory() / double(mesh.number_of_vertices()) << std::endl;
+    return;
+  }
+  std::cout << method << ',' << (is_flat ? "flat" : "hierarchical") << ',' << mesh.number_of_faces() << ',' << mesh.number_of_vertices() << ",,,,"
+            << optimum - minimum << ",,,,," << std::endl;
+}
+
+void run(int argc, char* argv[])
+{
+  po::options_description options("Options");
+  options.add_options()
+    ("subdivide", po::value<int>()->default_value(2), "measure after 0, 1, ... so many Loop subdivisions")
+    ("flat", po::bool_switch(), "also without the hierarchy, with a direct solver");
+  const po::variables_map values = parse(argc, argv, options, "time_to_energy [MESH.off] [--subdivide K] [--flat]");
+  const std::size_t subdivisions = count_of(values, "subdivide", 0, 12);
+  Named_mesh input = only_mesh(values);
+
+  std::cout << "method,run,triangles,vertices,steps,cycles,excess,optimal_excess,seconds_hierarchy,seconds,unit_seconds,units,peak_bytes_per_vertex" << std::endl;
+  for (std::size_t k = 0; k <= subdivisions; ++k) {
+    if (k > 0)
+      subdivide(input.mesh, 1);
+    input.mesh.collect_garbage();
+    const double unit = seconds_of_direct_solver(input.mesh);
+    for (const bool is_flat : { false, true })
+      if (!is_flat || values["flat"].as<bool>()) {
+        measure<MIPS>(input.mesh, "mips", SMP::MIPS_energy_2::minimum * double(input.mesh.number_of_faces()), is_flat, unit);
+        measure<SMP::Symmetric_Dirichlet_parameterizer_3<Mesh>>(input.mesh, "symmetric-dirichlet", SMP::Symmetric_Dirichlet_energy_2::minimum, is_flat, unit);
+      }
+  }
+}
+
+int main(int argc, char* argv[])
+{
+  return exit_status_of([&] { run(argc, argv); });
+}
