@@ -131,6 +131,16 @@ inline Flat_mesh open_fan(Index n)
   return m;
 }
 
+// A border vertex, number 0, whose angles in space sum to more than a full turn: nine of 60 degrees, one upon the other.
+inline Flat_mesh folded_fan()
+{
+  Flat_mesh m = open_fan(9);
+  m.points[0] = Point_3(0, 0, 0);
+  for (Index i = 1; i < m.points.size(); ++i)
+    m.points[i] = i % 2 == 0 ? Point_3(1, 0, 0) : Point_3(0.5, std::sqrt(0.75), 0);
+  return m;
+}
+
 // No interior vertex; every inner edge joins two border vertices.
 inline Flat_mesh strip(Index n)
 {
@@ -288,7 +298,8 @@ inline Flat_mesh degenerate_grid()
 inline std::vector<std::pair<std::string, Flat_mesh>> named_meshes()
 {
   return { { "single_triangle", single_triangle() }, { "two_ears", two_ears() }, { "three_ears", three_ears() }, { "fan_3", fan(3) },
-           { "fan_5", fan(5) }, { "hub", fan(500) }, { "hub_on_border", open_fan(60) }, { "strip", strip(20) }, { "annulus", annulus(12) },
+           { "fan_5", fan(5) }, { "hub", fan(500) }, { "hub_on_border", open_fan(60) }, { "folded_fan", folded_fan() }, { "strip", strip(20) },
+           { "annulus", annulus(12) },
            { "grid", grid(12, 9, wavy) }, { "flat_grid", grid(15, 15, flat) }, { "crumpled_grid", crumpled_grid(14, 1) }, { "hemisphere", hemisphere() },
            { "deep_cap", deep_cap() }, { "delaunay_patch", delaunay_patch(400, 2, wavy) }, { "disk_with_hole", disk_with_hole() },
            { "grid_with_holes", grid_with_holes(20) }, { "degenerate_grid", degenerate_grid() } };

@@ -499,6 +499,31 @@ TYPED_TEST(Relax_vertex, ends_where_the_gradient_vanishes)
   }
 }
 
+// A border vertex with five angles of 100 degrees in space, that would like to turn by more than a full turn in the plane.
+TEST(Relax_vertex, keeps_the_angles_at_the_border_below_a_full_turn)
+{
+  const double angle = CGAL_PI / 1.8;
+  const Point_3 hub(0, 0, 0), first(1, 0, 0), second(std::cos(angle), std::sin(angle), 0);
+  const Flat_mesh m = open_fan(5);
+  const One_rings rings(m.points.size(), m.triangles);
+  for (int k = 0; k < 3; ++k) {
+    std::vector<Point_2> uv(1, Point_2(0, 0));
+    for (int i = 0; i <= 5; ++i)
+      uv.push_back(polar(1, (1.9 + 0.03 * k) * CGAL_PI * i / 5));
+    ASSERT_TRUE(is_map_valid(rings, uv));
+    for (int sweep = 0; sweep < 50; ++sweep)
+      for (Index v = 0; v <= 6; ++v) {
+        std::vector<Rest_corner> corners;
+        for (const Index w : rings[v])    // the triangle (v, w, next of w)
+          corners.push_back(v == 0 ? rest_corner(hub, first, second) : w == 0 ? rest_corner(second, hub, first) : rest_corner(first, second, hub));
+        Star<MIPS_energy_2> star;
+        star.gather(rings, uv, v, corners.data(), Triangle_weight::ONE);
+        relax_vertex(star, rings, v, 1.8, uv);
+        ASSERT_TRUE(is_map_valid(rings, uv));
+      }
+  }
+}
+
 // ---- discrete exponential map, parent triangle ----
 
 double length(const Vector_2& v) { return std::sqrt(v.squared_length()); }

@@ -24,7 +24,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 //   (a) the barycentric combination that was stored when V was removed (Hormann, Greiner, Campagna 1999, section 3); for an
 //       ear the place that makes its one triangle similar to the one in space,
 //   (b) the centroid of the kernel,
-//   (c) if neither is valid, points that approach W0 from the centroid or from the middle of the corner at W0.
+//   (c) if neither is valid, points that approach W0, from the centroid and from a direction in which the kernel lies; an ear's approach the middle
+//       of its base.
 // Border vertices come one by one, and the angles at a border neighbor W of V may involve another one, U, that has no place yet. W then sees U
 // where it sees the coarse mesh: along the border at U's other border neighbor, across the surface at the vertex that U collapsed onto. So
 // there is always room left for U.
@@ -45,20 +46,21 @@ public:
     m_inserted = v;
     m_best_energy = (std::numeric_limits<double>::infinity)();
 
+    const bool is_ear = parent[1] == parent[2];
     const Point_2 kept = m_uv[parent[0]];
     const Point_2 stored = kept + coordinates[1] * (m_uv[parent[1]] - kept) + coordinates[2] * (m_uv[parent[2]] - kept);
-    const bool is_ear = parent[1] == parent[2];
-    offer(v, is_ear ? corners[0].similar_apex(m_uv[m_rings[v].front()], m_uv[m_rings[v].back()]) : stored);
-
+    const Point_2 first = is_ear ? corners[0].similar_apex(m_uv[m_rings[v].front()], m_uv[m_rings[v].back()]) : stored;
     const Point_2 centroid = kernel_centroid(v);
+    offer(v, first);
     offer(v, centroid);
 
-    constexpr int most_halvings = 40;
-    const Point_2 beside_kept = kept + corner_bisector(v, parent[0]);
+    constexpr int most_halvings = 45;
+    const Point_2 anchor = is_ear ? midpoint(m_uv[m_rings[v].front()], m_uv[m_rings[v].back()]) : kept;
+    const Point_2 beside = is_ear ? first : anchor + direction_into_kernel(v, parent[0]);
     double fraction = 0.5;
     for (int i = 0; i < most_halvings && !has_place(); ++i, fraction *= 0.5) {
-      offer(v, kept + fraction * (centroid - kept));
-      offer(v, kept + fraction * (beside_kept - kept));
+      offer(v, anchor + fraction * (centroid - anchor));
+      offer(v, anchor + fraction * (beside - anchor));
     }
     m_uv[v] = has_place() ? m_best : kept;
     return has_place();
@@ -102,21 +104,16 @@ private:
     return m_kernel.is_empty() ? origin : m_kernel.centroid();
   }
 
-  // A vector from W0 into the kernel: along the bisector of the two half-planes at W0, as long as the shorter edge there. At the end of an
-  // open ring there is one edge and one half-plane.
-  Vector_2 corner_bisector(Index v, Index kept) const
+  // A vector from W0 into the kernel: along the bisector of the corner that the fan of W0 filled, as far as the shorter edge there. Where V lies on the
+  // border, the two ends of its ring are joined by the coarse border edge, so that the corner is the same; along its bisector neither the
+  // angles at W0 grow nor do those at V reach a turn.
+  Vector_2 direction_into_kernel(Index v, Index kept) const
   {
     const One_rings::Ring ring = m_rings[v];
     const std::size_t size = ring.size(), slot = std::size_t(std::find(ring.begin(), ring.end(), kept) - ring.begin());
-    const bool has_next = slot + 1 < size || !m_rings.is_border(v), has_previous = slot > 0 || !m_rings.is_border(v);
-    const Vector_2 next = has_next ? m_uv[ring[(slot + 1) % size]] - m_uv[kept] : Vector_2(0, 0);
-    const Vector_2 previous = has_previous ? m_uv[ring[(slot + size - 1) % size]] - m_uv[kept] : Vector_2(0, 0);
+    const Vector_2 next = m_uv[ring[(slot + 1) % size]] - m_uv[kept], previous = m_uv[ring[(slot + size - 1) % size]] - m_uv[kept];
     const double next_length = std::sqrt(next.squared_length()), previous_length = std::sqrt(previous.squared_length());
     const auto left = [](const Vector_2& x) { return Vector_2(-x.y(), x.x()); };
-    if (!has_previous)
-      return left(next);
-    if (!has_next)
-      return -left(previous);
     return (std::min)(next_length, previous_length) * 0.5 * (left(next) / next_length - left(previous) / previous_length);
   }
 
