@@ -131,13 +131,15 @@ inline Flat_mesh open_fan(Index n)
   return m;
 }
 
-// A border vertex, number 0, whose angles in space sum to more than a full turn: nine of 60 degrees, one upon the other.
+// A border vertex, number 0, whose angles in space sum to more than a full turn: seven of 60 degrees, one upon the other.
 inline Flat_mesh folded_fan()
 {
-  Flat_mesh m = open_fan(9);
+  Flat_mesh m = open_fan(7);
   m.points[0] = Point_3(0, 0, 0);
-  for (Index i = 1; i < m.points.size(); ++i)
-    m.points[i] = i % 2 == 0 ? Point_3(1, 0, 0) : Point_3(0.5, std::sqrt(0.75), 0);
+  for (Index i = 1; i < m.points.size(); ++i) {
+    const double length = 1 + 0.05 * i;
+    m.points[i] = i % 2 == 0 ? Point_3(length, 0, 0) : Point_3(0.5 * length, std::sqrt(0.75) * length, 0);
+  }
   return m;
 }
 

@@ -666,7 +666,7 @@ TEST(Insert_new_vertices, keeps_every_level_valid)
 {
   Refinement_options options;
   options.optimizer = Optimizer::SWEEPS;
-  options.number_of_iterations = 3;
+  options.number_of_iterations = 20;
   for (const auto& [name, m] : named_meshes())
     for (unsigned int seed = 0; seed < 10; ++seed) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
