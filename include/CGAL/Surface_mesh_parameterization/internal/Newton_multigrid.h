@@ -56,9 +56,7 @@ public:
       add_previous_step(uv);
     m_needs_setup = result.cycles > most_cycles_without_setup;
 
-    double slope = 0;
-    for (std::size_t v = 0; v < m_gradient.size(); ++v)
-      slope += m_gradient[v] * m_direction[v];
+    const double slope = dot_with_gradient();
     result.predicted = -0.5 * slope;
     if (slope < 0)
       search_line(uv, energy, slope, result);
@@ -98,6 +96,14 @@ private:
 
   // The coarse grids of an earlier step serve as long as they work: to make them costs as much as several cycles.
   static constexpr std::size_t most_cycles_without_setup = 3;
+
+  double dot_with_gradient() const
+  {
+    double sum = 0;
+    for (std::size_t v = 0; v < m_gradient.size(); ++v)
+      sum += m_gradient[v] * m_direction[v];
+    return sum;
+  }
 
   // Solves for the direction, in scaled variables; returns the number of V-cycles.
   std::size_t solve(double tolerance)
@@ -162,7 +168,21 @@ private:
     return longest;
   }
 
+  // Goes along the direction as far as the energy falls and the map stays valid. Border vertices whose angles would reach a full turn are
+  // kept in their places, for there the energy itself knows no bound: the rest of the map need not wait for them.
   void search_line(Level::Uv& uv, double energy, double slope, Step& result)
+  {
+    constexpr int most_rounds = 5;
+    for (int i = 0; i < most_rounds && slope < 0; ++i) {
+      try_lengths(uv, energy, slope, result);
+      if (result.length > 0 || !hold_turning_vertices())
+        return;
+      slope = dot_with_gradient();
+    }
+  }
+
+  // Halves the step until it is acceptable; ends early at one that fails only by the angles at the border.
+  void try_lengths(Level::Uv& uv, double energy, double slope, Step& result)
   {
     constexpr int most_halvings = 12;
     constexpr double part_of_longest_step = 0.9, sufficient_decrease = 1e-4;
@@ -172,13 +192,38 @@ private:
       for (std::size_t v = 0; v < uv.size(); ++v)
         m_trial[v] = uv[v] + length * m_direction[v];
       const double decrease = energy - m_energy(m_trial);
-      if (decrease > -sufficient_decrease * length * slope && is_map_valid(m_level.rings(), m_trial)) {
+      if (!(decrease > -sufficient_decrease * length * slope))
+        continue;
+      if (is_map_valid(m_level.rings(), m_trial)) {
         uv.swap(m_trial);
         result.decrease = decrease;
         result.length = length;
         return;
       }
+      if (turns_too_far_at_border())
+        return;
     }
+  }
+
+  bool turns_too_far_at_border() const
+  {
+    for (Index v = 0; v < m_level.number_of_vertices(); ++v)
+      if (m_level.is_border(v) && turns_too_far(m_level.rings(), Place_of_vertex{ m_trial }, v))
+        return true;
+    return false;
+  }
+
+  // Takes the border vertices that turn too far in the trial, and their border neighbors, out of the direction; returns whether there are any.
+  bool hold_turning_vertices()
+  {
+    bool result = false;
+    for (Index v = 0; v < m_level.number_of_vertices(); ++v)
+      if (m_level.is_border(v) && turns_too_far(m_level.rings(), Place_of_vertex{ m_trial }, v)) {
+        for (Index w : { v, m_level.one_ring(v).front(), m_level.one_ring(v).back() })
+          m_direction[w] = Vector_2(0, 0);
+        result = true;
+      }
+    return result;
   }
 
   const Level_energy<Energy>& m_energy;
