@@ -34,7 +34,9 @@ public:
   /// the level at which `mesh` stands
   Level(const Progressive_mesh_3& mesh, std::size_t index)
     : m_mesh(&mesh), m_index(index), m_rings(mesh.number_of_vertices(), mesh.triangles())
-  { }
+  {
+    m_rings.release_scratch();
+  }
 
   const Collapse_hierarchy_3& hierarchy() const { return m_mesh->hierarchy(); }
 

@@ -78,8 +78,11 @@ public:
     Parameterization_summary unused_summary;
     Parameterization_summary& summary = m_summary ? *m_summary : unused_summary;
 
-    // A coarsest level that the method cannot lay out without a flip is coarsened further: the vertices come back by insertion.
-    for (std::size_t coarsest_size = m_coarsest_size; ; coarsest_size /= 2) {
+    // A coarsest level that the method cannot lay out without a flip is coarsened further: the vertices come back by insertion. Where doubles leave no
+    // room for one of them, another hierarchy may.
+    constexpr unsigned int most_seeds = 3;
+    std::size_t coarsest_size = m_coarsest_size;
+    for (unsigned int seed = m_seed; ; ) {
       summary = Parameterization_summary();
       CGAL::Real_timer timer;
       timer.start();
@@ -88,7 +91,7 @@ public:
       if (summary.error.code != OK)
         return summary.error.code;
 
-      const Collapse_hierarchy_3 hierarchy(std::move(component.surface()), parameters::coarsest_size(coarsest_size).random_seed(m_seed));
+      const Collapse_hierarchy_3 hierarchy(std::move(component.surface()), parameters::coarsest_size(coarsest_size).random_seed(seed));
       summary.seconds_hierarchy = timer.time();
 
       Level::Uv uv;
@@ -97,9 +100,13 @@ public:
       if (summary.error.code == OK)
         internal::write_map(component, hierarchy, uv, uvmap, vpmap);
 
-      const bool has_coarsest_map = summary.error.code == OK || summary.levels.size() > 1;
-      if (has_coarsest_map || summary.stopped || hierarchy.number_of_vertices(0) > coarsest_size)
+      if (summary.error.code != ERROR_NO_1_TO_1_MAPPING || summary.stopped)
         return summary.error.code;
+      const bool has_coarsest_map = !summary.levels.empty(), is_coarsest_possible = hierarchy.number_of_vertices(0) > coarsest_size;
+      if (has_coarsest_map ? ++seed == m_seed + most_seeds : is_coarsest_possible)
+        return summary.error.code;
+      if (!has_coarsest_map)
+        coarsest_size /= 2;
     }
   }
 

@@ -175,7 +175,7 @@ private:
     constexpr int most_rounds = 5;
     for (int i = 0; i < most_rounds && slope < 0; ++i) {
       try_lengths(uv, energy, slope, result);
-      if (result.length > 0 || !hold_turning_vertices())
+      if (result.length > 0 || !hold_turning_vertices(uv))
         return;
       slope = dot_with_gradient();
     }
@@ -194,31 +194,38 @@ private:
       const double decrease = energy - m_energy(m_trial);
       if (!(decrease > -sufficient_decrease * length * slope))
         continue;
-      if (is_map_valid(m_level.rings(), m_trial)) {
+      if (!turns_too_far_at_border(uv) && is_map_valid(m_level.rings(), m_trial)) {
         uv.swap(m_trial);
         result.decrease = decrease;
         result.length = length;
         return;
       }
-      if (turns_too_far_at_border())
+      if (turns_too_far_at_border(uv))
         return;
     }
   }
 
-  bool turns_too_far_at_border() const
+  // Whether the angles at a border vertex reach a full turn in the trial, or come so close that there is no room left that was there before.
+  bool turns_too_far_in_trial(const Level::Uv& uv, Index v) const
+  {
+    const One_rings& rings = m_level.rings();
+    return turns_too_far(rings, Place_of_vertex{ m_trial }, v) || (leaves_no_room(rings, m_trial, v) && !leaves_no_room(rings, uv, v));
+  }
+
+  bool turns_too_far_at_border(const Level::Uv& uv) const
   {
     for (Index v = 0; v < m_level.number_of_vertices(); ++v)
-      if (m_level.is_border(v) && turns_too_far(m_level.rings(), Place_of_vertex{ m_trial }, v))
+      if (m_level.is_border(v) && turns_too_far_in_trial(uv, v))
         return true;
     return false;
   }
 
   // Takes the border vertices that turn too far in the trial, and their border neighbors, out of the direction; returns whether there are any.
-  bool hold_turning_vertices()
+  bool hold_turning_vertices(const Level::Uv& uv)
   {
     bool result = false;
     for (Index v = 0; v < m_level.number_of_vertices(); ++v)
-      if (m_level.is_border(v) && turns_too_far(m_level.rings(), Place_of_vertex{ m_trial }, v)) {
+      if (m_level.is_border(v) && turns_too_far_in_trial(uv, v)) {
         for (Index w : { v, m_level.one_ring(v).front(), m_level.one_ring(v).back() })
           m_direction[w] = Vector_2(0, 0);
         result = true;

@@ -21,13 +21,15 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // less: its ring starts and ends at its two border neighbors.
 class One_rings
 {
+  typedef std::pair<Index, Index>   Directed_edge;   // opposite to v in a triangle (v, first, second)
+
 public:
   typedef boost::iterator_range<const Index*>   Ring;
 
   One_rings() = default;
   One_rings(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles) { build(number_of_vertices, triangles); }
 
-  // Reuses the arrays of an earlier build.
+  // Reuses the arrays of an earlier build; release_scratch() gives back the half of them that only building needs.
   void build(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles)
   {
     collect_opposite_edges(number_of_vertices, triangles);
@@ -42,6 +44,13 @@ public:
     for (std::size_t v = 0; v < number_of_vertices; ++v)
       if (!link_ring(Index(v)) && m_first_bad_vertex == no_index)
         m_first_bad_vertex = Index(v);
+  }
+
+  void release_scratch()
+  {
+    std::vector<Directed_edge>().swap(m_edges);
+    for (std::vector<Index>* array : { &m_edge_end, &m_balance, &m_sorted_ends })
+      std::vector<Index>().swap(*array);
   }
 
   std::size_t number_of_vertices() const { return m_is_border.size(); }
@@ -76,8 +85,6 @@ public:
   }
 
 private:
-  typedef std::pair<Index, Index>   Directed_edge;   // opposite to v in a triangle (v, first, second)
-
   Index edge_begin(Index v) const { return v == 0 ? 0 : m_edge_end[v - 1]; }
 
   // A closed fan leaves every neighbor once and enters it once; so in an open one the neighbors entered and left differ in sum.

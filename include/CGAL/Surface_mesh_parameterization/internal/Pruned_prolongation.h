@@ -25,10 +25,10 @@ public:
   struct Row
   {
     std::array<Index, row_size> columns;     // of those with weight 0, any
-    std::array<double, row_size> weights;
+    std::array<float, row_size> weights;       // single precision: they are transposed as they are, so the cycle stays symmetric
   };
 
-  struct Entry { Index row; double weight; };  // of the transpose
+  struct Entry { Index row; float weight; };  // of the transpose
 
   Pruned_prolongation(const Collapse_hierarchy_3& hierarchy, std::size_t coarse, std::size_t fine)
     : m_coarse_size(hierarchy.number_of_vertices(coarse))
@@ -83,7 +83,7 @@ private:
     for (int k = 0; k < row_size; ++k) {
       const bool is_used = entries.begin() + k < end;
       row.columns[k] = entries[is_used ? k : 0].first;
-      row.weights[k] = is_used ? entries[k].second / sum : 0;
+      row.weights[k] = is_used ? float(entries[k].second / sum) : 0.f;
     }
     return row;
   }

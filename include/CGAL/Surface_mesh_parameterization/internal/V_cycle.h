@@ -50,8 +50,9 @@ public:
       grid.galerkin_product->compute(grid.matrix, m_grids[g + 1].matrix);
     }
     for (Grid& grid : m_grids) {
-      grid.right_side.resize(grid.matrix.number_of_rows());
       grid.solution.resize(grid.matrix.number_of_rows());
+      if (&grid != &m_grids.front())
+        grid.right_side.resize(grid.matrix.number_of_rows());
     }
     factorize();
   }
@@ -62,8 +63,7 @@ public:
   // One cycle from 0 for A x = b, in scaled variables.
   const Pair_vector& operator()(const Pair_vector& b)
   {
-    m_grids.front().right_side = b;
-    cycle(0);
+    cycle(0, b);
     return m_grids.front().solution;
   }
 
@@ -76,33 +76,33 @@ private:
     Pair_vector right_side, solution, residual;
   };
 
-  void cycle(std::size_t g)
+  void cycle(std::size_t g, const Pair_vector& right_side)
   {
     constexpr int sweeps = 2;
     Grid& grid = m_grids[g];
     if (g + 1 == m_grids.size()) {
-      solve(grid);
+      solve(right_side, grid.solution);
       return;
     }
     std::fill(grid.solution.begin(), grid.solution.end(), Pair{ 0, 0 });
     for (int i = 0; i < sweeps; ++i)
-      grid.matrix.relax_forward(grid.right_side, grid.solution);
-    restrict_residual(grid, m_grids[g + 1]);
-    cycle(g + 1);
+      grid.matrix.relax_forward(right_side, grid.solution);
+    restrict_residual(right_side, grid, m_grids[g + 1]);
+    cycle(g + 1, m_grids[g + 1].right_side);
     add_correction(m_grids[g + 1], grid);
     for (int i = 0; i < sweeps; ++i)
-      grid.matrix.relax_backward(grid.right_side, grid.solution);
+      grid.matrix.relax_backward(right_side, grid.solution);
   }
 
   // The right side of the coarse grid: S_c P^T S^-1 (b - A x).
-  static void restrict_residual(Grid& fine, Grid& coarse)
+  static void restrict_residual(const Pair_vector& right_side, Grid& fine, Grid& coarse)
   {
     const Pruned_prolongation& p = *fine.prolongation;
     fine.residual.resize(fine.matrix.number_of_rows());
     for (Index i = 0; i < fine.matrix.number_of_rows(); ++i) {
       const Pair ax = fine.matrix.row_times(i, fine.solution);
       const double inverse_scale = 1 / fine.matrix.scale[i];
-      fine.residual[i] = { inverse_scale * (fine.right_side[i][0] - ax[0]), inverse_scale * (fine.right_side[i][1] - ax[1]) };
+      fine.residual[i] = { inverse_scale * (right_side[i][0] - ax[0]), inverse_scale * (right_side[i][1] - ax[1]) };
     }
     for (Index i = 0; i < coarse.matrix.number_of_rows(); ++i) {
       Pair sum = fine.residual[i];
@@ -154,16 +154,10 @@ private:
     m_solver.compute(matrix);
   }
 
-  void solve(Grid& grid) const
+  void solve(const Pair_vector& right_side, Pair_vector& solution) const
   {
-    Eigen::VectorXd b(2 * grid.right_side.size());
-    for (std::size_t i = 0; i < grid.right_side.size(); ++i) {
-      b[2 * i] = grid.right_side[i][0];
-      b[2 * i + 1] = grid.right_side[i][1];
-    }
-    const Eigen::VectorXd x = m_solver.solve(b);
-    for (std::size_t i = 0; i < grid.solution.size(); ++i)
-      grid.solution[i] = { x[2 * i], x[2 * i + 1] };
+    const Eigen::Map<const Eigen::VectorXd> b(right_side.data()->data(), 2 * right_side.size());
+    Eigen::Map<Eigen::VectorXd>(solution.data()->data(), 2 * solution.size()) = m_solver.solve(b);
   }
 
   std::vector<Grid> m_grids;      // finest first

@@ -30,6 +30,12 @@ Vector_2 newton_direction(const Derivatives& d)
   return Vector_2((xy * d.gradient[1] - yy * d.gradient[0]) * inverse, (xy * d.gradient[0] - xx * d.gradient[1]) * inverse);
 }
 
+// Whether a border vertex and its two border neighbors leave room at the border.
+inline bool has_room(const One_rings& rings, const std::vector<Point_2>& uv, Index v)
+{
+  return !leaves_no_room(rings, uv, v) && !leaves_no_room(rings, uv, rings[v].front()) && !leaves_no_room(rings, uv, rings[v].back());
+}
+
 // One step of vertex relaxation (Hormann and Greiner 1999): moves v by a safeguarded Newton step inside the kernel of its star and returns
 // by how much the energy fell, 0 if v stayed. The step is `relaxation_factor` times Newton's; it is halved until the energy falls and the invariant holds by exact predicates.
 // Precondition: `star` is gathered from v, and the invariant holds.
@@ -56,8 +62,10 @@ double relax_vertex(const Star<Energy>& star, const One_rings& rings, Index v, d
         step = (std::min)(step, 2 * part_of_longest_step * star.longest_step(start, direction));    // outside the kernel
       continue;
     }
+    const bool had_room = !rings.is_border(v) || has_room(rings, uv, v);
     uv[v] = trial;
-    if ((energy.is_surely_positive && !rings.is_border(v)) || is_star_valid(rings, uv, v))
+    if (rings.is_border(v) ? is_star_valid(rings, uv, v) && (!had_room || has_room(rings, uv, v))
+                           : energy.is_surely_positive || is_star_valid(rings, uv, v))
       return decrease;
     uv[v] = start;
   }

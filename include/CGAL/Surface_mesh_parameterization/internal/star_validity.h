@@ -7,6 +7,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 
+#include <CGAL/number_utils.h>
+
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -52,6 +55,23 @@ bool turns_too_far(const One_rings& rings, const Place& place, Index v)
     is_past_half_turn = is_past_half_turn || !is_ahead;
   }
   return false;
+}
+
+// Whether the angles at a border vertex leave less than a small part of a turn. An energy can drive them there; but then a finer level has no room
+// for another vertex. To be asked of vertices that do not turn too far; in doubles, for it is only about good sense.
+inline bool leaves_no_room(const One_rings& rings, const std::vector<Point_2>& uv, Index v)
+{
+  constexpr double least_angle = 1e-3;
+  const Vector_2 first = uv[rings[v].front()] - uv[v], last = uv[rings[v].back()] - uv[v];
+  const double sine = cross(last, first), cosine = last * first;
+  if (!(cosine > 0 && std::abs(sine) < least_angle * cosine))
+    return false;
+  double turn = 0;    // close to 0 or to a full one
+  for (std::size_t i = 0; i + 1 < rings[v].size(); ++i) {
+    const Vector_2 a = uv[rings[v][i]] - uv[v], b = uv[rings[v][i + 1]] - uv[v];
+    turn += std::atan2(cross(a, b), a * b);
+  }
+  return turn > CGAL_PI;
 }
 
 // Whether the invariant holds at v and, if v lies on the border, at its two border neighbors.
