@@ -50,13 +50,22 @@ struct Map_invariants
   double determinant;     // s1 s2
   double area;            // of the triangle in space
 
+  // Triangle and image are scaled by one power of two first, which changes nothing but keeps products of lengths representable.
   explicit Map_invariants(const Mapped_triangle& t)
   {
-    const Rest_corner c = rest_corner(t.points[0], t.points[1], t.points[2]);
-    const Vector_2 ab = t.uv[2] - t.uv[1], av = t.uv[0] - t.uv[1], from_foot = av - c.foot * ab;
+    const Vector_3 p = t.points[1] - t.points[0], q = t.points[2] - t.points[0];
+    double longest = 0;
+    for (int i = 0; i < 3; ++i)
+      longest = (std::max)({ longest, std::abs(p[i]), std::abs(q[i]) });
+    const int exponent = longest > 0 ? std::ilogb(longest) : 0;
+    const auto scaled = [&](double x) { return std::ldexp(x, -exponent); };
+
+    const Rest_corner c = rest_corner(Point_3(0, 0, 0), Point_3(scaled(p.x()), scaled(p.y()), scaled(p.z())), Point_3(scaled(q.x()), scaled(q.y()), scaled(q.z())));
+    const Vector_2 to_b = t.uv[2] - t.uv[1], to_v = t.uv[0] - t.uv[1];
+    const Vector_2 ab(scaled(to_b.x()), scaled(to_b.y())), av(scaled(to_v.x()), scaled(to_v.y())), from_foot = av - c.foot * ab;
     frobenius = 0.5 * c.inverse_area * (from_foot.squared_length() / c.height + c.height * ab.squared_length());
     determinant = 0.5 * c.inverse_area * cross(ab, av);
-    area = 1 / c.inverse_area;
+    area = std::ldexp(1 / c.inverse_area, 2 * exponent);
   }
 
   double greatest_singular_value() const

@@ -48,8 +48,7 @@ bool turns_too_far(const One_rings& rings, const Place& place, Index v)
   bool is_past_half_turn = false;
   for (std::size_t i = 1; i < ring.size(); ++i) {
     const Point_2& p = place(ring[i], v);
-    const Orientation side = orientation(center, first, p);
-    const bool is_ahead = side == LEFT_TURN || (side == COLLINEAR && !are_strictly_ordered_along_line(first, center, p));
+    const bool is_ahead = orientation(center, first, p) != RIGHT_TURN;
     if (is_ahead && is_past_half_turn)
       return true;
     is_past_half_turn = is_past_half_turn || !is_ahead;
