@@ -76,16 +76,26 @@ public:
   /// number of levels, at least 1; level 0 is the coarsest, the last one is the input
   std::size_t number_of_levels() const { return m_data.level_vertices.size(); }
 
+  /// number of vertices of a level: their ranks are the numbers below it
   std::size_t number_of_vertices(std::size_t level) const { return m_data.level_vertices[level]; }
+
+  /// number of triangles of a level: their ranks are the numbers below it
   std::size_t number_of_faces(std::size_t level) const { return m_data.level_faces[level]; }
+
+  /// number of vertices of the finest level, the input
   std::size_t number_of_vertices() const { return m_data.points.size(); }
+
+  /// number of triangles of the finest level, the input
   std::size_t number_of_faces() const { return m_data.triangles.size(); }
 
   /// @}
   /// \name Vertices and faces, by rank
   /// @{
 
+  /// the point of a vertex, as it was given in `surface`; the same on every level
   const Point_3& point(Index v) const { return m_data.points[v]; }
+
+  /// whether a vertex was constrained to stay on every level
   bool is_pinned(Index v) const { return m_data.is_pinned[v]; }
 
   /// whether a vertex lies on the outer border. A border vertex that does not lies on the border of a hole.

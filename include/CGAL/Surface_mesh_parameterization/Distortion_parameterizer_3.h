@@ -24,7 +24,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// Alone it starts from Tutte's map onto a circle; with `Hierarchical_parameterizer_3` from a coarse level's result, which is faster by orders
 /// of magnitude on large meshes and converges where Tutte's map collapses.
 ///
-/// A triangle lower than 1e-6 of its longest edge counts as being of that height.
+/// A triangle lower than 1e-6 of its longest edge counts as being of that height. Vertices that a hierarchy pins are not held in place.
 ///
 /// \cgalModels `Parameterizer_3`
 /// \cgalModels `RefinableParameterizer_3`

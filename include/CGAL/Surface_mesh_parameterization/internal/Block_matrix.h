@@ -13,8 +13,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-typedef std::array<double, 2>                Pair;
-typedef std::vector<Pair>                Pair_vector;
+typedef std::array<double, 2>   Pair;
+typedef std::vector<Pair>       Pair_vector;
 
 // A symmetric sparse matrix of 2x2 blocks, by rows, scaled so that every diagonal block has the trace 2. In double precision: an almost conformal map
 // can be changed into another one at a cost of 1e-9 of the diagonal, which single precision does not see, and Newton's method stalls.
