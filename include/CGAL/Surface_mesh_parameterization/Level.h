@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rest_triangle.h>
 
@@ -31,9 +32,9 @@ public:
   typedef std::vector<Point_2>               Uv;         ///< the places of the vertices in the plane, by rank
   typedef internal::One_rings::Ring          Ring;       ///< a range of vertices
 
-  /// the level at which `mesh` stands
-  Level(const Progressive_mesh_3& mesh, std::size_t index)
-    : m_mesh(&mesh), m_index(index), m_rings(mesh.number_of_vertices(), mesh.triangles())
+  /// the level at which `mesh` stands. `loops` tells whether what is computed on it may use several threads.
+  Level(const Progressive_mesh_3& mesh, std::size_t index, const internal::Loops& loops = internal::Loops())
+    : m_mesh(&mesh), m_index(index), m_loops(loops), m_rings(mesh.number_of_vertices(), mesh.triangles())
   {
     m_rings.release_scratch();
   }
@@ -62,11 +63,13 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   const internal::One_rings& rings() const { return m_rings; }
+  const internal::Loops& loops() const { return m_loops; }
   /// \endcond
 
 private:
   const Progressive_mesh_3* m_mesh;
   std::size_t m_index;
+  internal::Loops m_loops;
   internal::One_rings m_rings;
 };
 

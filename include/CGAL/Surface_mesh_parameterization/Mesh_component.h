@@ -32,7 +32,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// The connected component of a mesh that contains a given border halfedge, as flat arrays: what a hierarchy is built from.
 /// The mesh is only read.
 ///
-/// Vertices and faces keep the order of `vertices(mesh)` and `faces(mesh)`. The points are scaled by a power of two, which is exact, so
+/// Vertices and faces are numbered breadth first from `bhd`, which suits the cache whatever the mesh's own order. The points are scaled by a power of two, which is exact, so
 /// that no later product of lengths over- or underflows, and moved to the center of their box.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` with an internal vertex point map
@@ -87,25 +87,16 @@ private:
 
   bool read_component(const TriangleMesh& mesh, halfedge_descriptor bhd)
   {
-    const auto is_reached = get(CGAL::dynamic_face_property_t<bool>(), mesh);
-    mark_component(mesh, bhd, is_reached);
+    collect_faces(mesh, face(opposite(bhd, mesh), mesh));
+    for (face_descriptor f : m_faces)
+      if (!is_triangle(halfedge(f, mesh), mesh))
+        return fail(ERROR_NON_TRIANGULAR_MESH, Parameterization_error::FACE, number_of(f, faces(mesh)));
 
     const auto index_of = get(CGAL::dynamic_vertex_property_t<internal::Index>(), mesh);
     for (vertex_descriptor v : vertices(mesh))
       put(index_of, v, internal::no_index);
-
-    std::size_t face_number = 0;
-    for (face_descriptor f : faces(mesh)) {
-      if (get(is_reached, f)) {
-        if (!is_triangle(halfedge(f, mesh), mesh))
-          return fail(ERROR_NON_TRIANGULAR_MESH, Parameterization_error::FACE, face_number);
-        for (vertex_descriptor v : vertices_around_face(halfedge(f, mesh), mesh))
-          put(index_of, v, 0);
-        m_faces.push_back(f);
-      }
-      ++face_number;
-    }
-    if (!read_points(mesh, index_of))
+    number_vertices(mesh, index_of);
+    if (!read_points(mesh))
       return false;
     read_triangles(mesh, index_of);
     for (halfedge_descriptor h : halfedges_around_face(bhd, mesh))
@@ -113,42 +104,46 @@ private:
     return true;
   }
 
-  template <class FaceMarkMap>
-  static void mark_component(const TriangleMesh& mesh, halfedge_descriptor bhd, const FaceMarkMap& is_reached)
+  // Breadth first from one face.
+  void collect_faces(const TriangleMesh& mesh, face_descriptor start)
   {
+    const auto is_reached = get(CGAL::dynamic_face_property_t<bool>(), mesh);
     for (face_descriptor f : faces(mesh))
       put(is_reached, f, false);
-    std::vector<face_descriptor> stack(1, face(opposite(bhd, mesh), mesh));
-    put(is_reached, stack.back(), true);
-    while (!stack.empty()) {
-      const halfedge_descriptor start = halfedge(stack.back(), mesh);
-      stack.pop_back();
-      for (halfedge_descriptor h : halfedges_around_face(start, mesh)) {
+    m_faces.assign(1, start);
+    put(is_reached, start, true);
+    for (std::size_t i = 0; i < m_faces.size(); ++i)
+      for (halfedge_descriptor h : halfedges_around_face(halfedge(m_faces[i], mesh), mesh)) {
         const face_descriptor neighbor = face(opposite(h, mesh), mesh);
         if (neighbor != Graph_traits::null_face() && !get(is_reached, neighbor)) {
           put(is_reached, neighbor, true);
-          stack.push_back(neighbor);
+          m_faces.push_back(neighbor);
         }
       }
-    }
   }
 
+  // In the order in which the faces meet them.
   template <class VertexIndexMap>
-  bool read_points(const TriangleMesh& mesh, const VertexIndexMap& index_of)
+  void number_vertices(const TriangleMesh& mesh, const VertexIndexMap& index_of)
+  {
+    for (face_descriptor f : m_faces)
+      for (vertex_descriptor v : vertices_around_face(halfedge(f, mesh), mesh))
+        if (get(index_of, v) == internal::no_index) {
+          put(index_of, v, internal::Index(m_vertices.size()));
+          m_vertices.push_back(v);
+        }
+  }
+
+  bool read_points(const TriangleMesh& mesh)
   {
     const auto point_map = get(CGAL::vertex_point, mesh);
-    std::size_t vertex_number = 0;
-    for (vertex_descriptor v : vertices(mesh)) {
-      if (get(index_of, v) != internal::no_index) {
-        const auto& p = get(point_map, v);
-        const internal::Point_3 q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-        if (!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
-          return fail(ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, vertex_number);
-        put(index_of, v, internal::Index(m_surface.points.size()));
-        m_surface.points.push_back(q);
-        m_vertices.push_back(v);
-      }
-      ++vertex_number;
+    m_surface.points.reserve(m_vertices.size());
+    for (vertex_descriptor v : m_vertices) {
+      const auto& p = get(point_map, v);
+      const internal::Point_3 q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      if (!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
+        return fail(ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, number_of(v, vertices(mesh)));
+      m_surface.points.push_back(q);
     }
     return true;
   }
@@ -166,15 +161,20 @@ private:
     }
   }
 
+  // The position of a vertex or face in the mesh's own order.
+  template <class Descriptor, class Range>
+  static std::size_t number_of(Descriptor d, const Range& range)
+  {
+    return std::size_t(std::distance(range.begin(), std::find(range.begin(), range.end(), d)));
+  }
+
   // A connected surface whose vertices have one umbrella each is a disk with holes exactly if V - E + F = 2 - (number of borders).
   bool is_disk_with_holes(const TriangleMesh& mesh)
   {
     const internal::One_rings rings(m_surface.points.size(), m_surface.triangles);
     const internal::Index bad_vertex = rings.first_non_manifold_vertex();
-    if (bad_vertex != internal::no_index) {
-      const auto place = std::find(vertices(mesh).begin(), vertices(mesh).end(), m_vertices[bad_vertex]);
-      return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX, std::size_t(std::distance(vertices(mesh).begin(), place)));
-    }
+    if (bad_vertex != internal::no_index)
+      return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX, number_of(m_vertices[bad_vertex], vertices(mesh)));
 
     std::size_t border_edges = 0;
     for (std::size_t v = 0; v < m_surface.points.size(); ++v)

@@ -4,16 +4,18 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BLOCK_MATRIX_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BLOCK_MATRIX_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 
-#include <array>
+#include <Eigen/Core>
+
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-typedef std::array<double, 2>   Pair;
+typedef Eigen::Vector2d         Pair;
 typedef std::vector<Pair>       Pair_vector;
 
 // A symmetric sparse matrix of 2x2 blocks, by rows, scaled so that every diagonal block has the trace 2. In double precision: an almost conformal map
@@ -22,18 +24,18 @@ typedef std::vector<Pair>       Pair_vector;
 // The unscaled matrix is S^-1 A S^-1, with one factor `scale[i]` for each block row in S.
 struct Block_matrix
 {
-  typedef std::array<double, 4>              Block;            // xx, xy, yx, yy
-  typedef std::array<double, 3>              Symmetric_block;  // xx, xy, yy
+  typedef Eigen::Matrix2d   Block;
 
   // The pattern: the columns of row i, but for the diagonal, are columns[first[i]] .. columns[first[i+1] - 1]. Kept by whoever made it.
   const Index* first = nullptr;
   const Index* columns = nullptr;
 
   std::vector<Block> blocks;                 // in the order of the columns
-  std::vector<Symmetric_block> diagonal, inverse_diagonal;
+  Pair_vector diagonal;                      // (a, b) for the block (1 + a, b; b, 1 - a)
+  std::vector<Block> inverse_diagonal;
   std::vector<double> scale;
 
-  std::size_t number_of_rows() const { return diagonal.size(); }
+  Index number_of_rows() const { return Index(diagonal.size()); }
 
   void set_pattern(std::size_t number_of_rows, const Index* first_, const Index* columns_)
   {
@@ -45,78 +47,79 @@ struct Block_matrix
     blocks.resize(first[number_of_rows]);
   }
 
-  // Takes the diagonal block of row i, unscaled, and fixes the row's scale. A block that is hardly definite is shifted by a small multiple of
-  // its own trace.
-  void set_diagonal(Index i, double xx, double xy, double yy)
+  // Takes the diagonal block of row i, unscaled, and fixes the row's scale. Of a block that is hardly definite the inverse is that of one shifted
+  // by a small multiple of its own trace.
+  void set_diagonal(Index i, const Block& block)
   {
-    constexpr double least_relative_determinant = 1e-4, relative_shift = 1e-2;
-    const double half_trace = 0.5 * (xx + yy);
+    constexpr double least_determinant = 1e-4, shift = 1e-2;
+    const double half_trace = 0.5 * block.trace();
     const double factor = half_trace > 0 ? 1 / half_trace : 1;
-    xx *= factor;
-    xy *= factor;
-    yy *= factor;
+    const double a = 0.5 * factor * (block(0, 0) - block(1, 1)), b = 0.5 * factor * (block(0, 1) + block(1, 0));
     scale[i] = std::sqrt(factor);
-    diagonal[i] = { xx, xy, yy };
-    double determinant = xx * yy - xy * xy;
-    if (!(determinant > least_relative_determinant)) {
-      xx += relative_shift;
-      yy += relative_shift;
-      determinant = xx * yy - xy * xy;
-    }
-    inverse_diagonal[i] = { yy / determinant, -xy / determinant, xx / determinant };
+    diagonal[i] = { a, b };
+    const double radius2 = a * a + b * b, one = 1 - radius2 > least_determinant ? 1 : 1 + shift;
+    inverse_diagonal[i] << one - a, -b, -b, one + a;
+    inverse_diagonal[i] /= one * one - radius2;
   }
 
-  // Scales the blocks beside the diagonal, when all scales are fixed.
-  void scale_blocks()
+  Block diagonal_block(Index i) const
   {
-    for (Index i = 0; i < number_of_rows(); ++i)
+    Block result;
+    result << 1 + diagonal[i][0], diagonal[i][1], diagonal[i][1], 1 - diagonal[i][0];
+    return result;
+  }
+
+  Block unscaled_diagonal_block(Index i) const { return diagonal_block(i) / (scale[i] * scale[i]); }
+
+  // Scales the blocks beside the diagonal, when all scales are fixed.
+  void scale_blocks(const Loops& loops)
+  {
+    loops.for_each(0, number_of_rows(), [&](Index i) {
       for (Index k = first[i]; k < first[i + 1]; ++k)
-        for (double& entry : blocks[k])
-          entry *= scale[i] * scale[columns[k]];
+        blocks[k] *= scale[i] * scale[columns[k]];
+    });
   }
 
   // A x, row i
   Pair row_times(Index i, const Pair_vector& x) const
   {
-    const Symmetric_block& d = diagonal[i];
-    Pair sum = { d[0] * x[i][0] + d[1] * x[i][1], d[1] * x[i][0] + d[2] * x[i][1] };
-    add_off_diagonal(i, x, 1, sum);
-    return sum;
+    const Pair &d = diagonal[i], &y = x[i];
+    return Pair(y[0] + d[0] * y[0] + d[1] * y[1], y[1] + d[1] * y[0] - d[0] * y[1]) + off_diagonal_times(i, x);
   }
 
-  // One block Gauss-Seidel step on row i of A x = b.
-  void relax_row(Index i, const Pair_vector& b, Pair_vector& x) const
+  // One Gauss-Seidel step for A x = b on each row of a range, one after the other or the other way around.
+  void relax_forward(Index begin, Index end, const Pair_vector& b, Pair_vector& x) const
   {
-    Pair r = b[i];
-    add_off_diagonal(i, x, -1, r);
-    const Symmetric_block& d = inverse_diagonal[i];
-    x[i] = { d[0] * r[0] + d[1] * r[1], d[1] * r[0] + d[2] * r[1] };
+    for (Index i = begin; i < end; ++i)
+      x[i] = relaxed_row(i, b, x);
   }
 
-  void relax_forward(const Pair_vector& b, Pair_vector& x) const
+  void relax_backward(Index begin, Index end, const Pair_vector& b, Pair_vector& x) const
   {
-    for (Index i = 0; i < number_of_rows(); ++i)
-      relax_row(i, b, x);
+    for (Index i = end; i-- > begin;)
+      x[i] = relaxed_row(i, b, x);
   }
 
-  void relax_backward(const Pair_vector& b, Pair_vector& x) const
+  // The same on all rows of a range at once: a Jacobi step where they are joined.
+  void relax_at_once(const Loops& loops, Index begin, Index end, const Pair_vector& b, Pair_vector& x, Pair_vector& scratch) const
   {
-    for (Index i = Index(number_of_rows()); i-- > 0;)
-      relax_row(i, b, x);
+    scratch.resize(number_of_rows());
+    loops.for_each(begin, end, [&](Index i) { scratch[i] = relaxed_row(i, b, x); });
+    loops.for_each(begin, end, [&](Index i) { x[i] = scratch[i]; });
   }
 
 private:
-  void add_off_diagonal(Index i, const Pair_vector& x, double sign, Pair& sum) const
+  Pair relaxed_row(Index i, const Pair_vector& b, const Pair_vector& x) const { return inverse_diagonal[i] * (b[i] - off_diagonal_times(i, x)); }
+
+  Pair off_diagonal_times(Index i, const Pair_vector& x) const
   {
-    double sx = 0, sy = 0;
+    Pair sum0(0, 0), sum1(0, 0);      // two chains of additions, which the processor interleaves
     for (Index k = first[i]; k < first[i + 1]; ++k) {
-      const Block& a = blocks[k];
       const Pair& y = x[columns[k]];
-      sx += a[0] * y[0] + a[1] * y[1];
-      sy += a[2] * y[0] + a[3] * y[1];
+      sum0 += y[0] * blocks[k].col(0);
+      sum1 += y[1] * blocks[k].col(1);
     }
-    sum[0] += sign * sx;
-    sum[1] += sign * sy;
+    return sum0 + sum1;
   }
 };
 

@@ -5,10 +5,12 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_GALERKIN_PRODUCT_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/Block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Pruned_prolongation.h>
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -17,100 +19,102 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Galerkin_product
 {
 public:
-  Galerkin_product(const Block_matrix& fine, const Pruned_prolongation& prolongation)
-    : m_prolongation(prolongation), m_position(prolongation.coarse_size(), no_index)
+  // `order` holds the coarse rows in an order in which neighbors are close to each other: they share what is fetched into the cache.
+  Galerkin_product(const Block_matrix& fine, const Pruned_prolongation& prolongation, std::vector<Index> order, const Loops& loops)
+    : m_prolongation(prolongation), m_order(std::move(order))
   {
-    m_first.push_back(0);
-    for (Index row = 0; row < prolongation.coarse_size(); ++row) {
-      m_position[row] = 0;    // the diagonal is not stored
-      for_each_fine_row(row, [&](Index i, double) {
-        for_each_column(i, 1, [&](Index column, double) { add_column(column); });
-        for (Index k = fine.first[i]; k < fine.first[i + 1]; ++k)
-          for_each_column(fine.columns[k], 1, [&](Index column, double) { add_column(column); });
-      });
-      m_position[row] = no_index;
-      for (Index k = m_first.back(); k < m_columns.size(); ++k)
-        m_position[m_columns[k]] = no_index;
-      m_first.push_back(Index(m_columns.size()));
-    }
-    m_columns.shrink_to_fit();
+    // Twice: to count the columns, and to store them.
+    m_first.assign(m_order.size() + 1, 0);
+    find_columns(fine, loops, [&](Index row, const std::vector<Index>& columns) { m_first[row + 1] = Index(columns.size()); });
+    for (std::size_t row = 0; row < m_order.size(); ++row)
+      m_first[row + 1] += m_first[row];
+    m_columns.resize(m_first.back());
+    find_columns(fine, loops, [&](Index row, const std::vector<Index>& columns) { std::copy(columns.begin(), columns.end(), m_columns.begin() + m_first[row]); });
   }
 
   Galerkin_product(const Galerkin_product&) = delete;
 
-  // Makes `coarse` the product, with this object's pattern, which must outlive it.
-  void compute(const Block_matrix& fine, Block_matrix& coarse)
+  // Makes `coarse` the product, with this object's pattern, which must outlive it. Both matrices: the blocks beside the diagonal not yet scaled.
+  void compute(const Block_matrix& fine, Block_matrix& coarse, const Loops& loops) const
   {
-    coarse.set_pattern(m_prolongation.coarse_size(), m_first.data(), m_columns.data());
-    for (Index row = 0; row < m_prolongation.coarse_size(); ++row) {
-      m_position[row] = 0;
-      m_sums.assign(m_first[row + 1] - m_first[row] + 1, Block_matrix::Block{ 0, 0, 0, 0 });
-      for (Index k = m_first[row]; k < m_first[row + 1]; ++k)
-        m_position[m_columns[k]] = k - m_first[row] + 1;
-
-      for_each_fine_row(row, [&](Index i, double weight) {
-        const double row_weight = weight / fine.scale[i];
-        const Block_matrix::Symmetric_block& d = fine.diagonal[i];
-        for_each_column(i, row_weight / fine.scale[i], [&](Index column, double w) { add(m_sums[m_position[column]], w, d[0], d[1], d[1], d[2]); });
-        for (Index k = fine.first[i]; k < fine.first[i + 1]; ++k) {
-          const Block_matrix::Block& a = fine.blocks[k];
-          for_each_column(fine.columns[k], row_weight / fine.scale[fine.columns[k]],
-                          [&](Index column, double w) { add(m_sums[m_position[column]], w, a[0], a[1], a[2], a[3]); });
-        }
-      });
-      coarse.set_diagonal(row, m_sums[0][0], 0.5 * (m_sums[0][1] + m_sums[0][2]), m_sums[0][3]);
-      for (Index k = m_first[row]; k < m_first[row + 1]; ++k) {
-        coarse.blocks[k] = m_sums[k - m_first[row] + 1];
-        m_position[m_columns[k]] = no_index;
-      }
-      m_position[row] = no_index;
-    }
-    coarse.scale_blocks();
+    const Index n = Index(m_order.size());
+    coarse.set_pattern(n, m_first.data(), m_columns.data());
+    loops.for_each_block(0, n, [n] { return Scratch{ std::vector<Index>(n), {} }; }, [&](Index begin, Index end, Scratch& scratch) {
+      for (Index k = begin; k < end; ++k)
+        compute_row(fine, m_order[k], coarse, scratch);
+    });
   }
 
 private:
-  static void add(Block_matrix::Block& sum, double w, double xx, double xy, double yx, double yy)
-  {
-    sum[0] += w * xx;
-    sum[1] += w * xy;
-    sum[2] += w * yx;
-    sum[3] += w * yy;
-  }
+  typedef Block_matrix::Block   Block;
 
-  void add_column(Index column)
+  struct Scratch
   {
-    if (m_position[column] == no_index) {
-      m_position[column] = 0;
-      m_columns.push_back(column);
-    }
-  }
+    std::vector<Index> position;     // of a column in the current row; the diagonal is at 0
+    std::vector<Block> sums;         // the current row
+  };
 
-  // The rows of P in which a coarse vertex has a weight, and that weight.
+  // Calls f(row, columns) for every row; the diagonal is not among its columns.
   template <class Function>
-  void for_each_fine_row(Index coarse_vertex, const Function& f) const
+  void find_columns(const Block_matrix& fine, const Loops& loops, const Function& f) const
   {
-    f(coarse_vertex, 1.);
-    for (const auto* e = m_prolongation.column_begin(coarse_vertex); e != m_prolongation.column_end(coarse_vertex); ++e)
-      f(e->row, e->weight);
+    struct Columns { std::vector<Index> columns; std::vector<unsigned char> is_found; };
+    const Index n = Index(m_order.size());
+    loops.for_each_block(0, n, [n] { return Columns{ {}, std::vector<unsigned char>(n, 0) }; }, [&](Index begin, Index end, Columns& scratch) {
+      auto& [columns, is_found] = scratch;
+      for (Index k = begin; k < end; ++k) {
+        const Index row = m_order[k];
+        columns.clear();
+        is_found[row] = 1;
+        for (const auto* e = m_prolongation.column_begin(row); e != m_prolongation.column_end(row); ++e) {
+          add_columns(e->row, columns, is_found);
+          for (Index l = fine.first[e->row]; l < fine.first[e->row + 1]; ++l)
+            add_columns(fine.columns[l], columns, is_found);
+        }
+        is_found[row] = 0;
+        for (const Index column : columns)
+          is_found[column] = 0;
+        f(row, columns);
+      }
+    });
   }
 
-  // The columns of P's row j, and their weights times a factor.
-  template <class Function>
-  void for_each_column(Index j, double factor, const Function& f) const
+  void add_columns(Index j, std::vector<Index>& columns, std::vector<unsigned char>& is_found) const
   {
-    if (j < m_prolongation.coarse_size())
-      f(j, factor);
-    else {
-      const Pruned_prolongation::Row& row = m_prolongation.row(j);
-      for (int k = 0; k < Pruned_prolongation::row_size && row.weights[k] != 0; ++k)
-        f(row.columns[k], factor * row.weights[k]);
+    for (const Index column : m_prolongation.row(j).columns)
+      if (!is_found[column]) {
+        is_found[column] = 1;
+        columns.push_back(column);
+      }
+  }
+
+  void compute_row(const Block_matrix& fine, Index row, Block_matrix& coarse, Scratch& scratch) const
+  {
+    auto& [position, sums] = scratch;
+    position[row] = 0;
+    for (Index k = m_first[row]; k < m_first[row + 1]; ++k)
+      position[m_columns[k]] = k - m_first[row] + 1;
+    sums.assign(m_first[row + 1] - m_first[row] + 1, Block::Zero());
+
+    for (const auto* e = m_prolongation.column_begin(row); e != m_prolongation.column_end(row); ++e) {
+      const Index i = e->row;
+      add(m_prolongation.row(i), e->weight * fine.unscaled_diagonal_block(i), scratch);
+      for (Index k = fine.first[i]; k < fine.first[i + 1]; ++k)
+        add(m_prolongation.row(fine.columns[k]), e->weight * fine.blocks[k], scratch);
     }
+    coarse.set_diagonal(row, sums[0]);
+    std::copy(sums.begin() + 1, sums.end(), coarse.blocks.begin() + m_first[row]);
+  }
+
+  // No branch for weights that are 0: the processor would guess it wrong.
+  static void add(const Pruned_prolongation::Row& row, const Block& block, Scratch& scratch)
+  {
+    for (int k = 0; k < Pruned_prolongation::row_size; ++k)
+      scratch.sums[scratch.position[row.columns[k]]] += double(row.weights[k]) * block;
   }
 
   const Pruned_prolongation& m_prolongation;
-  std::vector<Index> m_first, m_columns;
-  std::vector<Index> m_position;      // scratch: of a column in the current row
-  std::vector<Block_matrix::Block> m_sums;    // scratch: the current row, its diagonal first
+  std::vector<Index> m_order, m_first, m_columns;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -6,7 +6,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/rest_corners.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -22,14 +24,8 @@ public:
 
   Level_energy(const Level& level, Triangle_weight weight) : m_level(level), m_weight(weight)
   {
-    const One_rings& rings = level.rings();
-    m_corners.resize(rings.number_of_slots());
-    for (Index v = 0; v < level.number_of_vertices(); ++v) {
-      const Level::Ring ring = level.one_ring(v);
-      Rest_corner* const corners = m_corners.data() + rings.first_slot(v);
-      for (std::size_t i = 0; i < rings.number_of_triangles(v); ++i)
-        corners[i] = rest_corner(level.point(v), level.point(ring[i]), level.point(ring[i + 1 == ring.size() ? 0 : i + 1]));
-    }
+    m_corners.resize(level.rings().number_of_slots());
+    level.loops().for_each(0, Index(level.number_of_vertices()), [&](Index v) { rest_corners(level, v, m_corners.data() + level.rings().first_slot(v)); });
   }
 
   const Level& level() const { return m_level; }
@@ -41,40 +37,41 @@ public:
 
   void gather(Index v, const Level::Uv& uv, Star<Energy>& star) const { star.gather(m_level.rings(), uv, v, corners(v), m_weight); }
 
-  // Calls f(v, a, b, corner) once for each triangle vab.
+  // The sum of f(v, a, b, corner) over the triangles vab.
   template <class Function>
-  void for_each_triangle(const Function& f) const
+  double sum(const Function& f) const
   {
-    for (Index v = 0; v < m_level.number_of_vertices(); ++v) {
-      const Level::Ring ring = m_level.one_ring(v);
-      const Rest_corner* const c = corners(v);
-      for (std::size_t i = 0; i < m_level.rings().number_of_triangles(v); ++i) {
-        const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
-        if (v < a && v < b)
-          f(v, a, b, c[i]);
-      }
-    }
+    return m_level.loops().sum(0, number_of_vertices(), 0., [&](Index v) {
+      double sum = 0;
+      for_each_triangle(v, [&](Index a, Index b, const Rest_corner& c) { sum += f(v, a, b, c); });
+      return sum;
+    });
+  }
+
+  // The least f(v, a, b, corner) over the triangles vab, infinity if there is none.
+  template <class Function>
+  double min(const Function& f) const
+  {
+    constexpr double infinity = (std::numeric_limits<double>::infinity)();
+    return m_level.loops().min(0, number_of_vertices(), infinity, [&](Index v) {
+      double least = infinity;
+      for_each_triangle(v, [&](Index a, Index b, const Rest_corner& c) { least = (std::min)(least, f(v, a, b, c)); });
+      return least;
+    });
   }
 
   // Infinite if a triangle is not positive.
   double operator()(const Level::Uv& uv) const
   {
-    double sum = 0;
-    for_each_triangle([&](Index v, Index a, Index b, const Rest_corner& c) {
+    return sum([&](Index v, Index a, Index b, const Rest_corner& c) {
       const Vector_2 ab = uv[b] - uv[a], x = uv[v] - uv[a], from_foot = x - c.foot * ab;
       const double doubled_area = cross(ab, x), scale = 0.5 * c.inverse_area;
-      sum += !(doubled_area > 0) ? (std::numeric_limits<double>::infinity)() :
+      return !(doubled_area > 0) ? (std::numeric_limits<double>::infinity)() :
              weight(c) * Energy::value(scale * (from_foot.squared_length() / c.height + c.height * ab.squared_length()), scale * doubled_area);
     });
-    return sum;
   }
 
-  double total_weight() const
-  {
-    double sum = 0;
-    for_each_triangle([&](Index, Index, Index, const Rest_corner& c) { sum += weight(c); });
-    return sum;
-  }
+  double total_weight() const { return sum([&](Index, Index, Index, const Rest_corner& c) { return weight(c); }); }
 
   double minimum() const { return Energy::minimum * total_weight(); }
 
@@ -82,6 +79,21 @@ public:
   double unit() const { return m_weight == Triangle_weight::AREA ? total_weight() : 1; }
 
 private:
+  Index number_of_vertices() const { return Index(m_level.number_of_vertices()); }
+
+  // The triangles of which v is the least vertex.
+  template <class Function>
+  void for_each_triangle(Index v, const Function& f) const
+  {
+    const Level::Ring ring = m_level.one_ring(v);
+    const Rest_corner* const c = corners(v);
+    for (std::size_t i = 0; i < m_level.rings().number_of_triangles(v); ++i) {
+      const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+      if (v < a && v < b)
+        f(a, b, c[i]);
+    }
+  }
+
   const Level& m_level;
   Triangle_weight m_weight;
   std::vector<Rest_corner> m_corners;    // of every slot of the level's rings

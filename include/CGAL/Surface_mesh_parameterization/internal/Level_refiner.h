@@ -70,9 +70,9 @@ private:
   void settle_new_vertices()
   {
     constexpr int sweeps = 3;
-    Vertex_relaxation<Energy> relaxation(m_energy, 1);
+    const Vertex_relaxation<Energy> relaxation(m_energy, 1);
     for (int i = 0; i < sweeps && m_level.index() > 0; ++i) {
-      m_current -= relaxation.sweep(m_uv, Index(m_level.first_new_vertex()));
+      m_current -= relaxation.sweep_group(m_level.index(), m_uv);
       m_summary.vertex_visits += size() - m_level.first_new_vertex();
     }
   }
@@ -84,7 +84,7 @@ private:
     const std::size_t most_sweeps = is_coarsest_of_many() ? (std::max)(m_options.number_of_iterations, most_sweeps_on_coarsest_level)
                                                            : m_options.number_of_iterations;
     const bool is_random = m_options.optimizer == Optimizer::RANDOM_VERTICES;
-    Vertex_relaxation<Energy> relaxation(m_energy, is_random ? 1 : over_relaxation);
+    const Vertex_relaxation<Energy> relaxation(m_energy, is_random ? 1 : over_relaxation);
     std::mt19937 random(m_options.random_seed);
     while (m_summary.iterations < most_sweeps && !m_summary.converged) {
       const double decrease = is_random ? relaxation.random_steps(m_uv, size(), random) : relaxation.sweep(m_uv);
@@ -101,7 +101,7 @@ private:
     const std::size_t groups_above = m_level.hierarchy().number_of_levels() - 1 - m_level.index();
     const bool is_grid = groups_above % V_cycle::groups_per_grid == 0 || m_level.index() == 0;
 
-    Vertex_relaxation<Energy> relaxation(m_energy, over_relaxation);
+    const Vertex_relaxation<Energy> relaxation(m_energy, over_relaxation);
     for (std::size_t i = 0; i < (is_grid ? sweeps_before_newton : sweeps_between_grids); ++i) {
       m_current -= relaxation.sweep(m_uv);
       m_summary.vertex_visits += size();
@@ -111,7 +111,7 @@ private:
   }
 
   // Levels below the finest only have to hand on a good start.
-  void take_newton_steps(Vertex_relaxation<Energy>& relaxation)
+  void take_newton_steps(const Vertex_relaxation<Energy>& relaxation)
   {
     constexpr double coarse_tolerance = 1e-3, residual_tolerance = 0.1, short_step = 0.3;
     const double tolerance = m_level.is_finest() ? m_options.tolerance : (std::max)(m_options.tolerance, coarse_tolerance);

@@ -49,6 +49,8 @@ public:
     assemble(uv);
     if (m_needs_setup)
       m_cycle.setup();
+    else
+      m_cycle.scale();
     if (!m_cycle.is_ready())
       return result;
     result.cycles = solve(tolerance);
@@ -68,9 +70,7 @@ private:
   void assemble(const Level::Uv& uv)
   {
     Block_matrix& matrix = m_cycle.matrix();
-    for (Index v = 0; v < m_level.number_of_vertices(); ++v)
-      assemble_row(uv, v, matrix);
-    matrix.scale_blocks();
+    for_each_vertex([&](Index v) { assemble_row(uv, v, matrix); });
   }
 
   void assemble_row(const Level::Uv& uv, Index v, Block_matrix& matrix)
@@ -78,44 +78,37 @@ private:
     const Level::Ring ring = m_level.one_ring(v);
     const Rest_corner* const corners = m_energy.corners(v);
     Block_matrix::Block* const row = matrix.blocks.data() + matrix.first[v];
-    std::fill(row, row + ring.size(), Block_matrix::Block{ 0, 0, 0, 0 });
-    Block_matrix::Block diagonal = { 0, 0, 0, 0 };
-    m_gradient[v] = Vector_2(0, 0);
+    std::fill(row, row + ring.size(), Block_matrix::Block::Zero());
+    Block_matrix::Block diagonal = Block_matrix::Block::Zero();
+    m_gradient[v] = Pair(0, 0);
     for (std::size_t i = 0; i < m_level.rings().number_of_triangles(v); ++i) {
       const std::size_t j = i + 1 == ring.size() ? 0 : i + 1;
       const Corner_hessian h = corner_hessian<Energy>(corners[i], m_energy.weight(corners[i]), uv[ring[i]] - uv[v], uv[ring[j]] - uv[v]);
-      m_gradient[v] = m_gradient[v] + Vector_2(h.gradient[0], h.gradient[1]);
-      for (int e = 0; e < 4; ++e) {
-        diagonal[e] += h.to_v[e];
-        row[j][e] += h.to_b[e];
-        row[i][e] -= h.to_v[e] + h.to_b[e];
-      }
+      m_gradient[v] += h.gradient;
+      diagonal += h.to_v;
+      row[j] += h.to_b;
+      row[i] -= h.to_v + h.to_b;
     }
-    matrix.set_diagonal(v, diagonal[0], 0.5 * (diagonal[1] + diagonal[2]), diagonal[3]);
+    matrix.set_diagonal(v, diagonal);
   }
+
+  Index number_of_vertices() const { return Index(m_level.number_of_vertices()); }
+
+  template <class Function>
+  void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, number_of_vertices(), f); }
 
   // The coarse grids of an earlier step serve as long as they work: to make them costs as much as several cycles.
-  static constexpr std::size_t most_cycles_without_setup = 3;
-
-  double dot_with_gradient() const
-  {
-    double sum = 0;
-    for (std::size_t v = 0; v < m_gradient.size(); ++v)
-      sum += m_gradient[v] * m_direction[v];
-    return sum;
-  }
+  static constexpr std::size_t most_cycles_without_setup = 8;
 
   // Solves for the direction, in scaled variables; returns the number of V-cycles.
   std::size_t solve(double tolerance)
   {
     constexpr std::size_t most_cycles = 10;
     const std::vector<double>& scale = m_cycle.matrix().scale;
-    m_space.residual.resize(m_gradient.size());
-    for (std::size_t v = 0; v < m_gradient.size(); ++v)
-      m_space.residual[v] = { -scale[v] * m_gradient[v].x(), -scale[v] * m_gradient[v].y() };
-    const std::size_t cycles = conjugate_gradients(m_cycle.matrix(), m_cycle, tolerance, most_cycles, m_space);
-    for (std::size_t v = 0; v < m_gradient.size(); ++v)
-      m_direction[v] = Vector_2(scale[v] * m_space.solution[v][0], scale[v] * m_space.solution[v][1]);
+    m_space.residual.resize(number_of_vertices());
+    for_each_vertex([&](Index v) { m_space.residual[v] = -scale[v] * m_gradient[v]; });
+    const std::size_t cycles = conjugate_gradients(m_level.loops(), m_cycle.matrix(), m_cycle, tolerance, most_cycles, m_space);
+    for_each_vertex([&](Index v) { m_direction[v] = scale[v] * m_space.solution[v]; });
     return cycles;
   }
 
@@ -125,47 +118,39 @@ private:
   {
     const Block_matrix& a = m_cycle.matrix();
     Pair_vector &x = m_space.solution, &s = m_space.direction;
-    for (std::size_t v = 0; v < x.size(); ++v) {
-      const Vector_2 step = (uv[v] - m_trial[v]) / a.scale[v];     // the line search left the map before that step there
-      s[v] = { step.x(), step.y() };
-    }
-    double xax = 0, xas = 0, sas = 0, bx = 0, bs = 0;
-    for (std::size_t v = 0; v < x.size(); ++v) {
-      const Pair as = a.row_times(Index(v), s);
-      const Pair b = { -a.scale[v] * m_gradient[v].x(), -a.scale[v] * m_gradient[v].y() };
-      for (int e = 0; e < 2; ++e) {
-        xax += x[v][e] * (b[e] - m_space.residual[v][e]);
-        xas += x[v][e] * as[e];
-        sas += s[v][e] * as[e];
-        bx += b[e] * x[v][e];
-        bs += b[e] * s[v][e];
-      }
-    }
+    for_each_vertex([&](Index v) {    // the line search left the map before that step in m_trial
+      s[v] = Pair(uv[v].x() - m_trial[v].x(), uv[v].y() - m_trial[v].y()) / a.scale[v];
+    });
+    typedef Eigen::Matrix<double, 5, 1> Products;     // x A x, x A s, s A s, b x, b s
+    const Products p = m_level.loops().sum(0, number_of_vertices(), Products(Products::Zero()), [&](Index v) {
+      const Pair as = a.row_times(v, s), b = -a.scale[v] * m_gradient[v];
+      Products result;
+      result << x[v].dot(b - m_space.residual[v]), x[v].dot(as), s[v].dot(as), b.dot(x[v]), b.dot(s[v]);
+      return result;
+    });
     constexpr double least_relative_determinant = 1e-10;
-    const double determinant = xax * sas - xas * xas;
-    if (!(determinant > least_relative_determinant * xax * sas))
+    const double determinant = p[0] * p[2] - p[1] * p[1];
+    if (!(determinant > least_relative_determinant * p[0] * p[2]))
       return;
-    const double factor_x = (bx * sas - bs * xas) / determinant, factor_s = (bs * xax - bx * xas) / determinant;
-    for (std::size_t v = 0; v < x.size(); ++v)
-      m_direction[v] = Vector_2(a.scale[v] * (factor_x * x[v][0] + factor_s * s[v][0]), a.scale[v] * (factor_x * x[v][1] + factor_s * s[v][1]));
+    const double factor_x = (p[3] * p[2] - p[4] * p[1]) / determinant, factor_s = (p[4] * p[0] - p[3] * p[1]) / determinant;
+    for_each_vertex([&](Index v) { m_direction[v] = a.scale[v] * (factor_x * x[v] + factor_s * s[v]); });
   }
+
+  double dot_with_gradient() const { return dot(m_level.loops(), m_gradient, m_direction); }
 
   // The least t > 0 at which a triangle vanishes on the way to uv + t direction.
   double longest_step(const Level::Uv& uv) const
   {
-    double longest = (std::numeric_limits<double>::infinity)();
-    m_energy.for_each_triangle([&](Index v, Index a, Index b, const Rest_corner&) {
-      const Vector_2 p = uv[a] - uv[v], q = uv[b] - uv[v], dp = m_direction[a] - m_direction[v], dq = m_direction[b] - m_direction[v];
+    return m_energy.min([&](Index v, Index a, Index b, const Rest_corner&) {
+      const Vector_2 p = uv[a] - uv[v], q = uv[b] - uv[v];
+      const Pair d = m_direction[a] - m_direction[v], e = m_direction[b] - m_direction[v];
+      const Vector_2 dp(d[0], d[1]), dq(e[0], e[1]);
       const double c0 = cross(p, q), c1 = cross(p, dq) + cross(dp, q), c2 = cross(dp, dq);
       // The least positive root of c0 + c1 t + c2 t^2, c0 > 0, in the form that does not cancel.
       const double discriminant = c1 * c1 - 4 * c0 * c2;
-      if (discriminant < 0 || (c1 >= 0 && c2 >= 0))
-        return;
-      const double root = 2 * c0 / (std::sqrt(discriminant) - c1);
-      if (root > 0)
-        longest = (std::min)(longest, root);
+      const double root = discriminant < 0 || (c1 >= 0 && c2 >= 0) ? 0 : 2 * c0 / (std::sqrt(discriminant) - c1);
+      return root > 0 ? root : (std::numeric_limits<double>::infinity)();
     });
-    return longest;
   }
 
   // Goes along the direction as far as the energy falls and the map stays valid. Border vertices whose angles would reach a full turn are
@@ -189,12 +174,11 @@ private:
     double length = (std::min)(1., part_of_longest_step * longest_step(uv));
     m_trial.resize(uv.size());
     for (int i = 0; i < most_halvings; ++i, length *= 0.5) {
-      for (std::size_t v = 0; v < uv.size(); ++v)
-        m_trial[v] = uv[v] + length * m_direction[v];
+      for_each_vertex([&](Index v) { m_trial[v] = uv[v] + Vector_2(length * m_direction[v][0], length * m_direction[v][1]); });
       const double decrease = energy - m_energy(m_trial);
       if (!(decrease > -sufficient_decrease * length * slope))
         continue;
-      if (!turns_too_far_at_border(uv) && is_map_valid(m_level.rings(), m_trial)) {
+      if (!turns_too_far_at_border(uv) && is_map_valid(m_level.rings(), m_trial, m_level.loops())) {
         uv.swap(m_trial);
         result.decrease = decrease;
         result.length = length;
@@ -227,7 +211,7 @@ private:
     for (Index v = 0; v < m_level.number_of_vertices(); ++v)
       if (m_level.is_border(v) && turns_too_far_in_trial(uv, v)) {
         for (Index w : { v, m_level.one_ring(v).front(), m_level.one_ring(v).back() })
-          m_direction[w] = Vector_2(0, 0);
+          m_direction[w] = Pair(0, 0);
         result = true;
       }
     return result;
@@ -237,7 +221,7 @@ private:
   const Level& m_level;
   V_cycle m_cycle;
   bool m_needs_setup = true;
-  std::vector<Vector_2> m_gradient, m_direction;
+  Pair_vector m_gradient, m_direction;
   Conjugate_gradients_space m_space;
   Level::Uv m_trial;
 };

@@ -16,7 +16,7 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The prolongation over several collapse groups, each row pruned to its three greatest weights, whose sum is made 1 again: that keeps coarse
-// operators sparse. The first rows, those of the coarse vertices, are the identity's and are not stored.
+// operators sparse. The first rows, those of the coarse vertices, are the identity's.
 class Pruned_prolongation
 {
 public:
@@ -24,7 +24,7 @@ public:
 
   struct Row
   {
-    std::array<Index, row_size> columns;     // of those with weight 0, any
+    std::array<Index, row_size> columns;     // one with the weight 0 may come twice
     std::array<float, row_size> weights;       // single precision: they are transposed as they are, so the cycle stays symmetric
   };
 
@@ -34,19 +34,17 @@ public:
     : m_coarse_size(hierarchy.number_of_vertices(coarse))
   {
     std::vector<std::pair<Index, double>> entries;
-    m_rows.reserve(hierarchy.number_of_vertices(fine) - m_coarse_size);
+    m_rows.reserve(hierarchy.number_of_vertices(fine));
+    for (std::size_t v = 0; v < m_coarse_size; ++v)
+      m_rows.push_back({ { Index(v), Index(v), Index(v) }, { 1, 0, 0 } });
     for (std::size_t v = m_coarse_size; v < hierarchy.number_of_vertices(fine); ++v) {
       entries.clear();
       const Collapse_hierarchy_3::Triangle& parent = hierarchy.parent_triangle(Index(v));
       const std::array<double, 3> coordinates = hierarchy.barycentric_coordinates(Index(v));
       for (int i = 0; i < 3; ++i) {
-        if (coordinates[i] == 0)
-          continue;
-        if (parent[i] < m_coarse_size)
-          entries.push_back({ parent[i], coordinates[i] });
-        else
-          for (int k = 0; k < row_size; ++k)
-            entries.push_back({ row(parent[i]).columns[k], coordinates[i] * row(parent[i]).weights[k] });
+        const Row& parent_row = row(parent[i]);
+        for (int k = 0; k < row_size && coordinates[i] * parent_row.weights[k] != 0; ++k)
+          entries.push_back({ parent_row.columns[k], coordinates[i] * parent_row.weights[k] });
       }
       m_rows.push_back(prune(entries));
     }
@@ -54,12 +52,11 @@ public:
   }
 
   std::size_t coarse_size() const { return m_coarse_size; }
-  std::size_t fine_size() const { return m_coarse_size + m_rows.size(); }
+  std::size_t fine_size() const { return m_rows.size(); }
 
-  // The row of a fine vertex v >= coarse_size().
-  const Row& row(Index v) const { return m_rows[v - m_coarse_size]; }
+  const Row& row(Index v) const { return m_rows[v]; }
 
-  // The rows in which a coarse vertex occurs, besides its own.
+  // The rows in which a coarse vertex occurs, its own first.
   const Entry* column_begin(Index v) const { return m_entries.data() + m_first[v]; }
   const Entry* column_end(Index v) const { return m_entries.data() + m_first[v + 1]; }
 
@@ -102,7 +99,7 @@ private:
     for (std::size_t i = 0; i < m_rows.size(); ++i)
       for (int k = 0; k < row_size; ++k)
         if (m_rows[i].weights[k] != 0)
-          m_entries[next[m_rows[i].columns[k]]++] = { Index(m_coarse_size + i), m_rows[i].weights[k] };
+          m_entries[next[m_rows[i].columns[k]]++] = { Index(i), m_rows[i].weights[k] };
   }
 
   std::size_t m_coarse_size;

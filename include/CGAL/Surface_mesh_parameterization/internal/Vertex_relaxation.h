@@ -22,39 +22,60 @@ public:
     : m_energy(energy), m_level(energy.level()), m_relaxation_factor(relaxation_factor)
   { }
 
-  // Returns by how much the energy fell.
-  double relax(Index v, Level::Uv& uv)
-  {
-    if (m_level.is_pinned(v))
-      return 0;
-    m_energy.gather(v, uv, m_star);
-    return relax_vertex(m_star, m_level.rings(), v, m_relaxation_factor, uv);
-  }
-
-  // Relaxes the vertices from `first` on, in the order of their ranks, and returns by how much the energy fell.
-  double sweep(Level::Uv& uv, Index first = 0)
+  // Relaxes every vertex, group by group, and returns by how much the energy fell.
+  double sweep(Level::Uv& uv) const
   {
     double decrease = 0;
-    for (Index v = first; v < m_level.number_of_vertices(); ++v)
-      decrease += relax(v, uv);
+    for (std::size_t group = 0; group <= m_level.index(); ++group)
+      decrease += sweep_group(group, uv);
     return decrease;
+  }
+
+  // Relaxes the vertices that the level `group` has in addition to the next coarser one. They share no edge, so that only those on the border, where the
+  // angles involve two neighbors, have to go one by one. So have all of level 0.
+  double sweep_group(std::size_t group, Level::Uv& uv) const
+  {
+    const Collapse_hierarchy_3& hierarchy = m_level.hierarchy();
+    const Index first = group == 0 ? 0 : Index(hierarchy.number_of_vertices(group - 1)), last = Index(hierarchy.number_of_vertices(group));
+    const auto relax_if = [&](Index begin, Index end, bool at_border, Star<Energy>& star) {
+      double decrease = 0;
+      for (Index v = begin; v < end; ++v)
+        if (m_level.is_border(v) == at_border)
+          decrease += relax(v, uv, star);
+      return decrease;
+    };
+    const Loops loops = group == 0 ? Loops() : m_level.loops();
+    const double decrease = loops.reduce(first, last, 0., [] { return Star<Energy>(); }, [&](Index begin, Index end, Star<Energy>& star) {
+      return relax_if(begin, end, false, star);
+    }, [](double& sum, double d) { sum += d; });
+    Star<Energy> star;
+    return decrease + relax_if(first, last, true, star);
   }
 
   // Relaxes vertices that are chosen at random by a generator of 32-bit numbers, as the paper does; returns by how much the energy fell.
   template <class RandomGenerator>
-  double random_steps(Level::Uv& uv, std::size_t number_of_steps, RandomGenerator& random)
+  double random_steps(Level::Uv& uv, std::size_t number_of_steps, RandomGenerator& random) const
   {
+    Star<Energy> star;
     double decrease = 0;
     for (std::size_t i = 0; i < number_of_steps; ++i)
-      decrease += relax(Index((std::uint64_t(random()) * m_level.number_of_vertices()) >> 32), uv);
+      decrease += relax(Index((std::uint64_t(random()) * m_level.number_of_vertices()) >> 32), uv, star);
     return decrease;
   }
 
 private:
+  // Returns by how much the energy fell.
+  double relax(Index v, Level::Uv& uv, Star<Energy>& star) const
+  {
+    if (m_level.is_pinned(v))
+      return 0;
+    m_energy.gather(v, uv, star);
+    return relax_vertex(star, m_level.rings(), v, m_relaxation_factor, uv);
+  }
+
   const Level_energy<Energy>& m_energy;
   const Level& m_level;
   double m_relaxation_factor;
-  Star<Energy> m_star;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -5,18 +5,17 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CONJUGATE_GRADIENTS_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/Block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 
 #include <cstddef>
-#include <vector>
+#include <cstddef>
+#include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-inline double dot(const Pair_vector& x, const Pair_vector& y)
+inline double dot(const Loops& loops, const Pair_vector& x, const Pair_vector& y)
 {
-  double sum = 0;
-  for (std::size_t i = 0; i < x.size(); ++i)
-    sum += x[i][0] * y[i][0] + x[i][1] * y[i][1];
-  return sum;
+  return loops.sum(0, Index(x.size()), 0., [&](Index i) { return x[i].dot(y[i]); });
 }
 
 // The vectors that conjugate_gradients() works on, brought by the caller. The right side is given in `residual`, the result is `solution`.
@@ -28,35 +27,35 @@ struct Conjugate_gradients_space
 // Solves A x = b by preconditioned conjugate gradients from x = 0, until the residual has fallen by the factor `tolerance`, or after `most_iterations`,
 // or where rounding makes the curvature vanish. `preconditioner(r)` returns a reference to a vector. Returns the number of its applications.
 template <class Preconditioner>
-std::size_t conjugate_gradients(const Block_matrix& a, Preconditioner& preconditioner, double tolerance, std::size_t most_iterations,
+std::size_t conjugate_gradients(const Loops& loops, const Block_matrix& a, Preconditioner& preconditioner, double tolerance, std::size_t most_iterations,
                                 Conjugate_gradients_space& space)
 {
-  auto& [x, r, p, ap] = space;
-  const std::size_t n = r.size();
-  x.assign(n, { 0, 0 });
-  p.assign(n, { 0, 0 });
+  Pair_vector &x = space.solution, &r = space.residual, &p = space.direction, &ap = space.image;
+  const Index n = Index(r.size());
+  x.resize(n);
+  p.resize(n);
   ap.resize(n);
-  const double target = tolerance * tolerance * dot(r, r);
-  double rz = 0;
+  loops.for_each(0, n, [&](Index i) { x[i] = p[i] = Pair(0, 0); });
+  double rr = dot(loops, r, r), rz = 0;
+  const double target = tolerance * tolerance * rr;
   std::size_t iterations = 0;
-  while (iterations < most_iterations && dot(r, r) > target) {
+  while (iterations < most_iterations && rr > target) {
     const Pair_vector& z = preconditioner(r);
     ++iterations;
-    const double rz_new = dot(r, z), beta = rz > 0 ? rz_new / rz : 0;
-    rz = rz_new;
-    for (std::size_t i = 0; i < n; ++i)
-      p[i] = { z[i][0] + beta * p[i][0], z[i][1] + beta * p[i][1] };
-    for (std::size_t i = 0; i < n; ++i)
-      ap[i] = a.row_times(Index(i), p);
-    const double curvature = dot(p, ap);
+    const double rz_before = std::exchange(rz, dot(loops, r, z)), beta = rz_before > 0 ? rz / rz_before : 0;
+    loops.for_each(0, n, [&](Index i) { p[i] = z[i] + beta * p[i]; });
+    const double curvature = loops.sum(0, n, 0., [&](Index i) {
+      ap[i] = a.row_times(i, p);
+      return p[i].dot(ap[i]);
+    });
     if (!(curvature > 0))
       break;
     const double alpha = rz / curvature;
-    for (std::size_t i = 0; i < n; ++i)
-      for (int e = 0; e < 2; ++e) {
-        x[i][e] += alpha * p[i][e];
-        r[i][e] -= alpha * ap[i][e];
-      }
+    rr = loops.sum(0, n, 0., [&](Index i) {
+      x[i] += alpha * p[i];
+      r[i] -= alpha * ap[i];
+      return r[i].squaredNorm();
+    });
   }
   return iterations;
 }

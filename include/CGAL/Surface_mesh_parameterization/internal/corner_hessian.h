@@ -8,6 +8,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Rest_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,8 +20,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // sum of the other two, for the energy does not change when the triangle is moved.
 struct Corner_hessian
 {
-  std::array<double, 2> gradient;
-  std::array<double, 4> to_v, to_b;     // xx, xy, yx, yy
+  Eigen::Vector2d gradient;
+  Eigen::Matrix2d to_v, to_b;
 };
 
 // The Hessian of an energy in the space of Jacobians, made positive semidefinite, and its gradient.
@@ -123,10 +125,10 @@ Corner_hessian corner_hessian(const Rest_corner& corner, double weight, const Ve
     double row[4];
     for (int j = 0; j < 4; ++j)
       row[j] = scale * (i == 0 ? h.hessian[3][j] - h.hessian[1][j] : h.hessian[0][j] - h.hessian[2][j]);
-    result.to_v[2 * i] = 0.5 * g * (row[3] - row[1]);
-    result.to_v[2 * i + 1] = 0.5 * g * (row[0] - row[2]);
-    result.to_b[2 * i] = 0.5 * (bx * (row[0] + row[2]) + by * (row[3] - row[1]));
-    result.to_b[2 * i + 1] = 0.5 * (bx * (row[1] + row[3]) + by * (row[0] - row[2]));
+    result.to_v(i, 0) = 0.5 * g * (row[3] - row[1]);
+    result.to_v(i, 1) = 0.5 * g * (row[0] - row[2]);
+    result.to_b(i, 0) = 0.5 * (bx * (row[0] + row[2]) + by * (row[3] - row[1]));
+    result.to_b(i, 1) = 0.5 * (bx * (row[1] + row[3]) + by * (row[0] - row[2]));
   }
   return result;
 }

@@ -6,7 +6,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Vertex_inserter.h>
+#include <CGAL/Surface_mesh_parameterization/internal/rest_corners.h>
 
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -22,21 +25,35 @@ inline Index insert_new_vertices(const Level& level, Level::Uv& uv)
   for (Index v = first_new; v < end; ++v)
     uv[v] = uv[hierarchy.kept_vertex(v)];
 
-  // The vertices are independent of each other but on the border, where the angles involve two neighbors: it comes last.
+  // The vertices are independent of each other but on the border, where the angles involve two neighbors: it comes last, one by one.
   std::vector<bool> is_placed(end, true);
   for (Index v = first_new; v < end; ++v)
     is_placed[v] = !level.is_border(v);
-  Vertex_inserter inserter(level.rings(), uv, is_placed);
-  std::vector<Rest_corner> corners;
-  for (const bool at_border : { false, true })
-    for (Index v = first_new; v < end; ++v) {
-      if (level.is_border(v) != at_border)
-        continue;
-      const Level::Ring ring = level.one_ring(v);
-      corners.clear();
-      for (std::size_t i = 0; i < level.rings().number_of_triangles(v); ++i)
-        corners.push_back(rest_corner(level.point(v), level.point(ring[i]), level.point(ring[i + 1 == ring.size() ? 0 : i + 1])));
-      if (!inserter.insert(v, corners.data(), hierarchy.parent_triangle(v), hierarchy.barycentric_coordinates(v)))
+
+  struct Scratch
+  {
+    Vertex_inserter inserter;
+    std::vector<Rest_corner> corners;
+  };
+  const auto make_scratch = [&] { return Scratch{ Vertex_inserter(level.rings(), uv, is_placed), {} }; };
+  const auto insert = [&](Index v, Scratch& scratch) {
+    scratch.corners.clear();
+    rest_corners(level, v, std::back_inserter(scratch.corners));
+    return scratch.inserter.insert(v, scratch.corners.data(), hierarchy.parent_triangle(v), hierarchy.barycentric_coordinates(v));
+  };
+  const Index failed = level.loops().reduce(first_new, end, no_index, make_scratch, [&](Index block_begin, Index block_end, Scratch& scratch) {
+    for (Index v = block_begin; v < block_end; ++v)
+      if (!level.is_border(v) && !insert(v, scratch))
+        return v;
+    return no_index;
+  }, [](Index& first, Index v) { first = (std::min)(first, v); });
+  if (failed != no_index)
+    return failed;
+
+  Scratch scratch = make_scratch();
+  for (Index v = first_new; v < end; ++v)
+    if (level.is_border(v)) {
+      if (!insert(v, scratch))
         return v;
       is_placed[v] = true;
     }

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_VALIDITY_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_VALIDITY_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 
@@ -90,20 +91,20 @@ inline bool is_star_valid(const One_rings& rings, const std::vector<Point_2>& uv
 }
 
 // Whether the invariant holds everywhere.
-inline bool is_map_valid(const One_rings& rings, const std::vector<Point_2>& uv)
+inline bool is_map_valid(const One_rings& rings, const std::vector<Point_2>& uv, const Loops& loops = Loops())
 {
-  for (Index v = 0; v < rings.number_of_vertices(); ++v) {
+  const auto has_positive_triangles = [&](Index v) {    // those of which v is the least vertex
     const One_rings::Ring ring = rings[v];
     for (std::size_t i = 0; i < rings.number_of_triangles(v); ++i) {
       const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
       if (v < a && v < b && !is_left_turn(uv[v], uv[a], uv[b]))
         return false;
     }
-  }
-  for (Index v = 0; v < rings.number_of_vertices(); ++v)
-    if (turns_too_far(rings, Place_of_vertex{ uv }, v))
-      return false;
-  return true;
+    return true;
+  };
+  const auto turns_right = [&](Index v) { return !turns_too_far(rings, Place_of_vertex{ uv }, v); };
+  const Index n = Index(rings.number_of_vertices());
+  return loops.min(0, n, true, has_positive_triangles) && loops.min(0, n, true, turns_right);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
