@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_SVG.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -16,6 +17,10 @@
 #include <CGAL/Real_timer.h>
 
 #include <boost/program_options.hpp>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
 
 #include <unistd.h>
 
@@ -39,6 +44,7 @@ struct Options
   double tolerance;
   std::size_t iterations;
   unsigned int seed;
+  int threads;
   bool flat, quiet;
 };
 
@@ -61,6 +67,7 @@ bool read_options(int argc, char** argv, Options& options)
     ("iterations", po::value(&options.iterations)->default_value(100), "the most steps of Newton's method on a level")
     ("weights", po::value(&options.weights), "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)")
     ("seed", po::value(&options.seed)->default_value(0), "of the random choices: the same seed gives the same result")
+    ("threads", po::value(&options.threads)->default_value(0), "the most threads to use, if built with TBB; 0: as many as there are. The result is the same")
     ("quiet", po::bool_switch(&options.quiet), "print errors only");
   po::options_description all;
   all.add(described).add_options()("input", po::value(&options.inputs));
@@ -86,6 +93,8 @@ bool read_options(int argc, char** argv, Options& options)
     throw Usage_error{ "unknown weights '" + options.weights + "'; there are: triangle, area" };
   if (!(options.tolerance >= 0))
     throw Usage_error{ "the tolerance must not be negative" };
+  if (options.threads < 0)
+    throw Usage_error{ "the number of threads must not be negative" };
   if (options.inputs.size() > 1 && !(options.output.empty() && options.picture.empty() && options.levels.empty()))
     throw Usage_error{ "--output, --picture and --levels take one input" };
   if (options.inputs.empty())
@@ -98,7 +107,7 @@ struct Visitor : SMP::Hierarchy_visitor_3
 {
   const Options& options;
   const Mesh& mesh;
-  const std::vector<Mesh::Vertex_index>& vertices;    // of the component
+  const std::vector<Mesh::Vertex_index>& vertices;    // of the component, as the hierarchy numbers them
   bool has_progress_line;
 
   Visitor(const Options& options, const Mesh& mesh, const std::vector<Mesh::Vertex_index>& vertices)
@@ -120,19 +129,6 @@ struct Visitor : SMP::Hierarchy_visitor_3
   }
 };
 
-std::vector<Mesh::Vertex_index> vertices_of_component(const Input& input)
-{
-  std::vector<bool> is_used(input.mesh.number_of_vertices(), false);
-  for (const Mesh::Face_index f : input.faces)
-    for (const Mesh::Vertex_index v : input.mesh.vertices_around_face(input.mesh.halfedge(f)))
-      is_used[v] = true;
-  std::vector<Mesh::Vertex_index> result;
-  for (const Mesh::Vertex_index v : input.mesh.vertices())
-    if (is_used[v])
-      result.push_back(v);
-  return result;
-}
-
 template <class Method, class UVMap>
 SMP::Parameterization_summary parameterize(Input& input, const Options& options, UVMap uvmap)
 {
@@ -143,7 +139,8 @@ SMP::Parameterization_summary parameterize(Input& input, const Options& options,
   if (options.flat)
     SMP::parameterize(input.mesh, method, input.border, uvmap);
   else {
-    const std::vector<Mesh::Vertex_index> vertices = vertices_of_component(input);
+    const std::vector<Mesh::Vertex_index> vertices = options.levels.empty() ? std::vector<Mesh::Vertex_index>()
+      : SMP::Mesh_component<Mesh>(input.mesh, input.border).vertices_of_component();
     const SMP::Hierarchical_parameterizer_3<Method> hierarchical(method, CGAL::parameters::summary(std::ref(summary)).random_seed(options.seed)
                                                                          .visitor(Visitor(options, input.mesh, vertices)));
     SMP::parameterize(input.mesh, hierarchical, input.border, uvmap);
@@ -178,8 +175,8 @@ Exit_status run(const std::string& file, const Options& options, std::string& re
     std::filesystem::create_directories(options.levels);
   auto uvmap = input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   const SMP::Parameterization_summary summary = options.method == "mips"
-    ? parameterize<SMP::MIPS_parameterizer_3<Mesh>>(input, options, uvmap)
-    : parameterize<SMP::Symmetric_Dirichlet_parameterizer_3<Mesh>>(input, options, uvmap);
+    ? parameterize<SMP::MIPS_parameterizer_3<Mesh, CGAL::Parallel_if_available_tag>>(input, options, uvmap)
+    : parameterize<SMP::Symmetric_Dirichlet_parameterizer_3<Mesh, CGAL::Parallel_if_available_tag>>(input, options, uvmap);
   if (summary.error.code != SMP::OK) {
     std::cerr << input.name << ": " << error_message(summary.error) << '\n';
     report += make_report(input, options.method, summary, seconds_read, 0, nullptr).dump() + '\n';
@@ -190,8 +187,9 @@ Exit_status run(const std::string& file, const Options& options, std::string& re
   const double seconds_before_writing = timer.time();
   if (!options.output.empty()) {
     auto is_parameterized = input.mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_parameterized", false).first;
-    for (const Mesh::Vertex_index v : vertices_of_component(input))
-      is_parameterized[v] = true;
+    for (const Mesh::Face_index f : input.faces)
+      for (const Mesh::Vertex_index v : input.mesh.vertices_around_face(input.mesh.halfedge(f)))
+        is_parameterized[v] = true;
     write_file(options.output, [&](std::ostream& out) { SMP::IO::write_OBJ(out, input.mesh, uvmap, is_parameterized); });
   }
   if (!options.picture.empty())
@@ -210,6 +208,10 @@ int main(int argc, char** argv)
     Options options;
     if (!read_options(argc, argv, options))
       return WRITTEN;
+#ifdef CGAL_LINKED_WITH_TBB
+    constexpr auto most_threads = tbb::global_control::max_allowed_parallelism;
+    const tbb::global_control limit(most_threads, options.threads > 0 ? std::size_t(options.threads) : tbb::global_control::active_value(most_threads));
+#endif
     std::string report;
     int status = WRITTEN;
     for (const std::string& input : options.inputs)

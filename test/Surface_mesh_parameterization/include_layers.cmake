@@ -12,6 +12,7 @@ set(table "
 0 Refinement_options.h
 0 Parameterization_summary.h
 0 internal/flat_types.h
+0 internal/Loops.h
 0 internal/Block_matrix.h
 0 internal/conjugate_gradients.h
 0 internal/corner_hessian.h
@@ -30,6 +31,7 @@ set(table "
 2 Collapse_hierarchy_3.h
 2 Progressive_mesh_3.h
 2 Level.h
+2 internal/rest_corners.h
 2 parameterization_quality.h
 2 internal/Collapse_group.h
 2 internal/Hierarchy_builder.h

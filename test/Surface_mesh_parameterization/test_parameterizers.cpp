@@ -27,6 +27,10 @@
 
 #include <gtest/gtest.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -286,7 +290,7 @@ TYPED_TEST(RefinableParameterizer_3, similar_surfaces_have_similar_maps)
       p = Point_3(scale * (0.6 * p.x() - 0.8 * p.z() + 3), scale * (0.8 * p.x() + 0.6 * p.z()), scale * (5 - p.y()));
     const Parameterization_quality found = run(moved, scale);
     EXPECT_NEAR(found.mips_excess / expected.mips_excess, 1, 1e-6) << "scale " << scale;
-    EXPECT_NEAR((found.symmetric_dirichlet - 4) / (expected.symmetric_dirichlet - 4), 1, 1e-6) << "scale " << scale;
+    EXPECT_NEAR((found.symmetric_dirichlet - 4) / (expected.symmetric_dirichlet - 4), 1, 1e-5) << "scale " << scale;   // is not what MIPS minimizes
   }
 }
 
@@ -484,6 +488,30 @@ TEST(Hierarchical_parameterizer, takes_any_border_for_the_outer_one)
   }
 }
 
+// ---- threads ----
+
+#ifdef CGAL_LINKED_WITH_TBB
+template <class Method>
+std::vector<Kernel::Point_2> map_of(const Flat_mesh& m, int threads)
+{
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+  Mapped_mesh mapped(m);
+  EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Method>(Method(parameters::tolerance(1e-3)))), OK);
+  return mapped.uv();
+}
+
+TEST(Threads, do_not_change_the_map)
+{
+  const Flat_mesh m = grid(120, 110, wavy);     // groups of several blocks
+  const auto mips = map_of<MIPS_parameterizer_3<Surface_mesh>>(m, 1);
+  const auto symmetric_dirichlet = map_of<Symmetric_Dirichlet_parameterizer_3<Surface_mesh>>(m, 1);
+  for (const int threads : { 1, 2, 5 }) {
+    EXPECT_EQ(mips, (map_of<MIPS_parameterizer_3<Surface_mesh, CGAL::Parallel_tag>>(m, threads)));
+    EXPECT_EQ(symmetric_dirichlet, (map_of<Symmetric_Dirichlet_parameterizer_3<Surface_mesh, CGAL::Parallel_tag>>(m, threads)));
+  }
+}
+#endif
+
 // ---- a user's own method and visitor: no more than the concepts ask for ----
 
 struct Log { int coarsest = 0, refined = 0, hierarchies = 0, levels = 0; };
@@ -491,7 +519,8 @@ struct Log { int coarsest = 0, refined = 0, hierarchies = 0, levels = 0; };
 class Method_archetype
 {
 public:
-  typedef Surface_mesh   Triangle_mesh;
+  typedef Surface_mesh           Triangle_mesh;
+  typedef CGAL::Sequential_tag   Concurrency_tag;
 
   Method_archetype(Log& log, Error_code result) : m_log(&log), m_result(result) { }
 

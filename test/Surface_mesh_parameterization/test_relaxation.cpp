@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -208,15 +209,17 @@ TYPED_TEST(Relaxation_of, sweeps_lower_the_energy_by_exactly_what_they_return)
 
 TYPED_TEST(Relaxation_of, moves_the_vertices_it_is_told_to)
 {
-  const Finest_level f(grid(12, 9, wavy));
+  const Finest_level f(grid(12, 9, wavy), parameters::coarsest_size(20));
   const Level_energy<TypeParam> energy(f.level, Triangle_weight::ONE);
-  Vertex_relaxation<TypeParam> relaxation(energy, 1);
+  const Vertex_relaxation<TypeParam> relaxation(energy, 1);
   const Level::Uv start = first_map(f.level);
-  Level::Uv uv = start;
-  relaxation.sweep(uv, 70);
-  EXPECT_TRUE(std::equal(uv.begin(), uv.begin() + 70, start.begin()));
-  for (Index v = 70; v < uv.size(); ++v)
-    EXPECT_NE(uv[v], start[v]);
+  for (std::size_t group = 0; group <= f.level.index(); ++group) {
+    const std::size_t first = group == 0 ? 0 : f.hierarchy.number_of_vertices(group - 1), last = f.hierarchy.number_of_vertices(group);
+    Level::Uv uv = start;
+    relaxation.sweep_group(group, uv);
+    for (std::size_t v = 0; v < uv.size(); ++v)
+      EXPECT_EQ(uv[v] != start[v], first <= v && v < last);
+  }
 }
 
 TYPED_TEST(Relaxation_of, leaves_pinned_vertices)
@@ -314,10 +317,10 @@ TYPED_TEST(Newton_of, hessian_is_exact_at_an_isometry)
       const auto d = t.star<TypeParam>(i).derivatives(t.q[i]);
       const Corner_hessian h = t.corner<TypeParam>(i);
       const double tolerance = 1e-8 * (d.hessian[0] + d.hessian[2]);
-      EXPECT_NEAR(h.to_v[0], 1.5 * d.hessian[0], tolerance);
-      EXPECT_NEAR(h.to_v[1], 1.5 * d.hessian[1], tolerance);
-      EXPECT_NEAR(h.to_v[2], 1.5 * d.hessian[1], tolerance);
-      EXPECT_NEAR(h.to_v[3], 1.5 * d.hessian[2], tolerance);
+      EXPECT_NEAR(h.to_v(0, 0), 1.5 * d.hessian[0], tolerance);
+      EXPECT_NEAR(h.to_v(0, 1), 1.5 * d.hessian[1], tolerance);
+      EXPECT_NEAR(h.to_v(1, 0), 1.5 * d.hessian[1], tolerance);
+      EXPECT_NEAR(h.to_v(1, 1), 1.5 * d.hessian[2], tolerance);
     }
   }
 }
@@ -332,12 +335,9 @@ TYPED_TEST(Newton_of, hessian_is_symmetric_and_positive_semidefinite)
     Eigen::Matrix<double, 6, 6> hessian;
     for (int i = 0; i < 3; ++i) {
       const Corner_hessian h = t.corner<TypeParam>(i);
-      for (int e = 0; e < 4; ++e) {
-        const int row = 2 * i + e / 2, column = e % 2;
-        hessian(row, 2 * i + column) = h.to_v[e];
-        hessian(row, 2 * ((i + 2) % 3) + column) = h.to_b[e];
-        hessian(row, 2 * ((i + 1) % 3) + column) = -h.to_v[e] - h.to_b[e];
-      }
+      hessian.block<2, 2>(2 * i, 2 * i) = h.to_v;
+      hessian.block<2, 2>(2 * i, 2 * ((i + 2) % 3)) = h.to_b;
+      hessian.block<2, 2>(2 * i, 2 * ((i + 1) % 3)) = -h.to_v - h.to_b;
     }
     EXPECT_NEAR((hessian - hessian.transpose()).norm(), 0, 1e-9 * hessian.norm());
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(hessian);
@@ -402,12 +402,10 @@ struct Random_matrix
     for (int i = 0; i < dense.rows(); ++i)
       dense(i, i) = 0.1 + dense.row(i).cwiseAbs().sum();
     for (Index v = 0; v < rings.number_of_vertices(); ++v) {
-      matrix.set_diagonal(v, dense(2 * v, 2 * v), dense(2 * v, 2 * v + 1), dense(2 * v + 1, 2 * v + 1));
+      matrix.set_diagonal(v, dense.block<2, 2>(2 * v, 2 * v));
       for (Index k = matrix.first[v]; k < matrix.first[v + 1]; ++k)
-        for (int e = 0; e < 4; ++e)
-          matrix.blocks[k][e] = dense(2 * v + e / 2, 2 * matrix.columns[k] + e % 2);
+        matrix.blocks[k] = dense.block<2, 2>(2 * v, 2 * matrix.columns[k]);
     }
-    matrix.scale_blocks();
   }
 };
 
@@ -415,11 +413,9 @@ Eigen::MatrixXd unscaled(const Block_matrix& a)
 {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(2 * a.number_of_rows(), 2 * a.number_of_rows());
   for (Index i = 0; i < a.number_of_rows(); ++i) {
-    const double factor = 1 / (a.scale[i] * a.scale[i]);
-    result.block<2, 2>(2 * i, 2 * i) << factor * a.diagonal[i][0], factor * a.diagonal[i][1], factor * a.diagonal[i][1], factor * a.diagonal[i][2];
+    result.block<2, 2>(2 * i, 2 * i) = a.unscaled_diagonal_block(i);
     for (Index k = a.first[i]; k < a.first[i + 1]; ++k)
-      for (int e = 0; e < 4; ++e)
-        result(2 * i + e / 2, 2 * a.columns[k] + e % 2) = a.blocks[k][e] / (a.scale[i] * a.scale[a.columns[k]]);
+      result.block<2, 2>(2 * i, 2 * a.columns[k]) = a.blocks[k] / (a.scale[i] * a.scale[a.columns[k]]);
   }
   return result;
 }
@@ -436,10 +432,33 @@ TEST(Block_matrix, is_scaled_to_diagonal_blocks_of_trace_2)
 {
   Random random(4);
   const Finest_level f(grid(5, 5, wavy));
-  const Random_matrix a(f.level, random);
+  Random_matrix a(f.level, random);
+  a.matrix.scale_blocks(Loops());
   EXPECT_NEAR((unscaled(a.matrix) - a.dense).norm(), 0, 1e-12 * a.dense.norm());
-  for (const auto& d : a.matrix.diagonal)
-    EXPECT_NEAR(d[0] + d[2], 2, 1e-14);
+  for (Index i = 0; i < a.matrix.number_of_rows(); ++i) {
+    EXPECT_NEAR(a.matrix.diagonal_block(i).trace(), 2, 1e-14);
+    EXPECT_NEAR((a.matrix.diagonal_block(i) * a.matrix.inverse_diagonal[i] - Block_matrix::Block::Identity()).norm(), 0, 1e-14);
+  }
+}
+
+TEST(Block_matrix, relaxes_a_group_at_once_as_one_by_one)
+{
+  Random random(8);
+  const Finest_level f(grid(20, 20, wavy), parameters::coarsest_size(20));
+  Random_matrix a(f.level, random);
+  a.matrix.scale_blocks(Loops());
+  const Pair_vector b = random_pairs(f.level.number_of_vertices(), random);
+  Pair_vector x = random_pairs(f.level.number_of_vertices(), random), y = x, z = x, scratch;
+  for (std::size_t l = 1; l <= f.level.index(); ++l) {
+    const Index begin = Index(f.hierarchy.number_of_vertices(l - 1)), end = Index(f.hierarchy.number_of_vertices(l));
+    a.matrix.relax_forward(begin, end, b, x);
+    a.matrix.relax_backward(begin, end, b, y);
+    a.matrix.relax_at_once(Loops(), begin, end, b, z, scratch);
+    EXPECT_EQ(x, y);
+    EXPECT_EQ(x, z);
+    for (Index i = begin; i < end; ++i)
+      EXPECT_NEAR((a.matrix.row_times(i, x) - b[i]).norm(), 0, 1e-12);
+  }
 }
 
 TEST(Pruned_prolongation, rows_are_weights)
@@ -451,7 +470,11 @@ TEST(Pruned_prolongation, rows_are_weights)
     ASSERT_EQ(p.fine_size(), f.hierarchy.number_of_vertices());
     ASSERT_EQ(p.coarse_size(), f.hierarchy.number_of_vertices(finest - groups));
     std::size_t entries = 0;
-    for (Index v = Index(p.coarse_size()); v < p.fine_size(); ++v) {
+    for (Index v = 0; v < p.coarse_size(); ++v) {
+      EXPECT_EQ(p.row(v).columns[0], v);
+      EXPECT_EQ(p.row(v).weights[0], 1);
+    }
+    for (Index v = 0; v < p.fine_size(); ++v) {
       double sum = 0;
       for (int k = 0; k < Pruned_prolongation::row_size; ++k) {
         EXPECT_GE(p.row(v).weights[k], 0);
@@ -475,18 +498,18 @@ TEST(Galerkin_product, is_the_product_of_the_matrices)
   const Pruned_prolongation p(f.hierarchy, finest - 3, finest);
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(2 * p.fine_size(), 2 * p.coarse_size());
   for (Index v = 0; v < p.fine_size(); ++v)
-    for (int e = 0; e < 2; ++e) {
-      if (v < p.coarse_size())
-        dense(2 * v + e, 2 * v + e) = 1;
-      for (int k = 0; k < Pruned_prolongation::row_size && v >= p.coarse_size(); ++k)
+    for (int e = 0; e < 2; ++e)
+      for (int k = 0; k < Pruned_prolongation::row_size; ++k)
         dense(2 * v + e, 2 * p.row(v).columns[k] + e) += p.row(v).weights[k];
-    }
   Random_matrix first(f.level, random);
-  Galerkin_product product(first.matrix, p);
+  std::vector<Index> order(p.coarse_size());
+  std::iota(order.rbegin(), order.rend(), 0);     // any order will do
+  const Galerkin_product product(first.matrix, p, order, Loops());
   for (int i = 0; i < 2; ++i) {     // the pattern serves for other values, too
     const Random_matrix a(f.level, random);
     Block_matrix coarse;
-    product.compute(a.matrix, coarse);
+    product.compute(a.matrix, coarse, Loops());
+    coarse.scale_blocks(Loops());
     const Eigen::MatrixXd expected = dense.transpose() * a.dense * dense;
     EXPECT_NEAR((unscaled(coarse) - expected).norm(), 0, 1e-12 * expected.norm());
   }
@@ -505,8 +528,8 @@ TEST(V_cycle, is_a_symmetric_positive_preconditioner)
     for (int i = 0; i < 5; ++i) {
       const Pair_vector x = random_pairs(level->number_of_vertices(), random), y = random_pairs(level->number_of_vertices(), random);
       const Pair_vector mx = cycle(x), my = cycle(y);
-      EXPECT_NEAR(dot(mx, y), dot(x, my), 1e-10 * std::sqrt(dot(mx, mx) * dot(y, y)));
-      EXPECT_GT(dot(mx, x), 0);
+      EXPECT_NEAR(dot(Loops(), mx, y), dot(Loops(), x, my), 1e-10 * std::sqrt(dot(Loops(), mx, mx) * dot(Loops(), y, y)));
+      EXPECT_GT(dot(Loops(), mx, x), 0);
     }
   }
 }
@@ -522,14 +545,12 @@ TEST(Conjugate_gradients, reach_the_residual_they_are_asked_for)
     Conjugate_gradients_space space;
     const Pair_vector b = random_pairs(f.level.number_of_vertices(), random);
     space.residual = b;
-    const std::size_t iterations = conjugate_gradients(cycle.matrix(), cycle, tolerance, 100, space);
+    const std::size_t iterations = conjugate_gradients(Loops(), cycle.matrix(), cycle, tolerance, 100, space);
     EXPECT_LT(iterations, 50u);
     double residual2 = 0;
-    for (Index i = 0; i < b.size(); ++i) {
-      const Pair ax = cycle.matrix().row_times(i, space.solution);
-      residual2 += (b[i][0] - ax[0]) * (b[i][0] - ax[0]) + (b[i][1] - ax[1]) * (b[i][1] - ax[1]);
-    }
-    EXPECT_LE(std::sqrt(residual2), 1.001 * tolerance * std::sqrt(dot(b, b)));
+    for (Index i = 0; i < b.size(); ++i)
+      residual2 += (b[i] - cycle.matrix().row_times(i, space.solution)).squaredNorm();
+    EXPECT_LE(std::sqrt(residual2), 1.001 * tolerance * std::sqrt(dot(Loops(), b, b)));
   }
 }
 

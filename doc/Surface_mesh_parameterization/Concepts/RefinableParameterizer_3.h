@@ -17,6 +17,9 @@ public:
   /// the mesh type, a model of `FaceListGraph` with an internal vertex point map
   typedef unspecified_type Triangle_mesh;
 
+  /// `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`: whether vertices are inserted by several threads
+  typedef unspecified_type Concurrency_tag;
+
   /// makes the first map, of the coarsest level, from nothing.
   ///
   /// \param level the coarsest level, about a hundred vertices; the whole input when the method runs flat

@@ -25,12 +25,13 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `RefinableParameterizer_3`
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` with an internal vertex point map
-template <class TriangleMesh>
+/// \tparam ConcurrencyTag as of `Distortion_parameterizer_3`
+template <class TriangleMesh, class ConcurrencyTag = Sequential_tag>
 class MIPS_parameterizer_3
-  : public Distortion_parameterizer_3<TriangleMesh, MIPS_energy_2>
+  : public Distortion_parameterizer_3<TriangleMesh, MIPS_energy_2, ConcurrencyTag>
 {
 public:
-  using Distortion_parameterizer_3<TriangleMesh, MIPS_energy_2>::Distortion_parameterizer_3;
+  using Distortion_parameterizer_3<TriangleMesh, MIPS_energy_2, ConcurrencyTag>::Distortion_parameterizer_3;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

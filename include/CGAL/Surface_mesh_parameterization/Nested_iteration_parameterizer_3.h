@@ -123,7 +123,7 @@ private:
       CGAL::Real_timer timer;
       timer.start();
       mesh.walk_to_level(i);
-      const Level level(mesh, i);
+      const Level level(mesh, i, internal::Loops::of<typename Method::Concurrency_tag>());
 
       const Error_code status = i == 0 ? m_method.parameterize_coarsest(level, uv) : insert_new_vertices(level, uv);
       if (status != OK)

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Real_timer.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -35,12 +36,14 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// \tparam Method the derived class, a model of `RefinableParameterizer_3`
 /// \tparam TriangleMesh_ a model of `FaceListGraph` with an internal vertex point map
-template <class Method, class TriangleMesh_>
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
+template <class Method, class TriangleMesh_, class ConcurrencyTag = Sequential_tag>
 class Refinable_parameterizer_base_3
 {
 public:
   typedef TriangleMesh_                                                       Triangle_mesh;
   typedef TriangleMesh_                                                       TriangleMesh;
+  typedef ConcurrencyTag                                                      Concurrency_tag;
   typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;
 
   /// parameterizes the connected component of `mesh` that contains `bhd`.
@@ -66,7 +69,7 @@ public:
       return summary.error.code;
     const Collapse_hierarchy_3 hierarchy(std::move(component.surface()), parameters::coarsest_size((std::numeric_limits<std::size_t>::max)()));
     const Progressive_mesh_3 progressive_mesh(hierarchy);
-    const Level level(progressive_mesh, 0);
+    const Level level(progressive_mesh, 0, internal::Loops::of<ConcurrencyTag>());
     summary.seconds_hierarchy = timer.time();
 
     Level::Uv uv;

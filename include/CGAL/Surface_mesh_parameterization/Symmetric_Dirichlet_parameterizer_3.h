@@ -22,11 +22,12 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `RefinableParameterizer_3`
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` with an internal vertex point map
-template <class TriangleMesh>
+/// \tparam ConcurrencyTag as of `Distortion_parameterizer_3`
+template <class TriangleMesh, class ConcurrencyTag = Sequential_tag>
 class Symmetric_Dirichlet_parameterizer_3
-  : public Distortion_parameterizer_3<TriangleMesh, Symmetric_Dirichlet_energy_2>
+  : public Distortion_parameterizer_3<TriangleMesh, Symmetric_Dirichlet_energy_2, ConcurrencyTag>
 {
-  typedef Distortion_parameterizer_3<TriangleMesh, Symmetric_Dirichlet_energy_2>   Base;
+  typedef Distortion_parameterizer_3<TriangleMesh, Symmetric_Dirichlet_energy_2, ConcurrencyTag>   Base;
 
   static Refinement_options defaults()
   {
