@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <random>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -49,12 +50,18 @@ private:
   std::size_t size() const { return m_level.number_of_vertices(); }
   double excess() const { return m_current - m_minimum; }
 
-  // Subtracts what an iteration gained; returns whether that was next to nothing.
-  bool has_converged_by(double decrease, double tolerance)
+  // Subtracts what an iteration gained. After a deep fall, from a triangle that was almost degenerate, the difference means nothing.
+  void lower_by(double decrease)
   {
-    const bool result = !(decrease > tolerance * excess());
     m_current -= decrease;
-    return result;
+    if (!(decrease < m_current && m_current < (std::numeric_limits<double>::infinity)()))
+      m_current = m_energy(m_uv);
+  }
+
+  void sweep(const Vertex_relaxation<Energy>& relaxation)
+  {
+    lower_by(relaxation.sweep(m_uv));
+    m_summary.vertex_visits += size();
   }
 
   // The paper's experiment: nothing but so many steps.
@@ -72,7 +79,7 @@ private:
     constexpr int sweeps = 3;
     const Vertex_relaxation<Energy> relaxation(m_energy, 1);
     for (int i = 0; i < sweeps && m_level.index() > 0; ++i) {
-      m_current -= relaxation.sweep_group(m_level.index(), m_uv);
+      lower_by(relaxation.sweep_group(m_level.index(), m_uv));
       m_summary.vertex_visits += size() - m_level.first_new_vertex();
     }
   }
@@ -87,9 +94,13 @@ private:
     const Vertex_relaxation<Energy> relaxation(m_energy, is_random ? 1 : over_relaxation);
     std::mt19937 random(m_options.random_seed);
     while (m_summary.iterations < most_sweeps && !m_summary.converged) {
-      const double decrease = is_random ? relaxation.random_steps(m_uv, size(), random) : relaxation.sweep(m_uv);
-      m_summary.converged = has_converged_by(decrease, m_options.tolerance);
-      m_summary.vertex_visits += size();
+      const double before = m_current;
+      if (is_random) {
+        lower_by(relaxation.random_steps(m_uv, size(), random));
+        m_summary.vertex_visits += size();
+      } else
+        sweep(relaxation);
+      m_summary.converged = is_little(before - m_current, m_options.tolerance);
       ++m_summary.iterations;
     }
   }
@@ -97,39 +108,54 @@ private:
   // Newton's method pays on the levels that the V-cycle has as grids; in between a few sweeps carry the map over.
   void iterate_newton()
   {
-    constexpr std::size_t sweeps_before_newton = 2, sweeps_between_grids = 3;
+    constexpr std::size_t sweeps_between_grids = 3;
     const std::size_t groups_above = m_level.hierarchy().number_of_levels() - 1 - m_level.index();
     const bool is_grid = groups_above % V_cycle::groups_per_grid == 0 || m_level.index() == 0;
 
     const Vertex_relaxation<Energy> relaxation(m_energy, over_relaxation);
-    for (std::size_t i = 0; i < (is_grid ? sweeps_before_newton : sweeps_between_grids); ++i) {
-      m_current -= relaxation.sweep(m_uv);
-      m_summary.vertex_visits += size();
-    }
-    if (is_grid)
+    if (is_grid) {
+      sweep_while_it_pays(relaxation);
       take_newton_steps(relaxation);
+    } else
+      for (std::size_t i = 0; i < sweeps_between_grids; ++i)
+        sweep(relaxation);
+  }
+
+  // A sweep costs little beside a Newton step and is better at what is wrong in small places.
+  void sweep_while_it_pays(const Vertex_relaxation<Energy>& relaxation)
+  {
+    constexpr std::size_t most_sweeps = 6;
+    constexpr double least_decrease = 0.05;
+    double before;
+    std::size_t sweeps = 0;
+    do {
+      before = m_current;
+      sweep(relaxation);
+    } while (++sweeps < most_sweeps && !is_little(before - m_current, least_decrease));
   }
 
   // Levels below the finest only have to hand on a good start.
   void take_newton_steps(const Vertex_relaxation<Energy>& relaxation)
   {
-    constexpr double coarse_tolerance = 1e-3, residual_tolerance = 0.1, short_step = 0.3;
+    constexpr double coarse_tolerance = 1e-3, residual_tolerance = 0.1, short_step = 0.3, great_decrease = 0.01;
     const double tolerance = m_level.is_finest() ? m_options.tolerance : (std::max)(m_options.tolerance, coarse_tolerance);
 
     Newton_multigrid<Energy> newton(m_energy);
     while (m_summary.iterations < m_options.number_of_iterations && !m_summary.converged) {
+      const double before = m_current;
       const auto step = newton.step(m_uv, m_current, residual_tolerance);
+      lower_by(step.decrease);
       ++m_summary.iterations;
       m_summary.cycles += step.cycles;
-      m_summary.converged = has_converged_by(step.decrease, tolerance);
-      // A few triangles that are about to vanish can hold up a step of the whole map: these are for relaxation.
-      if (step.length < short_step) {
-        const bool is_stuck = has_converged_by(relaxation.sweep(m_uv), tolerance);
-        m_summary.converged = m_summary.converged && is_stuck;
-        m_summary.vertex_visits += size();
-      }
+      // A few triangles that are about to vanish can hold up a step of the whole map, or are where its quadratic model fails: these are for relaxation.
+      if (step.length < short_step || !is_little(before - m_current, great_decrease))
+        sweep(relaxation);
+      m_summary.converged = is_little(before - m_current, tolerance);
     }
   }
+
+  // Whether a decrease that led to the current energy is next to nothing.
+  bool is_little(double decrease, double tolerance) const { return !(decrease > tolerance * excess()); }
 
   const Level& m_level;
   Level::Uv& m_uv;
