@@ -10,6 +10,10 @@
 
 #include <Eigen/SparseCholesky>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <fstream>
 
 // The unit: analysis, factorization and two solutions of the cotangent Laplacian of the interior vertices by Eigen::SimplicialLDLT.
@@ -63,6 +67,14 @@ double peak_memory()
   return 0;
 }
 
+struct Run
+{
+  std::string method;
+  double minimum;       // of the energy
+  bool is_flat;
+  int threads;
+};
+
 template <class Method>
 SMP::Parameterization_summary run_method(Mesh& mesh, bool is_flat, std::size_t most_steps)
 {
@@ -75,27 +87,35 @@ SMP::Parameterization_summary run_method(Mesh& mesh, bool is_flat, std::size_t m
   return summary;
 }
 
+void print_name(const Mesh& mesh, const Run& run)
+{
+  std::cout << run.method << ',' << (run.is_flat ? "flat" : "hierarchical") << ',' << run.threads << ',' << mesh.number_of_faces() << ',' << mesh.number_of_vertices() << ',';
+}
+
 // Finds the optimum, then the least number of steps on the finest level that comes close enough, and prints what that run took.
 template <class Method>
-void measure(Mesh& mesh, const std::string& method, double minimum, bool is_flat, double unit)
+void measure(Mesh& mesh, const Run& run, double unit)
 {
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(run.threads));
+#endif
   constexpr std::size_t steps_to_optimum = 40;
   constexpr double accuracy = 1e-3;
   const double optimum = run_method<Method>(mesh, false, steps_to_optimum).energy;
   for (std::size_t steps = 1; steps <= steps_to_optimum; ++steps) {
     reset_peak_memory();
-    const SMP::Parameterization_summary summary = run_method<Method>(mesh, is_flat, steps);
-    if (summary.energy - minimum > (1 + accuracy) * (optimum - minimum))
+    const SMP::Parameterization_summary summary = run_method<Method>(mesh, run.is_flat, steps);
+    if (summary.energy - run.minimum > (1 + accuracy) * (optimum - run.minimum))
       continue;
     const double seconds = summary.seconds_hierarchy + summary.seconds_parameterize;
-    std::cout << method << ',' << (is_flat ? "flat" : "hierarchical") << ',' << mesh.number_of_faces() << ',' << mesh.number_of_vertices() << ','
-              << summary.levels.back().iterations << ',' << summary.levels.back().cycles << ',' << summary.energy - minimum << ',' << optimum - minimum << ','
+    print_name(mesh, run);
+    std::cout << summary.levels.back().iterations << ',' << summary.levels.back().cycles << ',' << summary.energy - run.minimum << ',' << optimum - run.minimum << ','
               << summary.seconds_hierarchy << ',' << seconds << ',' << unit << ',' << seconds / unit << ','
               << peak_memory() / double(mesh.number_of_vertices()) << std::endl;
     return;
   }
-  std::cout << method << ',' << (is_flat ? "flat" : "hierarchical") << ',' << mesh.number_of_faces() << ',' << mesh.number_of_vertices() << ",,,,"
-            << optimum - minimum << ",,,,," << std::endl;
+  print_name(mesh, run);
+  std::cout << ",,," << optimum - run.minimum << ",,,,," << std::endl;
 }
 
 void run(int argc, char* argv[])
@@ -103,12 +123,14 @@ void run(int argc, char* argv[])
   po::options_description options("Options");
   options.add_options()
     ("subdivide", po::value<int>()->default_value(2), "measure after 0, 1, ... so many Loop subdivisions")
+    ("threads", po::value<int>()->default_value(1), "the most threads to use, if built with TBB")
     ("flat", po::bool_switch(), "also without the hierarchy, with a direct solver");
-  const po::variables_map values = parse(argc, argv, options, "time_to_energy [MESH.off] [--subdivide K] [--flat]");
+  const po::variables_map values = parse(argc, argv, options, "time_to_energy [MESH.off] [--subdivide K] [--threads N] [--flat]");
   const std::size_t subdivisions = count_of(values, "subdivide", 0, 12);
   Named_mesh input = only_mesh(values);
 
-  std::cout << "method,run,triangles,vertices,steps,cycles,excess,optimal_excess,seconds_hierarchy,seconds,unit_seconds,units,peak_bytes_per_vertex" << std::endl;
+  const int threads = int(count_of(values, "threads", 1, 1024));
+  std::cout << "method,run,threads,triangles,vertices,steps,cycles,excess,optimal_excess,seconds_hierarchy,seconds,unit_seconds,units,peak_bytes_per_vertex" << std::endl;
   for (std::size_t k = 0; k <= subdivisions; ++k) {
     if (k > 0)
       subdivide(input.mesh, 1);
@@ -116,8 +138,10 @@ void run(int argc, char* argv[])
     const double unit = seconds_of_direct_solver(input.mesh);
     for (const bool is_flat : { false, true })
       if (!is_flat || values["flat"].as<bool>()) {
-        measure<MIPS>(input.mesh, "mips", SMP::MIPS_energy_2::minimum * double(input.mesh.number_of_faces()), is_flat, unit);
-        measure<SMP::Symmetric_Dirichlet_parameterizer_3<Mesh>>(input.mesh, "symmetric-dirichlet", SMP::Symmetric_Dirichlet_energy_2::minimum, is_flat, unit);
+        measure<SMP::MIPS_parameterizer_3<Mesh, CGAL::Parallel_if_available_tag>>(
+          input.mesh, { "mips", SMP::MIPS_energy_2::minimum * double(input.mesh.number_of_faces()), is_flat, threads }, unit);
+        measure<SMP::Symmetric_Dirichlet_parameterizer_3<Mesh, CGAL::Parallel_if_available_tag>>(
+          input.mesh, { "symmetric-dirichlet", SMP::Symmetric_Dirichlet_energy_2::minimum, is_flat, threads }, unit);
       }
   }
 }

@@ -31,7 +31,6 @@ set(table "
 2 Collapse_hierarchy_3.h
 2 Progressive_mesh_3.h
 2 Level.h
-2 internal/rest_corners.h
 2 parameterization_quality.h
 2 internal/Collapse_group.h
 2 internal/Hierarchy_builder.h

@@ -32,12 +32,33 @@ public:
   typedef std::vector<Point_2>               Uv;         ///< the places of the vertices in the plane, by rank
   typedef internal::One_rings::Ring          Ring;       ///< a range of vertices
 
-  /// the level at which `mesh` stands. `loops` tells whether what is computed on it may use several threads.
-  Level(const Progressive_mesh_3& mesh, std::size_t index, const internal::Loops& loops = internal::Loops())
-    : m_mesh(&mesh), m_index(index), m_loops(loops), m_rings(mesh.number_of_vertices(), mesh.triangles())
+  /// the level at which `mesh` stands, which is kept by reference
+  Level(const Progressive_mesh_3& mesh, std::size_t index) : Level(mesh, index, internal::Loops()) { }
+
+  /// \cond SKIP_IN_MANUAL
+  // `loops` tells whether what is computed on the level may use several threads.
+  Level(const Progressive_mesh_3& mesh, std::size_t index, const internal::Loops& loops) : m_mesh(&mesh), m_loops(loops) { follow_mesh(index); }
+
+  // Becomes the level at which the mesh stands now, in the same arrays.
+  void follow_mesh(std::size_t index)
   {
-    m_rings.release_scratch();
+    m_index = index;
+    // On the way up the arrays grow into memory that is reserved but not yet used: where they were allocated anew for every level, the system would have to
+    // clear that memory again and again.
+    m_rings.reserve(hierarchy().number_of_vertices(), hierarchy().number_of_faces());
+    m_rest_corners.reserve(3 * hierarchy().number_of_faces() + hierarchy().number_of_vertices());
+    m_rings.build(m_mesh->number_of_vertices(), m_mesh->triangles());
+    if (is_finest())
+      m_rings.release_scratch();
+
+    m_rest_corners.resize(m_rings.number_of_slots());
+    m_loops.for_each(0, Index(number_of_vertices()), [&](Index v) {
+      const Ring ring = one_ring(v);
+      for (std::size_t i = 0; i < m_rings.number_of_triangles(v); ++i)
+        m_rest_corners[m_rings.first_slot(v) + i] = internal::rest_corner(point(v), point(ring[i]), point(ring[i + 1 == ring.size() ? 0 : i + 1]));
+    });
   }
+  /// \endcond
 
   const Collapse_hierarchy_3& hierarchy() const { return m_mesh->hierarchy(); }
 
@@ -64,6 +85,9 @@ public:
   /// \cond SKIP_IN_MANUAL
   const internal::One_rings& rings() const { return m_rings; }
   const internal::Loops& loops() const { return m_loops; }
+
+  // The rest shapes of the triangles around v, seen from v, in the order of its ring.
+  const internal::Rest_corner* rest_corners(Index v) const { return m_rest_corners.data() + m_rings.first_slot(v); }
   /// \endcond
 
 private:
@@ -71,6 +95,7 @@ private:
   std::size_t m_index;
   internal::Loops m_loops;
   internal::One_rings m_rings;
+  std::vector<internal::Rest_corner> m_rest_corners;    // of every slot of the rings
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -119,11 +119,14 @@ private:
       return stop(summary);
 
     Progressive_mesh_3 mesh(hierarchy);
+    Level level(mesh, 0, internal::Loops::of<typename Method::Concurrency_tag>());
     for (std::size_t i = 0; i < hierarchy.number_of_levels(); ++i) {
       CGAL::Real_timer timer;
       timer.start();
-      mesh.walk_to_level(i);
-      const Level level(mesh, i, internal::Loops::of<typename Method::Concurrency_tag>());
+      if (i > 0) {
+        mesh.walk_to_level(i);
+        level.follow_mesh(i);
+      }
 
       const Error_code status = i == 0 ? m_method.parameterize_coarsest(level, uv) : insert_new_vertices(level, uv);
       if (status != OK)

@@ -32,7 +32,6 @@ struct Block_matrix
 
   std::vector<Block> blocks;                 // in the order of the columns
   Pair_vector diagonal;                      // (a, b) for the block (1 + a, b; b, 1 - a)
-  std::vector<Block> inverse_diagonal;
   std::vector<double> scale;
 
   Index number_of_rows() const { return Index(diagonal.size()); }
@@ -42,24 +41,17 @@ struct Block_matrix
     first = first_;
     columns = columns_;
     diagonal.resize(number_of_rows);
-    inverse_diagonal.resize(number_of_rows);
     scale.resize(number_of_rows);
     blocks.resize(first[number_of_rows]);
   }
 
-  // Takes the diagonal block of row i, unscaled, and fixes the row's scale. Of a block that is hardly definite the inverse is that of one shifted
-  // by a small multiple of its own trace.
+  // Takes the diagonal block of row i, unscaled, and fixes the row's scale.
   void set_diagonal(Index i, const Block& block)
   {
-    constexpr double least_determinant = 1e-4, shift = 1e-2;
     const double half_trace = 0.5 * block.trace();
     const double factor = half_trace > 0 ? 1 / half_trace : 1;
-    const double a = 0.5 * factor * (block(0, 0) - block(1, 1)), b = 0.5 * factor * (block(0, 1) + block(1, 0));
     scale[i] = std::sqrt(factor);
-    diagonal[i] = { a, b };
-    const double radius2 = a * a + b * b, one = 1 - radius2 > least_determinant ? 1 : 1 + shift;
-    inverse_diagonal[i] << one - a, -b, -b, one + a;
-    inverse_diagonal[i] /= one * one - radius2;
+    diagonal[i] = 0.5 * factor * Pair(block(0, 0) - block(1, 1), block(0, 1) + block(1, 0));
   }
 
   Block diagonal_block(Index i) const
@@ -109,7 +101,14 @@ struct Block_matrix
   }
 
 private:
-  Pair relaxed_row(Index i, const Pair_vector& b, const Pair_vector& x) const { return inverse_diagonal[i] * (b[i] - off_diagonal_times(i, x)); }
+  // What x[i] has to be to satisfy row i. A diagonal block that is hardly definite is shifted by a small multiple of its trace.
+  Pair relaxed_row(Index i, const Pair_vector& b, const Pair_vector& x) const
+  {
+    constexpr double least_determinant = 1e-4, shift = 1e-2;
+    const Pair &d = diagonal[i], r = b[i] - off_diagonal_times(i, x);
+    const double radius2 = d.squaredNorm(), one = 1 - radius2 > least_determinant ? 1 : 1 + shift;
+    return Pair((one - d[0]) * r[0] - d[1] * r[1], (one + d[0]) * r[1] - d[1] * r[0]) / (one * one - radius2);
+  }
 
   Pair off_diagonal_times(Index i, const Pair_vector& x) const
   {

@@ -6,36 +6,27 @@
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Star.h>
-#include <CGAL/Surface_mesh_parameterization/internal/rest_corners.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The weighted sum of the energies of a level's triangles, as a function of the map: the rest shapes and weights of the triangles.
+// The weighted sum of the energies of a level's triangles, as a function of the map.
 template <class Energy_>
 class Level_energy
 {
 public:
   typedef Energy_   Energy;
 
-  Level_energy(const Level& level, Triangle_weight weight) : m_level(level), m_weight(weight)
-  {
-    m_corners.resize(level.rings().number_of_slots());
-    level.loops().for_each(0, Index(level.number_of_vertices()), [&](Index v) { rest_corners(level, v, m_corners.data() + level.rings().first_slot(v)); });
-  }
+  Level_energy(const Level& level, Triangle_weight weight) : m_level(level), m_weight(weight) { }
 
   const Level& level() const { return m_level; }
 
-  // The rest shapes of the triangles around v, seen from v, in the order of its ring.
-  const Rest_corner* corners(Index v) const { return m_corners.data() + m_level.rings().first_slot(v); }
-
   double weight(const Rest_corner& c) const { return m_weight == Triangle_weight::AREA ? 1 / c.inverse_area : 1; }
 
-  void gather(Index v, const Level::Uv& uv, Star<Energy>& star) const { star.gather(m_level.rings(), uv, v, corners(v), m_weight); }
+  void gather(Index v, const Level::Uv& uv, Star<Energy>& star) const { star.gather(m_level.rings(), uv, v, m_level.rest_corners(v), m_weight); }
 
   // The sum of f(v, a, b, corner) over the triangles vab.
   template <class Function>
@@ -86,7 +77,7 @@ private:
   void for_each_triangle(Index v, const Function& f) const
   {
     const Level::Ring ring = m_level.one_ring(v);
-    const Rest_corner* const c = corners(v);
+    const Rest_corner* const c = m_level.rest_corners(v);
     for (std::size_t i = 0; i < m_level.rings().number_of_triangles(v); ++i) {
       const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
       if (v < a && v < b)
@@ -96,7 +87,6 @@ private:
 
   const Level& m_level;
   Triangle_weight m_weight;
-  std::vector<Rest_corner> m_corners;    // of every slot of the level's rings
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

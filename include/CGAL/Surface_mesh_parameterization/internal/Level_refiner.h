@@ -108,7 +108,7 @@ private:
   // Newton's method pays on the levels that the V-cycle has as grids; in between a few sweeps carry the map over.
   void iterate_newton()
   {
-    constexpr std::size_t sweeps_between_grids = 3;
+    constexpr std::size_t sweeps_between_grids = 2;
     const std::size_t groups_above = m_level.hierarchy().number_of_levels() - 1 - m_level.index();
     const bool is_grid = groups_above % V_cycle::groups_per_grid == 0 || m_level.index() == 0;
 
@@ -137,7 +137,7 @@ private:
   // Levels below the finest only have to hand on a good start.
   void take_newton_steps(const Vertex_relaxation<Energy>& relaxation)
   {
-    constexpr double coarse_tolerance = 1e-3, residual_tolerance = 0.1, short_step = 0.3, great_decrease = 0.01;
+    constexpr double coarse_tolerance = 3e-3, residual_tolerance = 0.07, short_step = 0.3, great_decrease = 0.01;
     const double tolerance = m_level.is_finest() ? m_options.tolerance : (std::max)(m_options.tolerance, coarse_tolerance);
 
     Newton_multigrid<Energy> newton(m_energy);

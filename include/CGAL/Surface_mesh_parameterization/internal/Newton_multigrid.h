@@ -10,6 +10,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/corner_hessian.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star_validity.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -76,7 +78,7 @@ private:
   void assemble_row(const Level::Uv& uv, Index v, Block_matrix& matrix)
   {
     const Level::Ring ring = m_level.one_ring(v);
-    const Rest_corner* const corners = m_energy.corners(v);
+    const Rest_corner* const corners = m_level.rest_corners(v);
     Block_matrix::Block* const row = matrix.blocks.data() + matrix.first[v];
     std::fill(row, row + ring.size(), Block_matrix::Block::Zero());
     Block_matrix::Block diagonal = Block_matrix::Block::Zero();
@@ -153,14 +155,14 @@ private:
     });
   }
 
-  // Goes along the direction as far as the energy falls and the map stays valid. Border vertices whose angles would reach a full turn are
-  // kept in their places, for there the energy itself knows no bound: the rest of the map need not wait for them.
+  // Goes along the direction as far as the energy falls and the map stays valid. Where the angles at a border vertex would reach a full turn, of which the
+  // energy knows nothing, the direction is bent so that they do not, and at last cut off: the rest of the map need not wait for them.
   void search_line(Level::Uv& uv, double energy, double slope, Step& result)
   {
-    constexpr int most_rounds = 5;
+    constexpr int rounds_of_bending = 6, most_rounds = 10;
     for (int i = 0; i < most_rounds && slope < 0; ++i) {
       try_lengths(uv, energy, slope, result);
-      if (result.length > 0 || !hold_turning_vertices(uv))
+      if (result.length > 0 || !bend_at_turning_vertices(uv, i < rounds_of_bending))
         return;
       slope = dot_with_gradient();
     }
@@ -204,17 +206,37 @@ private:
     return false;
   }
 
-  // Takes the border vertices that turn too far in the trial, and their border neighbors, out of the direction; returns whether there are any.
-  bool hold_turning_vertices(const Level::Uv& uv)
+  // Changes the direction at the border vertices that turn too far in the trial; returns whether there are any.
+  bool bend_at_turning_vertices(const Level::Uv& uv, bool may_bend)
   {
     bool result = false;
     for (Index v = 0; v < m_level.number_of_vertices(); ++v)
       if (m_level.is_border(v) && turns_too_far_in_trial(uv, v)) {
-        for (Index w : { v, m_level.one_ring(v).front(), m_level.one_ring(v).back() })
-          m_direction[w] = Pair(0, 0);
+        const Index first = m_level.one_ring(v).front(), last = m_level.one_ring(v).back();
+        if (!may_bend || !keep_gap(uv, v, first, last))
+          m_direction[v] = m_direction[first] = m_direction[last] = Pair(0, 0);
         result = true;
       }
     return result;
+  }
+
+  // Changes the direction of a border vertex v and its border neighbors as little as is needed for the gap, what the angles at v lack of a full turn, to lose, to
+  // first order, no more than a part of what it has above a small angle. Returns whether a change was needed.
+  bool keep_gap(const Level::Uv& uv, Index v, Index first, Index last)
+  {
+    constexpr double least_gap = 2e-3, part_to_lose = 0.8;
+    const Vector_2 a = uv[first] - uv[v], b = uv[last] - uv[v];
+    const double angle = std::atan2(cross(b, a), b * a), gap = angle < 0 ? angle + 2 * CGAL_PI : angle;
+    const Pair at_first = Pair(-a.y(), a.x()) / a.squared_length(), at_last = Pair(b.y(), -b.x()) / b.squared_length(), at_v = -at_first - at_last;
+    const double change = at_first.dot(m_direction[first]) + at_last.dot(m_direction[last]) + at_v.dot(m_direction[v]);
+    const double excess = -part_to_lose * (std::max)(gap - least_gap, 0.) - change;
+    if (!(excess > 0))
+      return false;
+    const double factor = excess / (at_first.squaredNorm() + at_last.squaredNorm() + at_v.squaredNorm());
+    m_direction[first] += factor * at_first;
+    m_direction[last] += factor * at_last;
+    m_direction[v] += factor * at_v;
+    return true;
   }
 
   const Level_energy<Energy>& m_energy;

@@ -46,6 +46,17 @@ public:
         m_first_bad_vertex = Index(v);
   }
 
+  // Makes room for a mesh of that size, so that no later build() has to move the arrays.
+  void reserve(std::size_t number_of_vertices, std::size_t number_of_triangles)
+  {
+    m_first.reserve(number_of_vertices + 1);
+    m_neighbors.reserve(3 * number_of_triangles + number_of_vertices);
+    m_is_border.reserve(number_of_vertices);
+    m_edges.reserve(3 * number_of_triangles);
+    for (std::vector<Index>* array : { &m_edge_end, &m_balance })
+      array->reserve(number_of_vertices);
+  }
+
   void release_scratch()
   {
     std::vector<Directed_edge>().swap(m_edges);

@@ -6,10 +6,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Vertex_inserter.h>
-#include <CGAL/Surface_mesh_parameterization/internal/rest_corners.h>
 
 #include <algorithm>
-#include <iterator>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -30,30 +28,23 @@ inline Index insert_new_vertices(const Level& level, Level::Uv& uv)
   for (Index v = first_new; v < end; ++v)
     is_placed[v] = !level.is_border(v);
 
-  struct Scratch
-  {
-    Vertex_inserter inserter;
-    std::vector<Rest_corner> corners;
+  const auto make_inserter = [&] { return Vertex_inserter(level.rings(), uv, is_placed); };
+  const auto insert = [&](Index v, Vertex_inserter& inserter) {
+    return inserter.insert(v, level.rest_corners(v), hierarchy.parent_triangle(v), hierarchy.barycentric_coordinates(v));
   };
-  const auto make_scratch = [&] { return Scratch{ Vertex_inserter(level.rings(), uv, is_placed), {} }; };
-  const auto insert = [&](Index v, Scratch& scratch) {
-    scratch.corners.clear();
-    rest_corners(level, v, std::back_inserter(scratch.corners));
-    return scratch.inserter.insert(v, scratch.corners.data(), hierarchy.parent_triangle(v), hierarchy.barycentric_coordinates(v));
-  };
-  const Index failed = level.loops().reduce(first_new, end, no_index, make_scratch, [&](Index block_begin, Index block_end, Scratch& scratch) {
+  const Index failed = level.loops().reduce(first_new, end, no_index, make_inserter, [&](Index block_begin, Index block_end, Vertex_inserter& inserter) {
     for (Index v = block_begin; v < block_end; ++v)
-      if (!level.is_border(v) && !insert(v, scratch))
+      if (!level.is_border(v) && !insert(v, inserter))
         return v;
     return no_index;
   }, [](Index& first, Index v) { first = (std::min)(first, v); });
   if (failed != no_index)
     return failed;
 
-  Scratch scratch = make_scratch();
+  Vertex_inserter inserter = make_inserter();
   for (Index v = first_new; v < end; ++v)
     if (level.is_border(v)) {
-      if (!insert(v, scratch))
+      if (!insert(v, inserter))
         return v;
       is_placed[v] = true;
     }

@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The Hierarchical Parameterization authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws what time_to_energy printed: seconds over triangles, both axes logarithmic.
+
+Usage: draw_time_to_energy.py RUN.csv ... > curves.svg
+"""
+import csv
+import math
+import sys
+
+WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 760, 480, 70, 270, 30, 50
+COLORS = ["#1b6ca8", "#c8553d", "#588157", "#8e5572", "#bc8a2f", "#4a4e69", "#2a9d8f", "#9a031e"]
+
+
+def read_curves(files):
+    """Maps the name of a curve to its points (triangles, seconds)."""
+    curves = {}
+    for file in files:
+        with open(file, newline="") as rows:
+            for row in csv.DictReader(rows):
+                if not row["seconds"]:
+                    continue
+                threads = "" if row["threads"] == "1" else f", {row['threads']} threads"
+                name = f"{row['method']}, {row['run']}{threads}"
+                triangles = float(row["triangles"])
+                curves.setdefault(name, {})[triangles] = float(row["seconds"])
+                curves.setdefault("one direct factorization (the unit)", {})[triangles] = float(row["unit_seconds"])
+    return curves
+
+
+def powers_of_ten(low, high):
+    return [10.0 ** k for k in range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)]
+
+
+def label(value):
+    return f"{value:,.0f}" if value >= 1 else f"{value:g}"
+
+
+def draw(curves):
+    x_ticks = powers_of_ten(min(min(c) for c in curves.values()), max(max(c) for c in curves.values()))
+    y_ticks = powers_of_ten(min(min(c.values()) for c in curves.values()), max(max(c.values()) for c in curves.values()))
+
+    def place(value, ticks, begin, end):
+        low, high = math.log(ticks[0]), math.log(ticks[-1])
+        return begin + (end - begin) * (math.log(value) - low) / ((high - low) or 1)
+
+    def x(value):
+        return place(value, x_ticks, LEFT, WIDTH - RIGHT)
+
+    def y(value):
+        return place(value, y_ticks, HEIGHT - BOTTOM, TOP)
+
+    yield (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}" '
+           'font-family="sans-serif" font-size="12">')
+    yield f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>'
+    for tick in x_ticks:
+        yield f'<path d="M{x(tick):.1f} {TOP}V{HEIGHT - BOTTOM}" stroke="#ddd"/>'
+        yield f'<text x="{x(tick):.1f}" y="{HEIGHT - BOTTOM + 18}" text-anchor="middle">{label(tick)}</text>'
+    for tick in y_ticks:
+        yield f'<path d="M{LEFT} {y(tick):.1f}H{WIDTH - RIGHT}" stroke="#ddd"/>'
+        yield f'<text x="{LEFT - 8}" y="{y(tick) + 4:.1f}" text-anchor="end">{label(tick)}</text>'
+    yield f'<text x="{(LEFT + WIDTH - RIGHT) / 2}" y="{HEIGHT - 12}" text-anchor="middle">triangles</text>'
+    yield f'<text x="{LEFT}" y="{TOP - 12}" text-anchor="middle">seconds</text>'
+    for i, (name, curve) in enumerate(curves.items()):
+        color = COLORS[i % len(COLORS)]
+        points = [(x(t), y(s)) for t, s in sorted(curve.items())]
+        yield f'<polyline points="{" ".join(f"{a:.1f},{b:.1f}" for a, b in points)}" fill="none" stroke="{color}" stroke-width="2"/>'
+        for a, b in points:
+            yield f'<circle cx="{a:.1f}" cy="{b:.1f}" r="3" fill="{color}"/>'
+        legend_y = TOP + 12 + 22 * i
+        yield f'<path d="M{WIDTH - RIGHT + 16} {legend_y}h20" stroke="{color}" stroke-width="2"/>'
+        yield f'<text x="{WIDTH - RIGHT + 42}" y="{legend_y + 4}">{name}</text>'
+    yield "</svg>"
+
+
+def main():
+    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
+        sys.exit(__doc__.strip())
+    curves = read_curves(sys.argv[1:])
+    if not curves:
+        sys.exit("no finished run in " + ", ".join(sys.argv[1:]))
+    print("\n".join(draw(curves)))
+
+
+if __name__ == "__main__":
+    main()
