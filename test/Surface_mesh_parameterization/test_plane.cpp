@@ -348,7 +348,7 @@ struct Random_star
     const double turn = is_closed ? 2 * CGAL_PI : random(0.5, 0.8 * CGAL_PI * (std::min)(triangles, Index(2)));
     for (const double angle : random_angles(is_closed ? triangles : triangles + 1, turn, 0.8 * CGAL_PI, random))
       uv.push_back(polar(random(0.3, 1), angle));
-    rings.build(mesh.points.size(), mesh.triangles);
+    rings.build(mesh.points.size(), mesh.triangles, Loops());
     const One_rings::Ring ring = rings[0];
     for (std::size_t i = 0; i < rings.number_of_triangles(0); ++i)
       corners.push_back(rest_corner(mesh.points[0], mesh.points[ring[i]], mesh.points[ring[(i + 1) % ring.size()]]));
@@ -1003,7 +1003,7 @@ TEST(One_rings, can_be_built_again)
   One_rings rings;
   for (const auto& [name, m] : named_meshes()) {
     SCOPED_TRACE(name);
-    rings.build(m.points.size(), m.triangles);
+    rings.build(m.points.size(), m.triangles, Loops());
     const One_rings fresh(m.points.size(), m.triangles);
     ASSERT_EQ(rings.number_of_slots(), fresh.number_of_slots());
     EXPECT_EQ(rings.first_non_manifold_vertex(), no_index);

@@ -465,7 +465,7 @@ TEST(Pruned_prolongation, rows_are_weights)
   const Finest_level f(grid(20, 20, wavy), parameters::coarsest_size(20));
   const std::size_t finest = f.hierarchy.number_of_levels() - 1;
   for (std::size_t groups = 1; groups <= finest; ++groups) {
-    const Pruned_prolongation p(f.hierarchy, finest - groups, finest);
+    const Pruned_prolongation p(f.hierarchy, finest - groups, finest, Loops());
     ASSERT_EQ(p.fine_size(), f.hierarchy.number_of_vertices());
     ASSERT_EQ(p.coarse_size(), f.hierarchy.number_of_vertices(finest - groups));
     std::size_t entries = 0;
@@ -494,7 +494,7 @@ TEST(Galerkin_product, is_the_product_of_the_matrices)
   Random random(5);
   const Finest_level f(grid(12, 9, wavy), parameters::coarsest_size(20));
   const std::size_t finest = f.hierarchy.number_of_levels() - 1;
-  const Pruned_prolongation p(f.hierarchy, finest - 3, finest);
+  const Pruned_prolongation p(f.hierarchy, finest - 3, finest, Loops());
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(2 * p.fine_size(), 2 * p.coarse_size());
   for (Index v = 0; v < p.fine_size(); ++v)
     for (int e = 0; e < 2; ++e)
@@ -572,6 +572,54 @@ TEST(Level_refiner, finds_the_isometry_of_a_developable_surface)
       EXPECT_EQ(excess < 1e-5 * double(m.triangles.size()), !is_cone) << m.triangles.size() << " triangles, excess " << excess;
       EXPECT_GE(excess, -1e-9);
     }
+}
+
+// A winding staircase: a developable surface whose angles at vertex 0, on the border, sum to more than a turn. The isometry is not allowed, so the best map has
+// hardly a gap there; Newton's method must slide along that bound, to where sweeps do not get further down either.
+TEST(Level_refiner, slides_along_the_bound_of_the_angles_at_the_border)
+{
+  constexpr Index rings = 6, sectors = 40;
+  Flat_mesh m;
+  m.points.emplace_back(0, 0, 0);
+  for (Index r = 1; r <= rings; ++r)
+    for (Index k = 0; k <= sectors; ++k) {
+      const double angle = 2.2 * CGAL_PI * k / sectors;
+      m.points.emplace_back(r * std::cos(angle), r * std::sin(angle), 1e-3 * k);
+    }
+  const auto vertex = [&](Index r, Index k) { return 1 + (r - 1) * (sectors + 1) + k; };
+  for (Index k = 0; k < sectors; ++k) {
+    m.triangles.push_back({ 0, vertex(1, k), vertex(1, k + 1) });
+    for (Index r = 1; r < rings; ++r) {
+      m.triangles.push_back({ vertex(r, k), vertex(r + 1, k), vertex(r + 1, k + 1) });
+      m.triangles.push_back({ vertex(r, k), vertex(r + 1, k + 1), vertex(r, k + 1) });
+    }
+  }
+
+  const Finest_level f(m);
+  const Level::Uv start = first_map(f.level);
+  double energy[2];
+  for (const Optimizer optimizer : { Optimizer::NEWTON, Optimizer::SWEEPS }) {
+    Refinement_options options;
+    options.optimizer = optimizer;
+    options.number_of_iterations = optimizer == Optimizer::NEWTON ? 100 : 5000;
+    options.tolerance = optimizer == Optimizer::NEWTON ? 1e-6 : 1e-9;
+    Level::Uv uv = start;
+    Level_summary summary;
+    Level_refiner<Symmetric_Dirichlet_energy_2>(f.level, uv, options, summary).run();
+    energy[int(optimizer)] = summary.energy_end - 4 * double(m.triangles.size());
+    EXPECT_TRUE(summary.converged);
+    EXPECT_TRUE(is_map_valid(f.level.rings(), uv));
+    const Level::Ring ring = f.level.one_ring(0);
+    double turn = 0;
+    for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+      const Vector_2 a = uv[ring[i]] - uv[0], b = uv[ring[i + 1]] - uv[0];
+      turn += std::atan2(cross(a, b), a * b);
+    }
+    EXPECT_LT(turn, 2 * CGAL_PI);
+    EXPECT_GT(turn, 2 * CGAL_PI - 0.05);
+  }
+  EXPECT_GT(energy[int(Optimizer::NEWTON)], 1e-3);
+  EXPECT_LT(energy[int(Optimizer::NEWTON)], 1.01 * energy[int(Optimizer::SWEEPS)]);
 }
 
 TEST(Level_refiner, tells_what_it_did)

@@ -51,8 +51,10 @@ public:
   /// - `random_seed`: the seed of the random choice of vertices; default 0
   /// - `coarsest_size`: collapse groups are made until a level has at most that many vertices, or until nothing can be collapsed; default 100
   /// - `vertex_is_constrained_map`: a readable property map from an index of `surface.points`, a `std::size_t`, to `bool`: vertices that stay on every level; default: none
-  template <class NamedParameters = parameters::Default_named_parameters>
-  explicit Collapse_hierarchy_3(Triangulated_surface_3 surface, const NamedParameters& np = parameters::default_values())
+  /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the hierarchy is the same
+  template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
+  explicit Collapse_hierarchy_3(Triangulated_surface_3 surface, const NamedParameters& np = parameters::default_values(),
+                                ConcurrencyTag = ConcurrencyTag())
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
@@ -64,7 +66,7 @@ public:
     std::vector<bool> is_pinned(surface.points.size());
     for (std::size_t v = 0; v < surface.points.size(); ++v)
       is_pinned[v] = get(is_constrained, v);
-    m_data = internal::Hierarchy_builder(std::move(surface), std::move(is_pinned)).build(coarsest_size, seed);
+    m_data = internal::Hierarchy_builder(std::move(surface), std::move(is_pinned)).build(coarsest_size, seed, internal::Loops::of<ConcurrencyTag>());
   }
 
   /// the default of the named parameter `coarsest_size`

@@ -47,7 +47,7 @@ public:
     // clear that memory again and again.
     m_rings.reserve(hierarchy().number_of_vertices(), hierarchy().number_of_faces());
     m_rest_corners.reserve(3 * hierarchy().number_of_faces() + hierarchy().number_of_vertices());
-    m_rings.build(m_mesh->number_of_vertices(), m_mesh->triangles());
+    m_rings.build(m_mesh->number_of_vertices(), m_mesh->triangles(), m_loops);
     if (is_finest())
       m_rings.release_scratch();
 

@@ -91,7 +91,8 @@ public:
       if (summary.error.code != OK)
         return summary.error.code;
 
-      const Collapse_hierarchy_3 hierarchy(std::move(component.surface()), parameters::coarsest_size(coarsest_size).random_seed(seed));
+      const Collapse_hierarchy_3 hierarchy(std::move(component.surface()), parameters::coarsest_size(coarsest_size).random_seed(seed),
+                                           typename Method::Concurrency_tag());
       summary.seconds_hierarchy = timer.time();
 
       Level::Uv uv;

@@ -34,10 +34,10 @@ public:
   // Chooses the collapses. `is_pinned` marks vertices that must stay; `random` is used and advanced. At least `fewest_vertices` remain.
   template <class RandomGenerator>
   void choose(const std::vector<Point_3>& points, const std::vector<Index_triangle>& triangles, const std::vector<bool>& is_pinned,
-              std::size_t fewest_vertices, RandomGenerator& random)
+              std::size_t fewest_vertices, RandomGenerator& random, const Loops& loops)
   {
     const std::size_t n = points.size();
-    m_rings.build(n, triangles);
+    m_rings.build(n, triangles, loops);
     m_is_locked.assign(n, 0);
     m_is_in_ring.assign(n, 0);
     m_first_added.assign(n, no_index);

@@ -56,7 +56,7 @@ public:
   }
 
   // Makes collapse groups until the mesh has at most `coarsest_size` vertices or nothing can be collapsed any more.
-  Hierarchy_data build(std::size_t coarsest_size, unsigned int seed)
+  Hierarchy_data build(std::size_t coarsest_size, unsigned int seed, const Loops& loops)
   {
     constexpr std::size_t fewest_vertices = 3;
     std::mt19937 random(seed);
@@ -65,7 +65,7 @@ public:
       m_level_faces.push_back(m_triangles.size());
       if (m_points.size() <= coarsest_size)
         break;
-      m_group.choose(m_points, m_triangles, m_is_pinned, fewest_vertices, random);
+      m_group.choose(m_points, m_triangles, m_is_pinned, fewest_vertices, random, loops);
       if (m_group.collapses().empty())
         break;
       perform_group();

@@ -99,8 +99,8 @@ private:
   template <class Function>
   void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, number_of_vertices(), f); }
 
-  // The coarse grids of an earlier step serve as long as they work: to make them costs as much as several cycles.
-  static constexpr std::size_t most_cycles_without_setup = 8;
+  // The coarse grids of an earlier step serve as long as they work: to make them costs as much as three cycles.
+  static constexpr std::size_t most_cycles_without_setup = 5;
 
   // Solves for the direction, in scaled variables; returns the number of V-cycles.
   std::size_t solve(double tolerance)

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ONE_RINGS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_ONE_RINGS_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 
 #include <boost/range/iterator_range.hpp>
@@ -27,10 +28,10 @@ public:
   typedef boost::iterator_range<const Index*>   Ring;
 
   One_rings() = default;
-  One_rings(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles) { build(number_of_vertices, triangles); }
+  One_rings(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles) { build(number_of_vertices, triangles, Loops()); }
 
   // Reuses the arrays of an earlier build; release_scratch() gives back the half of them that only building needs.
-  void build(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles)
+  void build(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles, const Loops& loops)
   {
     collect_opposite_edges(number_of_vertices, triangles);
 
@@ -40,10 +41,7 @@ public:
       m_first[v + 1] = m_first[v] + (m_edge_end[v] - edge_begin(Index(v))) + (m_is_border[v] ? 1 : 0);
 
     m_neighbors.resize(m_first.back());
-    m_first_bad_vertex = no_index;
-    for (std::size_t v = 0; v < number_of_vertices; ++v)
-      if (!link_ring(Index(v)) && m_first_bad_vertex == no_index)
-        m_first_bad_vertex = Index(v);
+    m_first_bad_vertex = loops.min(0, Index(number_of_vertices), no_index, [&](Index v) { return link_ring(v) ? no_index : v; });
   }
 
   // Makes room for a mesh of that size, so that no later build() has to move the arrays.
@@ -60,7 +58,7 @@ public:
   void release_scratch()
   {
     std::vector<Directed_edge>().swap(m_edges);
-    for (std::vector<Index>* array : { &m_edge_end, &m_balance, &m_sorted_ends })
+    for (std::vector<Index>* array : { &m_edge_end, &m_balance })
       std::vector<Index>().swap(*array);
   }
 
@@ -155,12 +153,12 @@ private:
     std::sort(begin, end);
     Index start = begin->first;
     if (is_border(v)) {
-      m_sorted_ends.clear();
+      std::vector<Index> sorted_ends;
       for (auto e = begin; e != end; ++e)
-        m_sorted_ends.push_back(e->second);
-      std::sort(m_sorted_ends.begin(), m_sorted_ends.end());
+        sorted_ends.push_back(e->second);
+      std::sort(sorted_ends.begin(), sorted_ends.end());
       for (auto e = begin; e != end; ++e)
-        if (!std::binary_search(m_sorted_ends.begin(), m_sorted_ends.end(), e->first))
+        if (!std::binary_search(sorted_ends.begin(), sorted_ends.end(), e->first))
           start = e->first;
     }
     Index* out = m_neighbors.data() + m_first[v];
@@ -194,7 +192,7 @@ private:
   Index m_first_bad_vertex = no_index;
 
   std::vector<Directed_edge> m_edges;       // scratch of build()
-  std::vector<Index> m_edge_end, m_balance, m_sorted_ends;
+  std::vector<Index> m_edge_end, m_balance;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

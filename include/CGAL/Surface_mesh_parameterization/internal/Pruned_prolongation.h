@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PRUNED_PROLONGATION_H
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 
 #include <algorithm>
@@ -30,24 +31,18 @@ public:
 
   struct Entry { Index row; float weight; };  // of the transpose
 
-  Pruned_prolongation(const Collapse_hierarchy_3& hierarchy, std::size_t coarse, std::size_t fine)
+  Pruned_prolongation(const Collapse_hierarchy_3& hierarchy, std::size_t coarse, std::size_t fine, const Loops& loops)
     : m_coarse_size(hierarchy.number_of_vertices(coarse))
   {
-    std::vector<std::pair<Index, double>> entries;
-    m_rows.reserve(hierarchy.number_of_vertices(fine));
-    for (std::size_t v = 0; v < m_coarse_size; ++v)
-      m_rows.push_back({ { Index(v), Index(v), Index(v) }, { 1, 0, 0 } });
-    for (std::size_t v = m_coarse_size; v < hierarchy.number_of_vertices(fine); ++v) {
-      entries.clear();
-      const Collapse_hierarchy_3::Triangle& parent = hierarchy.parent_triangle(Index(v));
-      const std::array<double, 3> coordinates = hierarchy.barycentric_coordinates(Index(v));
-      for (int i = 0; i < 3; ++i) {
-        const Row& parent_row = row(parent[i]);
-        for (int k = 0; k < row_size && coordinates[i] * parent_row.weights[k] != 0; ++k)
-          entries.push_back({ parent_row.columns[k], coordinates[i] * parent_row.weights[k] });
-      }
-      m_rows.push_back(prune(entries));
-    }
+    typedef std::vector<std::pair<Index, double>> Entries;
+    m_rows.resize(hierarchy.number_of_vertices(fine));
+    loops.for_each(0, Index(m_coarse_size), [&](Index v) { m_rows[v] = { { v, v, v }, { 1, 0, 0 } }; });
+    for (std::size_t l = coarse + 1; l <= fine; ++l)      // the rows of a group depend on those of earlier groups
+      loops.for_each_block(Index(hierarchy.number_of_vertices(l - 1)), Index(hierarchy.number_of_vertices(l)), [] { return Entries(); },
+                           [&](Index begin, Index end, Entries& entries) {
+        for (Index v = begin; v < end; ++v)
+          m_rows[v] = composed_row(hierarchy, v, entries);
+      });
     transpose();
   }
 
@@ -61,6 +56,19 @@ public:
   const Entry* column_end(Index v) const { return m_entries.data() + m_first[v + 1]; }
 
 private:
+  Row composed_row(const Collapse_hierarchy_3& hierarchy, Index v, std::vector<std::pair<Index, double>>& entries) const
+  {
+    entries.clear();
+    const Collapse_hierarchy_3::Triangle& parent = hierarchy.parent_triangle(v);
+    const std::array<double, 3> coordinates = hierarchy.barycentric_coordinates(v);
+    for (int i = 0; i < 3; ++i) {
+      const Row& parent_row = row(parent[i]);
+      for (int k = 0; k < row_size && coordinates[i] * parent_row.weights[k] != 0; ++k)
+        entries.push_back({ parent_row.columns[k], coordinates[i] * parent_row.weights[k] });
+    }
+    return prune(entries);
+  }
+
   static Row prune(std::vector<std::pair<Index, double>>& entries)
   {
     std::sort(entries.begin(), entries.end());

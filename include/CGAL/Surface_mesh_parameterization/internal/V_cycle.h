@@ -34,7 +34,7 @@ public:
       m_group_ends.push_back(Index(level.hierarchy().number_of_vertices(l)));
     for (std::size_t fine = level.index(); fine > 0 && level.hierarchy().number_of_vertices(fine) > coarsest_size;) {
       const std::size_t coarse = fine > groups_per_grid ? fine - groups_per_grid : 0;
-      m_grids.back().prolongation = std::make_unique<Pruned_prolongation>(level.hierarchy(), coarse, fine);
+      m_grids.back().prolongation = std::make_unique<Pruned_prolongation>(level.hierarchy(), coarse, fine, m_loops);
       m_grids.emplace_back();
       fine = coarse;
     }
