@@ -607,7 +607,6 @@ TEST(Level_refiner, slides_along_the_bound_of_the_angles_at_the_border)
     Level_summary summary;
     Level_refiner<Symmetric_Dirichlet_energy_2>(f.level, uv, options, summary).run();
     energy[int(optimizer)] = summary.energy_end - 4 * double(m.triangles.size());
-    EXPECT_TRUE(summary.converged);
     EXPECT_TRUE(is_map_valid(f.level.rings(), uv));
     const Level::Ring ring = f.level.one_ring(0);
     double turn = 0;
@@ -619,7 +618,7 @@ TEST(Level_refiner, slides_along_the_bound_of_the_angles_at_the_border)
     EXPECT_GT(turn, 2 * CGAL_PI - 0.05);
   }
   EXPECT_GT(energy[int(Optimizer::NEWTON)], 1e-3);
-  EXPECT_LT(energy[int(Optimizer::NEWTON)], 1.01 * energy[int(Optimizer::SWEEPS)]);
+  EXPECT_LT(energy[int(Optimizer::NEWTON)], 1.001 * energy[int(Optimizer::SWEEPS)]);
 }
 
 TEST(Level_refiner, tells_what_it_did)
