@@ -32,8 +32,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// The connected component of a mesh that contains a given border halfedge, as flat arrays: what a hierarchy is built from.
 /// The mesh is only read.
 ///
-/// Vertices and faces are numbered breadth first from `bhd`, which suits the cache whatever the mesh's own order. The points are scaled by a power of two, which is exact, so
-/// that no later product of lengths over- or underflows, and moved to the center of their box.
+/// Vertices and faces are numbered breadth first from `bhd`, which suits the cache whatever the mesh's own order. The points are scaled by a power of
+/// two, which is exact, so that no later product of lengths over- or underflows, and moved to the center of their box.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` with an internal vertex point map
 template <class TriangleMesh>

@@ -13,7 +13,6 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -100,7 +99,7 @@ private:
   void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, number_of_vertices(), f); }
 
   // The coarse grids of an earlier step serve as long as they work: to make them costs as much as three cycles.
-  static constexpr std::size_t most_cycles_without_setup = 5;
+  static constexpr std::size_t most_cycles_without_setup = 8;
 
   // Solves for the direction, in scaled variables; returns the number of V-cycles.
   std::size_t solve(double tolerance)
