@@ -383,6 +383,21 @@ TYPED_TEST(Newton_of, finds_the_same_minimum_as_relaxation)
   }
 }
 
+// ---- loops ----
+
+// The blocks are computed at once, and the result of each one counts.
+TEST(Loops, least_and_sum_see_every_index)
+{
+  const Loops loops = Loops::of<CGAL::Parallel_if_available_tag>();
+  constexpr Index n = 300000;
+  for (int i = 0; i < 300; ++i)
+    for (const Index bad : { Index(0), Index(997 * i), n - 1 })
+      ASSERT_FALSE(loops.min(0, n, true, [&](Index k) { return k != bad; }));
+  EXPECT_TRUE(loops.min(0, n, true, [](Index) { return true; }));
+  EXPECT_EQ(loops.sum(3, n, 0., [](Index k) { return double(k); }), 0.5 * n * (n - 1.) - 3);
+  EXPECT_EQ(loops.sum(5, 5, 0., [](Index) { return 7.; }), 0);
+}
+
 // ---- multigrid ----
 
 // A random symmetric, diagonally dominant matrix with the pattern of a level's edges; and the same one, unscaled and dense.

@@ -79,10 +79,11 @@ public:
   template <class Result, class Make_scratch, class Function, class Add>
   Result reduce(Index first, Index last, Result result, const Make_scratch& make_scratch, const Function& f, const Add& add) const
   {
-    std::vector<Result> results(number_of_blocks(first, last), result);
-    for_each_block(first, last, make_scratch, [&](Index begin, Index end, auto& scratch) { results[(begin - first) / block_size] = f(begin, end, scratch); });
-    for (const Result& r : results)
-      add(result, r);
+    struct Slot { Result value; };      // a vector of bool would share its bytes among threads
+    std::vector<Slot> results(number_of_blocks(first, last), Slot{ result });
+    for_each_block(first, last, make_scratch, [&](Index begin, Index end, auto& scratch) { results[(begin - first) / block_size].value = f(begin, end, scratch); });
+    for (const Slot& slot : results)
+      add(result, slot.value);
     return result;
   }
 
