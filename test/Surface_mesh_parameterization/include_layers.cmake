@@ -35,6 +35,8 @@ set(table "
 2 internal/Collapse_group.h
 2 internal/Hierarchy_builder.h
 2 Hierarchy_visitor_3.h
+2 internal/pin_fixed_vertices.h
+2 internal/place_border.h
 2 internal/write_map.h
 2 internal/Pruned_prolongation.h
 2 internal/Galerkin_product.h

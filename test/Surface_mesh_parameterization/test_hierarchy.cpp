@@ -250,6 +250,67 @@ TEST(Collapse_hierarchy, all_vertices_pinned_is_one_level)
   EXPECT_EQ(h.number_of_levels(), 1u);
 }
 
+// ---- vertices that are fixed in the plane ----
+
+// Fixes the vertices of a surface for which is_wanted(v) holds, each at a place of its own.
+template <class Predicate>
+Collapse_hierarchy_3 hierarchy_with_fixed_vertices(const Flat_mesh& m, Predicate is_wanted)
+{
+  Triangulated_surface_3 s = surface(m);
+  for (Index v = 0; v < m.points.size(); ++v)
+    if (is_wanted(v))
+      s.fixed_vertices.push_back({ v, Point_2(v, -double(v)) });
+  std::reverse(s.fixed_vertices.begin(), s.fixed_vertices.end());
+  s.scale_exponent = 7;
+  return Collapse_hierarchy_3(s, parameters::coarsest_size(6));
+}
+
+TEST(Fixed_vertices, are_known_by_rank_on_every_level)
+{
+  const Flat_mesh m = grid(9, 9, wavy);
+  const auto is_wanted = [](Index v) { return v % 5 == 0; };
+  const Collapse_hierarchy_3 h = hierarchy_with_fixed_vertices(m, is_wanted);
+  const Progressive_mesh_3 mesh(h);
+  const Level level(mesh, 0);
+  EXPECT_EQ(level.scale_exponent(), 7);
+  for (Index v = 0; v < h.number_of_vertices(); ++v) {
+    ASSERT_EQ(level.is_fixed(v), is_wanted(h.input_vertex(v)));
+    EXPECT_TRUE(!level.is_fixed(v) || level.fixed_place(v) == Point_2(h.input_vertex(v), -double(h.input_vertex(v))));
+  }
+  const Collapse_hierarchy_3 none = small_hierarchy(m);
+  for (Index v = 0; v < none.number_of_vertices(); ++v)
+    EXPECT_FALSE(none.is_fixed(v) || none.is_pinned(v));
+}
+
+TEST(Fixed_vertices, of_a_fixed_border_may_go)
+{
+  for (const Flat_mesh& m : { grid(16, 12, wavy), grid_with_holes(20) }) {
+    const One_rings rings(m.points.size(), m.triangles);
+    const Collapse_hierarchy_3 h = hierarchy_with_fixed_vertices(m, [&](Index v) { return rings.is_border(v); });
+    for (Index v = 0; v < h.number_of_vertices(); ++v)
+      EXPECT_FALSE(h.is_pinned(v));
+    EXPECT_LT(h.number_of_vertices(0), h.number_of_vertices() / 4);
+  }
+}
+
+TEST(Fixed_vertices, that_no_level_can_do_without_stay)
+{
+  // Inside; alone on the border; the ends of a fixed part of the border, but not what lies between them; two that are joined by an edge across the surface.
+  const Index columns = 12;
+  const Flat_mesh m = grid(columns, columns, wavy);
+  const Index inside = 6 * (columns + 1) + 6, alone = columns * (columns + 1) + 5, last_of_part = 8;
+  const Index across[] = { columns - 1, 2 * columns + 1 };    // the base of an ear
+  const auto is_wanted = [&](Index v) { return v == inside || v == alone || v <= last_of_part || v == across[0] || v == across[1]; };
+  const Collapse_hierarchy_3 h = hierarchy_with_fixed_vertices(m, is_wanted);
+  std::set<Index> pinned;
+  for (Index v = 0; v < h.number_of_vertices(); ++v)
+    if (h.is_pinned(v)) {
+      pinned.insert(h.input_vertex(v));
+      EXPECT_LT(v, h.number_of_vertices(0));
+    }
+  EXPECT_EQ(pinned, (std::set<Index>{ 0, last_of_part, inside, alone, across[0], across[1] }));
+}
+
 TEST(Collapse_hierarchy, holes_survive)
 {
   const Collapse_hierarchy_3 h = small_hierarchy(grid_with_holes(20), 1);
@@ -646,7 +707,7 @@ TEST(Mesh_component, scales_by_a_power_of_two)
     for (const auto v : component.vertices_of_component())
       read.points.push_back(scaled.points[v]);
     read.triangles = component.surface().triangles;
-    EXPECT_TRUE(is_scaled_copy(component.surface(), read, component.scale_exponent()));
+    EXPECT_TRUE(is_scaled_copy(component.surface(), read, component.surface().scale_exponent));
     double greatest = 0;
     for (const Point_3& p : component.surface().points)
       greatest = (std::max)({ greatest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z()) });

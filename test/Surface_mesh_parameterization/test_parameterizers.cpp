@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_SVG.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star_validity.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
@@ -35,6 +36,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -514,13 +516,26 @@ TEST(Threads, do_not_change_the_map)
 
 // ---- a user's own method and visitor: no more than the concepts ask for ----
 
-struct Log { int coarsest = 0, refined = 0, hierarchies = 0, levels = 0; };
+struct Log { int borders = 0, coarsest = 0, refined = 0, hierarchies = 0, levels = 0; };
+
+// Runs a method flat that is no parameterizer by itself.
+template <class Method>
+class Flat_run : public Refinable_parameterizer_base_3<Flat_run<Method>, typename Method::Triangle_mesh>, public Method
+{
+  typedef Refinable_parameterizer_base_3<Flat_run<Method>, typename Method::Triangle_mesh>   Base;
+
+public:
+  typedef typename Method::Triangle_mesh   Triangle_mesh;
+
+  Flat_run(const Method& method, Parameterization_summary& summary) : Base(parameters::summary(std::ref(summary))), Method(method) { }
+};
 
 class Method_archetype
 {
 public:
   typedef Surface_mesh           Triangle_mesh;
   typedef CGAL::Sequential_tag   Concurrency_tag;
+  static constexpr bool is_flip_free = true;
 
   Method_archetype(Log& log, Error_code result) : m_log(&log), m_result(result) { }
 
@@ -566,6 +581,128 @@ TEST(Archetypes, run)
     EXPECT_EQ(mapped.is_untouched(), result != OK);
     EXPECT_EQ(result == OK, s.energy == double(log.levels - 1));
   }
+}
+
+// Fixes the border and one vertex inside, and leaves all vertices where they were inserted.
+class Border_method_archetype
+{
+public:
+  typedef Surface_mesh           Triangle_mesh;
+  typedef CGAL::Sequential_tag   Concurrency_tag;
+  static constexpr bool is_flip_free = false;
+
+  Border_method_archetype(Log& log, Error_code result) : m_log(&log), m_result(result) { }
+
+  static Kernel::Point_2 place_of(Surface_mesh::Vertex_index v) { return Kernel::Point_2(1e-9 / 3 * double(v), 77 - double(v) / 7); }
+
+  template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
+  Error_code place_border(const Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, VertexUVMap uvmap, VertexIndexMap vimap, VertexParameterizedMap vpmap)
+  {
+    ++m_log->borders;
+    std::set<int> indices;
+    for (const auto v : vertices(mesh)) {
+      indices.insert(get(vimap, v));
+      EXPECT_FALSE(get(vpmap, v));
+    }
+    EXPECT_EQ(indices.size(), mesh.number_of_vertices());
+    EXPECT_TRUE(*indices.begin() == 0 && *indices.rbegin() + 1 == int(indices.size()));
+
+    const auto fix = [&](Surface_mesh::Vertex_index v) {
+      put(uvmap, v, place_of(v));
+      put(vpmap, v, true);
+    };
+    fix(Surface_mesh::Vertex_index(inner_vertex));
+    for (const auto h : CGAL::halfedges_around_face(bhd, mesh))
+      fix(target(h, mesh));
+    return m_result;
+  }
+
+  Error_code parameterize_coarsest(const Level& level, Level::Uv& uv)
+  {
+    uv.assign(level.number_of_vertices(), Point_2(0, 0));
+    for (Index v = 0; v < level.number_of_vertices(); ++v)
+      if (level.is_fixed(v))
+        uv[v] = level.fixed_place(v);
+    return OK;
+  }
+
+  Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary)
+  {
+    std::size_t fixed = 0;
+    for (Index v = 0; v < level.number_of_vertices(); ++v) {
+      EXPECT_EQ(level.is_fixed(v), level.is_border(v) || level.is_pinned(v));
+      fixed += level.is_fixed(v);
+      EXPECT_TRUE(level.is_fixed(v) ? uv[v] == level.fixed_place(v) : level.index() == 0 || v < level.first_new_vertex() || is_at_stored_place(level, uv, v));
+    }
+    EXPECT_GT(fixed, 3u);
+    summary.energy_end = double(fixed);
+    return OK;
+  }
+
+  static constexpr Index inner_vertex = 20;
+
+private:
+  static bool is_at_stored_place(const Level& level, const Level::Uv& uv, Index v)
+  {
+    const Index_triangle& parent = level.hierarchy().parent_triangle(v);
+    const auto coordinates = level.hierarchy().barycentric_coordinates(v);
+    const Point_2 place = CGAL::barycenter(uv[parent[0]], coordinates[0], uv[parent[1]], coordinates[1], uv[parent[2]], coordinates[2]);
+    return std::sqrt(CGAL::squared_distance(place, uv[v])) < 1e-10 * std::ldexp(1., level.scale_exponent());
+  }
+
+  Log* m_log;
+  Error_code m_result;
+};
+
+TEST(Archetypes, fix_vertices)
+{
+  for (const double scale : { 1e-100, 1., 3e5, 1e100 })
+    for (const Error_code result : { OK, ERROR_BORDER_TOO_SHORT })
+      for (const bool is_flat : { false, true }) {
+        Flat_mesh m = grid(16, 12, wavy);
+        for (Point_3& p : m.points)
+          p = Point_3(scale * p.x(), scale * p.y(), scale * p.z());
+        Mapped_mesh mapped(m);
+        Log log;
+        const Border_method_archetype method(log, result);
+        Parameterization_summary s;
+        EXPECT_EQ(is_flat ? mapped.parameterize(Flat_run<Border_method_archetype>(method, s))
+                          : mapped.parameterize(Hierarchical_parameterizer_3<Border_method_archetype>(method, parameters::coarsest_size(12).summary(std::ref(s)))),
+                  result);
+        EXPECT_EQ(s.error.code, result);
+        EXPECT_EQ(log.borders, 1);
+        EXPECT_EQ(mapped.is_untouched(), result != OK);
+        if (result == OK)
+          for (const auto v : vertices(mapped.mesh)) {
+            const bool is_fixed = mapped.mesh.is_border(v) || std::size_t(v) == Border_method_archetype::inner_vertex;
+            EXPECT_TRUE(!is_fixed || mapped.uvmap[v] == Border_method_archetype::place_of(v));
+          }
+      }
+}
+
+// A place that is not finite, and errors that a flip-free method would be given another chance for.
+class Bad_border_method : public Border_method_archetype
+{
+public:
+  using Border_method_archetype::Border_method_archetype;
+
+  template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
+  Error_code place_border(const Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, VertexUVMap uvmap, VertexIndexMap vimap, VertexParameterizedMap vpmap)
+  {
+    const Error_code status = Border_method_archetype::place_border(mesh, bhd, uvmap, vimap, vpmap);
+    put(uvmap, target(bhd, mesh), Kernel::Point_2(0, std::numeric_limits<double>::infinity()));
+    return status;
+  }
+};
+
+TEST(Archetypes, fix_vertices_nowhere)
+{
+  Mapped_mesh mapped(grid(16, 12, wavy));
+  Log log;
+  EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Bad_border_method>(Bad_border_method(log, OK))), ERROR_WRONG_PARAMETER);
+  EXPECT_TRUE(mapped.is_untouched());
+  EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Bad_border_method>(Bad_border_method(log, ERROR_NO_1_TO_1_MAPPING))), ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(log.borders, 2);
 }
 
 // Cannot lay out more than a few vertices.

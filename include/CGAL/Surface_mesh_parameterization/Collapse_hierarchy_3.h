@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_builder.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pin_fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/assertions.h>
@@ -41,10 +42,13 @@ class Collapse_hierarchy_3
 {
 public:
   typedef internal::Index            Index;      ///< an unsigned integer type: rank of a vertex or of a face
+  typedef internal::Point_2          Point_2;    ///< `CGAL::Exact_predicates_inexact_constructions_kernel::Point_2`
   typedef internal::Point_3          Point_3;    ///< `CGAL::Exact_predicates_inexact_constructions_kernel::Point_3`
   typedef internal::Index_triangle   Triangle;   ///< an array of three ranks of vertices, counter-clockwise
 
   /// builds the hierarchy of a surface.
+  ///
+  /// Of the vertices whose places in the plane are given, those stay on every level that do not lie on the border between two others.
   ///
   /// \param surface the surface; move it in to save memory
   /// \param np
@@ -66,6 +70,7 @@ public:
     std::vector<bool> is_pinned(surface.points.size());
     for (std::size_t v = 0; v < surface.points.size(); ++v)
       is_pinned[v] = get(is_constrained, v);
+    internal::pin_fixed_vertices(surface, is_pinned);
     m_data = internal::Hierarchy_builder(std::move(surface), std::move(is_pinned)).build(coarsest_size, seed, internal::Loops::of<ConcurrencyTag>());
   }
 
@@ -90,6 +95,9 @@ public:
   /// number of triangles of the finest level, the input
   std::size_t number_of_faces() const { return m_data.triangles.size(); }
 
+  /// the exponent `k` for which a length on any level is `2^k` times the length in the user's units
+  int scale_exponent() const { return m_data.scale_exponent; }
+
   /// @}
   /// \name Vertices and faces, by rank
   /// @{
@@ -97,8 +105,20 @@ public:
   /// the point of a vertex, as it was given in `surface`; the same on every level
   const Point_3& point(Index v) const { return m_data.points[v]; }
 
-  /// whether a vertex was constrained to stay on every level
+  /// whether a vertex stays on every level: because it was constrained to, or because its place in the plane is given and no coarse level can do without it
   bool is_pinned(Index v) const { return m_data.is_pinned[v]; }
+
+  /// whether the place of a vertex in the plane is given
+  bool is_fixed(Index v) const { return m_data.is_fixed[v]; }
+
+  /// the given place of a vertex, in the units of `point()`; found in logarithmic time.
+  /// \pre `is_fixed(v)`
+  const Point_2& fixed_place(Index v) const
+  {
+    CGAL_precondition(is_fixed(v));
+    return std::lower_bound(m_data.fixed_places.begin(), m_data.fixed_places.end(), v,
+                            [](const std::pair<Index, Point_2>& fixed, Index rank) { return fixed.first < rank; })->second;
+  }
 
   /// whether a vertex lies on the outer border. A border vertex that does not lies on the border of a hole.
   bool is_on_outer_border(Index v) const { return m_data.is_on_outer_border[v]; }
@@ -177,7 +197,7 @@ public:
   {
     const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
     return bytes(m_data.points) + bytes(m_data.triangles) + bytes(m_data.input_vertex) + bytes(m_data.input_face) + bytes(m_data.splits) + bytes(m_data.fan_faces)
-         + (m_data.is_pinned.capacity() + m_data.is_on_outer_border.capacity()) / 8 + bytes(m_data.level_vertices) + bytes(m_data.level_faces);
+         + bytes(m_data.fixed_places) + (m_data.is_pinned.capacity() + m_data.is_fixed.capacity() + m_data.is_on_outer_border.capacity()) / 8 + bytes(m_data.level_vertices) + bytes(m_data.level_faces);
   }
 
 private:

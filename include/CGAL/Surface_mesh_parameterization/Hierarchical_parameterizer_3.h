@@ -20,7 +20,7 @@ struct Is_refinable : std::false_type { };
 
 template <class Parameterizer>
 struct Is_refinable<Parameterizer, std::void_t<
-    typename Parameterizer::Triangle_mesh, typename Parameterizer::Concurrency_tag,
+    typename Parameterizer::Triangle_mesh, typename Parameterizer::Concurrency_tag, std::bool_constant<Parameterizer::is_flip_free>,
     decltype(std::declval<Parameterizer&>().parameterize_coarsest(std::declval<const Level&>(), std::declval<Level::Uv&>())),
     decltype(std::declval<Parameterizer&>().refine(std::declval<const Level&>(), std::declval<Level::Uv&>(), std::declval<Level_summary&>()))>>
   : std::true_type { };
@@ -31,7 +31,8 @@ struct Hierarchical_base
 {
   static_assert(Is_refinable<Parameterizer>::value,
                 "Hierarchical_parameterizer_3<P>: P must model RefinableParameterizer_3, that is, "
-                "have the types Triangle_mesh and Concurrency_tag and the members parameterize_coarsest(level, uv) and refine(level, uv, summary).");
+                "have the types Triangle_mesh and Concurrency_tag, the constant is_flip_free and the members parameterize_coarsest(level, uv) and "
+                "refine(level, uv, summary).");
   typedef Nested_iteration_parameterizer_3<Parameterizer>   type;
 };
 

@@ -78,6 +78,16 @@ public:
   bool is_border(Index v) const { return m_rings.is_border(v); }
   bool is_pinned(Index v) const { return hierarchy().is_pinned(v); }
 
+  /// whether the place of `v` in the plane is given
+  bool is_fixed(Index v) const { return hierarchy().is_fixed(v); }
+
+  /// the given place of `v`, in units of the level.
+  /// \pre `is_fixed(v)`
+  const Point_2& fixed_place(Index v) const { return hierarchy().fixed_place(v); }
+
+  /// the exponent `k` for which a length on the level, in space or in the plane, is `2^k` times the length in the user's units
+  int scale_exponent() const { return hierarchy().scale_exponent(); }
+
   /// the neighbors of `v`, counter-clockwise. With `v`, any two consecutive ones form a triangle; so do the last and the first one unless `v`
   /// lies on the border: then these are its neighbors on the border, of which the first one comes next when the surface lies to the left.
   Ring one_ring(Index v) const { return m_rings[v]; }

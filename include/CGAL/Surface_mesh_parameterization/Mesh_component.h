@@ -33,7 +33,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// The mesh is only read.
 ///
 /// Vertices and faces are numbered breadth first from `bhd`, which suits the cache whatever the mesh's own order. The points are scaled by a power of
-/// two, which is exact, so that no later product of lengths over- or underflows, and moved to the center of their box.
+/// two (`Triangulated_surface_3::scale_exponent`), which is exact, so that no later product of lengths over- or underflows, and moved to the center of their box.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` with an internal vertex point map
 template <class TriangleMesh>
@@ -72,9 +72,6 @@ public:
 
   /// the component's geometry; it may be moved from
   Triangulated_surface_3& surface() { return m_surface; }
-
-  /// the exponent `k` for which a length in `surface()` is `2^k` times the length in the mesh
-  int scale_exponent() const { return m_exponent; }
 
 private:
   static bool is_empty(const TriangleMesh& mesh) { return faces(mesh).first == faces(mesh).second; }
@@ -199,14 +196,13 @@ private:
     const int exponent = half_width > 0 ? -std::ilogb(half_width) : 0;
     for (internal::Point_3& p : m_surface.points)
       p = internal::Point_3(std::ldexp(p.x() - center[0], exponent), std::ldexp(p.y() - center[1], exponent), std::ldexp(p.z() - center[2], exponent));
-    m_exponent = exponent;
+    m_surface.scale_exponent = exponent;
   }
 
   Parameterization_error m_error;
   std::vector<vertex_descriptor> m_vertices;
   std::vector<face_descriptor> m_faces;
   Triangulated_surface_3 m_surface;
-  int m_exponent = 0;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

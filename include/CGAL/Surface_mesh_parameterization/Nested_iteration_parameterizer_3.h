@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/insert_new_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/internal/place_border.h>
 #include <CGAL/Surface_mesh_parameterization/internal/write_map.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -32,7 +33,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// The hierarchical parametrization of Hormann, Greiner and Campagna (1999): builds a hierarchy of collapse groups, lets a method
 /// parameterize the coarsest level, and for each finer level inserts its vertices and lets the method refine the map from there.
 ///
-/// Insertion creates no flip: a vertex goes to its stored barycentric place or into the kernel of its star polygon, tested by exact predicates.
+/// For a method whose maps are free of flips, insertion creates none: a vertex goes to its stored barycentric place or into the kernel of its star polygon,
+/// tested by exact predicates. For others it goes to its stored place, as in the paper, or to the place that the method has fixed.
 /// The same input, options and seed give the same result.
 ///
 /// \cgalModels `Parameterizer_3`
@@ -45,6 +47,9 @@ public:
   typedef typename Method::Triangle_mesh                                      Triangle_mesh;
   typedef typename Method::Triangle_mesh                                      TriangleMesh;
   typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;
+
+  static_assert(!(Method::is_flip_free && internal::Places_border<Method>::value),
+                "Nested_iteration_parameterizer_3<Method>: a method with place_border() cannot promise is_flip_free, for a given place may leave no room for a triangle.");
 
   /// \param method the method that parameterizes every level
   /// \param np
@@ -70,8 +75,9 @@ public:
   /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
   /// \param vpmap a writable property map from vertices to `bool`: set for each vertex that got a place; untouched on an error
   ///
-  /// \return `OK`; an error of `Mesh_component` or of the method; `ERROR_NO_1_TO_1_MAPPING` if a vertex could not be inserted without a
-  /// flip because its neighbors lie too close together for doubles, or if the visitor stopped the run
+  /// \return `OK`; an error of `Mesh_component` or of the method; `ERROR_WRONG_PARAMETER` if the method fixed a vertex at no finite place;
+  /// `ERROR_NO_1_TO_1_MAPPING` if a vertex could not be inserted without a flip because its neighbors lie too close together for doubles, or if the
+  /// visitor stopped the run
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap, VertexParameterizedMap vpmap)
   {
@@ -88,6 +94,8 @@ public:
       timer.start();
       Mesh_component<Triangle_mesh> component(mesh, bhd);
       summary.error = component.error();
+      if (summary.error.code == OK)
+        summary.error.code = internal::place_border(m_method, mesh, bhd, component);
       if (summary.error.code != OK)
         return summary.error.code;
 
@@ -101,7 +109,7 @@ public:
       if (summary.error.code == OK)
         internal::write_map(component, hierarchy, uv, uvmap, vpmap);
 
-      if (summary.error.code != ERROR_NO_1_TO_1_MAPPING || summary.stopped)
+      if (!Method::is_flip_free || summary.error.code != ERROR_NO_1_TO_1_MAPPING || summary.stopped)
         return summary.error.code;
       const bool has_coarsest_map = !summary.levels.empty(), is_coarsest_possible = hierarchy.number_of_vertices(0) > coarsest_size;
       if (has_coarsest_map ? ++seed == m_seed + most_seeds : is_coarsest_possible)
@@ -151,7 +159,10 @@ private:
 
   static Error_code insert_new_vertices(const Level& level, Level::Uv& uv)
   {
-    return internal::insert_new_vertices(level, uv) == internal::no_index ? OK : ERROR_NO_1_TO_1_MAPPING;
+    if (Method::is_flip_free)
+      return internal::insert_new_vertices(level, uv) == internal::no_index ? OK : ERROR_NO_1_TO_1_MAPPING;
+    internal::insert_at_stored_places(level, uv);
+    return OK;
   }
 
   static Error_code stop(Parameterization_summary& summary)

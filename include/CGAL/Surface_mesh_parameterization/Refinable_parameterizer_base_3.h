@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/place_border.h>
 #include <CGAL/Surface_mesh_parameterization/internal/write_map.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -30,7 +31,7 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// Makes a model of `Parameterizer_3` out of a model of `RefinableParameterizer_3`: `parameterize()` runs the method *flat*, on a hierarchy
 /// whose only level is the input. A method derives from it:
-/// `class My_parameterizer_3 : public Refinable_parameterizer_base_3<My_parameterizer_3<Mesh>, Mesh>`.
+/// `class My_parameterizer_3 : public Refinable_parameterizer_base_3<My_parameterizer_3<Mesh>, Mesh>`. One whose maps may have flips hides `is_flip_free`.
 ///
 /// \cgalModels `Parameterizer_3`
 ///
@@ -45,6 +46,9 @@ public:
   typedef TriangleMesh_                                                       TriangleMesh;
   typedef ConcurrencyTag                                                      Concurrency_tag;
   typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;
+
+  /// the method's maps have no flip
+  static constexpr bool is_flip_free = true;
 
   /// parameterizes the connected component of `mesh` that contains `bhd`.
   ///
@@ -63,8 +67,11 @@ public:
     CGAL::Real_timer timer;
     timer.start();
 
+    Method& method = static_cast<Method&>(*this);
     Mesh_component<Triangle_mesh> component(mesh, bhd);
     summary.error = component.error();
+    if (summary.error.code == OK)
+      summary.error.code = internal::place_border(method, mesh, bhd, component);
     if (summary.error.code != OK)
       return summary.error.code;
     const Collapse_hierarchy_3 hierarchy(std::move(component.surface()), parameters::coarsest_size((std::numeric_limits<std::size_t>::max)()));
@@ -73,7 +80,6 @@ public:
     summary.seconds_hierarchy = timer.time();
 
     Level::Uv uv;
-    Method& method = static_cast<Method&>(*this);
     summary.levels.emplace_back();
     summary.levels.back().vertices = level.number_of_vertices();
     summary.levels.back().faces = level.number_of_faces();

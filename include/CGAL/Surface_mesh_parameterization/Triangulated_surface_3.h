@@ -26,6 +26,19 @@ struct Triangulated_surface_3
 
   /// the vertices of the outer border, in any order; other borders are holes
   std::vector<internal::Index> outer_border;
+
+  /// a length in `points` is `2^scale_exponent` times the length in the user's units; so is a length in the plane
+  int scale_exponent = 0;
+
+  /// a vertex whose place in the plane is given
+  struct Fixed_vertex
+  {
+    internal::Index vertex;     ///< index of a point
+    internal::Point_2 place;    ///< in the units of `points`
+  };
+
+  /// the vertices whose places are given, at most once each
+  std::vector<Fixed_vertex> fixed_vertices = {};
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -26,16 +26,18 @@ struct Vertex_split
   std::array<double, 2> coordinates;     // with respect to Wi and Wi+1
 };
 
-// The arrays of a Collapse_hierarchy_3; all but the last three run over ranks.
+// The arrays of a Collapse_hierarchy_3; all up to the splits run over ranks.
 struct Hierarchy_data
 {
   std::vector<Point_3> points;
   std::vector<Index_triangle> triangles;              // as they were just before they vanished, or on level 0
   std::vector<Index> input_vertex, input_face;
-  std::vector<bool> is_pinned, is_on_outer_border;
+  std::vector<bool> is_pinned, is_fixed, is_on_outer_border;
   std::vector<Vertex_split> splits;                   // of the vertices that are not on level 0, and a sentinel
   std::vector<Index> fan_faces;
+  std::vector<std::pair<Index, Point_2>> fixed_places;    // of the fixed vertices, by rank
   std::vector<std::size_t> level_vertices, level_faces;   // numbers of vertices and faces, coarsest level first
+  int scale_exponent = 0;
 };
 
 // Builds a hierarchy group by group, on a copy of the mesh that is compacted after every group, so that coarse levels stay in the cache.
@@ -44,6 +46,7 @@ class Hierarchy_builder
 public:
   Hierarchy_builder(Triangulated_surface_3 surface, std::vector<bool> is_pinned)
     : m_input_points(std::move(surface.points)), m_input_is_pinned(std::move(is_pinned)), m_outer_border(std::move(surface.outer_border)),
+      m_fixed_vertices(std::move(surface.fixed_vertices)), m_scale_exponent(surface.scale_exponent),
       m_points(m_input_points), m_is_pinned(m_input_is_pinned), m_triangles(std::move(surface.triangles))
   {
     m_last_triangles.resize(m_triangles.size());
@@ -176,6 +179,7 @@ private:
       m_last_triangles[m_face[i]] = { m_vertex[m_triangles[i][0]], m_vertex[m_triangles[i][1]], m_vertex[m_triangles[i][2]] };
 
     Hierarchy_data data;
+    data.scale_exponent = m_scale_exponent;
     data.input_vertex = std::move(m_vertex);
     data.input_face = std::move(m_face);
     data.level_vertices.assign(m_level_vertices.rbegin(), m_level_vertices.rend());
@@ -247,6 +251,13 @@ private:
     for (Index v : m_outer_border)
       data.is_on_outer_border[rank[v]] = true;
 
+    data.is_fixed.assign(rank.size(), false);
+    for (const Triangulated_surface_3::Fixed_vertex& fixed : m_fixed_vertices) {
+      data.is_fixed[rank[fixed.vertex]] = true;
+      data.fixed_places.push_back({ rank[fixed.vertex], fixed.place });
+    }
+    std::sort(data.fixed_places.begin(), data.fixed_places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+
     rank.resize(data.input_face.size());
     for (std::size_t f = 0; f < rank.size(); ++f)
       rank[data.input_face[f]] = Index(f);
@@ -260,6 +271,8 @@ private:
   std::vector<Point_3> m_input_points;
   std::vector<bool> m_input_is_pinned;
   std::vector<Index> m_outer_border;
+  std::vector<Triangulated_surface_3::Fixed_vertex> m_fixed_vertices;
+  int m_scale_exponent;
 
   // The mesh after the groups so far, compacted, and the input's numbers of its vertices and faces.
   std::vector<Point_3> m_points;

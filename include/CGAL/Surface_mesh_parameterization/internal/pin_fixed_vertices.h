@@ -1,0 +1,44 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PIN_FIXED_VERTICES_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PIN_FIXED_VERTICES_H
+
+#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Pins the vertices of given places that no coarse level can do without. One that lies on the border between two others may go: what is left of the border
+// still lies in its place.
+inline void pin_fixed_vertices(const Triangulated_surface_3& surface, std::vector<bool>& is_pinned)
+{
+  std::vector<bool> is_fixed(surface.points.size(), false);
+  for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices)
+    is_fixed[fixed.vertex] = true;
+
+  std::vector<std::pair<Index, Index>> edges;     // directed, between fixed vertices
+  for (const Index_triangle& t : surface.triangles)
+    for (int i = 0; i < 3; ++i)
+      if (is_fixed[t[i]] && is_fixed[t[(i + 1) % 3]])
+        edges.push_back({ t[i], t[(i + 1) % 3] });
+  std::sort(edges.begin(), edges.end());
+
+  std::vector<unsigned char> fixed_border_neighbors(surface.points.size(), 0);
+  for (const auto& [source, target] : edges)
+    if (!std::binary_search(edges.begin(), edges.end(), std::make_pair(target, source))) {
+      ++fixed_border_neighbors[source];
+      ++fixed_border_neighbors[target];
+    }
+  for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices)
+    if (fixed_border_neighbors[fixed.vertex] < 2)
+      is_pinned[fixed.vertex] = true;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PIN_FIXED_VERTICES_H
