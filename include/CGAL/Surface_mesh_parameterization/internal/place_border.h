@@ -27,7 +27,7 @@ template <class TriangleMesh>
 class Border_maps
 {
   typedef typename boost::property_map<TriangleMesh, vertex_point_t>::const_type                             Vertex_point_map;
-  typedef typename Kernel_traits<typename boost::property_traits<Vertex_point_map>::value_type>::Kernel     Kernel;
+  typedef typename CGAL::Kernel_traits<typename boost::property_traits<Vertex_point_map>::value_type>::Kernel  Kernel;
 
   template <class Value>
   using Map = typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<Value>>::const_type;
