@@ -19,10 +19,16 @@ set(table "
 0 internal/Polygon_kernel_2.h
 0 internal/Rest_triangle.h
 0 internal/Mapped_triangle.h
+0 internal/Relaxation_factor.h
+0 Uniform_edge_weights_3.h
+0 Chordal_edge_weights_3.h
+0 Harmonic_edge_weights_3.h
+0 Mean_value_edge_weights_3.h
 1 internal/One_rings.h
 1 internal/Star.h
 1 internal/star_validity.h
 1 internal/discrete_exponential_map.h
+1 Shape_preserving_edge_weights_3.h
 1 internal/Halfedge_collapse.h
 1 internal/Vertex_inserter.h
 1 internal/relax_vertex.h
@@ -47,6 +53,8 @@ set(table "
 3 internal/V_cycle.h
 3 internal/Newton_multigrid.h
 3 internal/Level_refiner.h
+3 internal/Edge_system.h
+3 internal/solve_directly.h
 3 internal/insert_new_vertices.h
 3 internal/scale_to_area.h
 3 internal/Tutte_embedding.h
@@ -54,6 +62,7 @@ set(table "
 4 Distortion_parameterizer_3.h
 4 MIPS_parameterizer_3.h
 4 Symmetric_Dirichlet_parameterizer_3.h
+4 Edge_energy_parameterizer_3.h
 5 Nested_iteration_parameterizer_3.h
 6 Hierarchical_parameterizer_3.h
 ")

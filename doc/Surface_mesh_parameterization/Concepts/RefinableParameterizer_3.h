@@ -11,6 +11,7 @@
 /// A method is copied; its functions may be called on a copy, but all of them on the same one.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::MIPS_parameterizer_3<TriangleMesh>`
+/// \cgalHasModel `CGAL::Surface_mesh_parameterization::Edge_energy_parameterizer_3<TriangleMesh, EdgeWeights>`
 class RefinableParameterizer_3
 {
 public:

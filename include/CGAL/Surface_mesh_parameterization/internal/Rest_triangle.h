@@ -33,6 +33,15 @@ struct Rest_corner
     const Vector_2 ab = b - a;
     return a + Vector_2(foot * ab.x() - height * ab.y(), foot * ab.y() + height * ab.x());
   }
+
+  double cotangent_at_a() const { return foot / height; }
+  double cotangent_at_b() const { return (1 - foot) / height; }
+  double cotangent_at_v() const { return (height * height - foot * (1 - foot)) / height; }
+
+  // The length of AB in space, and of the edges from V.
+  double base() const { return std::sqrt(2 / (inverse_area * height)); }
+  double length_to_a() const { return base() * std::sqrt(foot * foot + height * height); }
+  double length_to_b() const { return base() * std::sqrt((1 - foot) * (1 - foot) + height * height); }
 };
 
 // The lowest height of a rest shape, in lengths of its longest edge: a triangle that is lower is raised to it, one without an edge is taken for an

@@ -1,0 +1,47 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_HARMONIC_EDGE_WEIGHTS_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_HARMONIC_EDGE_WEIGHTS_3_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Rest_triangle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationEnergies
+///
+/// Half the sum of the cotangents of the angles opposite to the edge: the energy is Dirichlet's, the map a discrete harmonic one. A planar mesh is mapped onto
+/// itself, if its border is. Where two opposite angles sum to more than half a turn, the weight is negative, and triangles may flip.
+///
+/// The border of a hole is free: its edges have one opposite angle. A triangle lower than 1e-6 of its longest edge counts as being of that height.
+///
+/// Sources: Pinkall and Polthier, *Computing discrete minimal surfaces and their conjugates*, 1993; Eck et al., *Multiresolution analysis of arbitrary
+/// meshes*, 1995.
+///
+/// \cgalModels `EdgeWeights_3`
+struct Harmonic_edge_weights_3
+{
+  static constexpr bool is_symmetric = true;
+  static constexpr bool is_positive = false;
+
+  void operator()(const internal::Point_3& v, const std::vector<internal::Point_3>& ring, bool is_closed, std::vector<double>& weights) const
+  {
+    weights.assign(ring.size(), 0.);
+    for (std::size_t i = 0; i + (is_closed ? 0 : 1) < ring.size(); ++i) {
+      const std::size_t j = i + 1 == ring.size() ? 0 : i + 1;
+      const internal::Rest_corner corner = internal::rest_corner(v, ring[i], ring[j]);
+      weights[i] += 0.5 * corner.cotangent_at_b();
+      weights[j] += 0.5 * corner.cotangent_at_a();
+    }
+  }
+};
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_HARMONIC_EDGE_WEIGHTS_3_H

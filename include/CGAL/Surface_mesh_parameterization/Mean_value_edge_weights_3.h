@@ -1,0 +1,49 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_MEAN_VALUE_EDGE_WEIGHTS_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_MEAN_VALUE_EDGE_WEIGHTS_3_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/Rest_triangle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationEnergies
+///
+/// The sum of the tangents of half the angles on both sides of the edge, by the edge's length. A planar mesh is mapped onto itself, if its border is; all
+/// weights are positive, so no triangle flips where the border is convex.
+///
+/// An edge on the border of a hole has one angle. A triangle lower than 1e-6 of its longest edge counts as being of that height.
+///
+/// Source: Floater, *Mean value coordinates*, 2003.
+///
+/// \cgalModels `EdgeWeights_3`
+struct Mean_value_edge_weights_3
+{
+  static constexpr bool is_symmetric = false;
+  static constexpr bool is_positive = true;
+
+  void operator()(const internal::Point_3& v, const std::vector<internal::Point_3>& ring, bool is_closed, std::vector<double>& weights) const
+  {
+    weights.assign(ring.size(), 0.);
+    for (std::size_t i = 0; i + (is_closed ? 0 : 1) < ring.size(); ++i) {
+      const std::size_t j = i + 1 == ring.size() ? 0 : i + 1;
+      const internal::Rest_corner corner = internal::rest_corner(v, ring[i], ring[j]);
+      const double cotangent = corner.cotangent_at_v(), hypotenuse = std::sqrt(1 + cotangent * cotangent);
+      const double tangent_of_half = cotangent > 0 ? 1 / (hypotenuse + cotangent) : hypotenuse - cotangent;
+      weights[i] += tangent_of_half / corner.length_to_a();
+      weights[j] += tangent_of_half / corner.length_to_b();
+    }
+  }
+};
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_MEAN_VALUE_EDGE_WEIGHTS_3_H

@@ -1,0 +1,82 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_SHAPE_PRESERVING_EDGE_WEIGHTS_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_SHAPE_PRESERVING_EDGE_WEIGHTS_3_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/internal/discrete_exponential_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationEnergies
+///
+/// The one-ring of a vertex is laid in the plane by the discrete exponential map. There the vertex lies, for each of its neighbors, in a triangle of that one
+/// and of two consecutive others; the weights are the mean of its barycentric coordinates in these triangles, and sum to 1. A planar mesh is mapped onto itself,
+/// if its border is. No weight is negative, so no triangle flips where the border is convex.
+///
+/// A vertex on the border of a hole sees its two neighbors on that border as if a triangle joined them.
+///
+/// Source: Floater, *Parametrization and smooth approximation of surface triangulations*, 1997.
+///
+/// \cgalModels `EdgeWeights_3`
+class Shape_preserving_edge_weights_3
+{
+public:
+  static constexpr bool is_symmetric = false;
+  static constexpr bool is_positive = true;
+
+  void operator()(const internal::Point_3& v, const std::vector<internal::Point_3>& ring, bool, std::vector<double>& weights)
+  {
+    // None of the angles exceeds the sum of the others, so that in the plane none exceeds half a turn.
+    internal::discrete_exponential_map(v, ring, true, m_flat_ring);
+    weights.assign(ring.size(), 0.);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      add_coordinates(i, 1 / double(ring.size()), weights);
+  }
+
+private:
+  //        Wj                 The triangle of Wi that holds V: the ray from Wi through V leaves the ring by the edge WjWk. So Wj is the last one in
+  //       /| \  -              counter-clockwise order that is less than half a turn away from Wi.
+  //      / V---- Wi
+  //     / -   -
+  //    Wk
+  void add_coordinates(std::size_t i, double factor, std::vector<double>& weights) const
+  {
+    const internal::Vector_2& wi = m_flat_ring[i];
+    std::size_t j = i, k = next(i);
+    while (k != i && internal::cross(wi, m_flat_ring[k]) > 0) {
+      j = k;
+      k = next(k);
+    }
+    const internal::Vector_2 &wj = m_flat_ring[j], &wk = m_flat_ring[k];
+    const std::array<double, 3> areas = { (std::max)(0., internal::cross(wj, wk)), (std::max)(0., internal::cross(wk, wi)), (std::max)(0., internal::cross(wi, wj)) };
+    const double area = areas[0] + areas[1] + areas[2];
+    if (area > 0) {
+      weights[i] += factor * areas[0] / area;
+      weights[j] += factor * areas[1] / area;
+      weights[k] += factor * areas[2] / area;
+    } else {      // V lies between Wi and Wk
+      const double to_i = std::sqrt(wi.squared_length()), to_k = std::sqrt(wk.squared_length());
+      const double fraction = to_i > 0 ? to_i / (to_i + to_k) : 0;
+      weights[i] += factor * (1 - fraction);
+      weights[k] += factor * fraction;
+    }
+  }
+
+  std::size_t next(std::size_t i) const { return i + 1 == m_flat_ring.size() ? 0 : i + 1; }
+
+  std::vector<internal::Vector_2> m_flat_ring;    // scratch
+};
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_SHAPE_PRESERVING_EDGE_WEIGHTS_3_H

@@ -1,0 +1,545 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Quadratic energies of edges: the weights, the method, and CGAL's methods for the same maps.
+
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Chordal_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Harmonic_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/Shape_preserving_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Relaxation_factor.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
+
+#include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+
+#include <gtest/gtest.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+namespace parameters = CGAL::parameters;
+
+typedef CGAL::Simple_cartesian<double>         Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3>    Surface_mesh;
+typedef CGAL::Polyhedron_3<Kernel>             Polyhedron;
+
+// ---- weights: one check for all models ----
+
+// No more than the concept asks for.
+struct Edge_weights_archetype
+{
+  static constexpr bool is_symmetric = false;
+  static constexpr bool is_positive = true;
+
+  void operator()(const Point_3&, const std::vector<Point_3>& ring, bool, std::vector<double>& weights)
+  {
+    weights.assign(ring.size(), 0.);
+    weights.front() = 2;
+    weights.back() = 1;
+  }
+};
+
+typedef std::vector<std::vector<double>> Rows;
+
+// The weights of every vertex, in the order of its ring.
+template <class EdgeWeights>
+Rows weights_of(const Flat_mesh& m, EdgeWeights weights = EdgeWeights())
+{
+  const One_rings rings(m.points.size(), m.triangles);
+  Rows rows(m.points.size(), std::vector<double>(99, -77.));
+  for (Index v = 0; v < m.points.size(); ++v) {
+    std::vector<Point_3> ring;
+    for (Index w : rings[v])
+      ring.push_back(m.points[w]);
+    weights(m.points[v], ring, !rings.is_border(v), rows[v]);
+  }
+  return rows;
+}
+
+double sum(const std::vector<double>& row)
+{
+  double result = 0;
+  for (double w : row)
+    result += w;
+  return result;
+}
+
+template <class EdgeWeights>
+class EdgeWeights_3 : public testing::Test { };
+typedef testing::Types<Uniform_edge_weights_3, Chordal_edge_weights_3, Harmonic_edge_weights_3, Mean_value_edge_weights_3, Shape_preserving_edge_weights_3,
+                       Edge_weights_archetype> All_weights;
+TYPED_TEST_SUITE(EdgeWeights_3, All_weights, );
+
+TYPED_TEST(EdgeWeights_3, keep_what_they_promise)
+{
+  for (const auto& [name, m] : named_meshes()) {
+    SCOPED_TRACE(name);
+    const One_rings rings(m.points.size(), m.triangles);
+    const Rows rows = weights_of<TypeParam>(m);
+    std::map<std::pair<Index, Index>, double> weight;
+    for (Index v = 0; v < m.points.size(); ++v) {
+      ASSERT_EQ(rows[v].size(), rings[v].size());
+      EXPECT_GT(sum(rows[v]), 0);
+      for (std::size_t i = 0; i < rows[v].size(); ++i) {
+        EXPECT_TRUE(std::isfinite(rows[v][i]));
+        EXPECT_TRUE(rows[v][i] >= 0 || !TypeParam::is_positive);
+        weight[{ v, rings[v][Index(i)] }] = rows[v][i];
+      }
+    }
+    for (const auto& [edge, w] : weight)
+      EXPECT_TRUE(!TypeParam::is_symmetric || std::abs(w - weight.at({ edge.second, edge.first })) < 1e-6 * (1 + std::abs(w)));
+  }
+}
+
+template <class EdgeWeights>
+class Linear_precision : public testing::Test { };
+typedef testing::Types<Harmonic_edge_weights_3, Mean_value_edge_weights_3, Shape_preserving_edge_weights_3> Precise_weights;
+TYPED_TEST_SUITE(Linear_precision, Precise_weights, );
+
+TYPED_TEST(Linear_precision, an_inner_vertex_of_a_planar_mesh_is_the_mean_of_its_neighbors)
+{
+  for (const Flat_mesh& m : { grid(9, 7, flat), delaunay_patch(300, 3, flat), fan(3), fan(500) }) {
+    Flat_mesh planar = m;
+    for (Point_3& p : planar.points)
+      p = Point_3(p.x(), p.y(), 0);
+    const One_rings rings(planar.points.size(), planar.triangles);
+    const Rows rows = weights_of<TypeParam>(planar);
+    for (Index v = 0; v < planar.points.size(); ++v) {
+      if (rings.is_border(v))
+        continue;
+      Vector_3 mean(0, 0, 0);
+      double longest = 0;
+      for (std::size_t i = 0; i < rows[v].size(); ++i) {
+        const Vector_3 edge = planar.points[rings[v][Index(i)]] - planar.points[v];
+        mean = mean + rows[v][i] / sum(rows[v]) * edge;
+        longest = (std::max)(longest, edge.squared_length());
+      }
+      EXPECT_LT(mean.squared_length(), 1e-18 * longest) << "vertex " << v;
+    }
+  }
+}
+
+TEST(Mean_value_edge_weights, are_positive_and_by_Floaters_formula)
+{
+  const Flat_mesh m = fan(5);
+  const Rows rows = weights_of<Mean_value_edge_weights_3>(m);
+  const One_rings rings(m.points.size(), m.triangles);
+  const auto angle = [&](Index a, Index b) { return CGAL::approximate_angle(m.points[a], m.points[0], m.points[b]) * CGAL_PI / 180; };
+  for (Index i = 0; i < 5; ++i) {
+    const Index w = rings[0][i], next = rings[0][(i + 1) % 5], previous = rings[0][(i + 4) % 5];
+    const double expected = (std::tan(0.5 * angle(previous, w)) + std::tan(0.5 * angle(w, next))) / std::sqrt(CGAL::squared_distance(m.points[0], m.points[w]));
+    EXPECT_NEAR(rows[0][i] / expected, 1, 1e-12);
+  }
+}
+
+TEST(Harmonic_edge_weights, give_the_area_of_a_planar_mesh)
+{
+  const Flat_mesh m = delaunay_patch(200, 1, flat);
+  const One_rings rings(m.points.size(), m.triangles);
+  const Rows rows = weights_of<Harmonic_edge_weights_3>(m);
+  double energy = 0, area = 0;
+  for (Index v = 0; v < m.points.size(); ++v)
+    for (std::size_t i = 0; i < rows[v].size(); ++i)
+      energy += 0.25 * rows[v][i] * CGAL::squared_distance(m.points[v], m.points[rings[v][Index(i)]]);     // every edge is met twice
+  for (const Index_triangle& t : m.triangles)
+    area += std::sqrt(CGAL::squared_area(m.points[t[0]], m.points[t[1]], m.points[t[2]]));
+  EXPECT_NEAR(energy / area, 1, 1e-9);
+}
+
+TEST(Shape_preserving_edge_weights, sum_to_one)
+{
+  for (const auto& [name, m] : named_meshes())
+    for (const std::vector<double>& row : weights_of<Shape_preserving_edge_weights_3>(m))
+      EXPECT_NEAR(sum(row), 1, 1e-12) << name;
+}
+
+TEST(Chordal_edge_weights, fall_by_a_power_of_the_length)
+{
+  const Flat_mesh m = delaunay_patch(60, 1, wavy);
+  const One_rings rings(m.points.size(), m.triangles);
+  EXPECT_EQ(weights_of(m, Chordal_edge_weights_3(0)), weights_of<Uniform_edge_weights_3>(m));
+  for (const double r : { 0.5, 1., 2. }) {
+    const Rows rows = weights_of(m, Chordal_edge_weights_3(r));
+    for (Index v = 0; v < m.points.size(); ++v)
+      for (std::size_t i = 0; i < rows[v].size(); ++i)
+        EXPECT_NEAR(rows[v][i] * std::pow(CGAL::squared_distance(m.points[v], m.points[rings[v][Index(i)]]), 0.5 * r), 1, 1e-12);
+  }
+}
+
+// ---- running ----
+
+// The map of a mesh, in the order of its vertices. After an error the user's map must be untouched.
+template <class TriangleMesh, class Parameterizer>
+std::vector<Kernel::Point_2> map_of(TriangleMesh& mesh, const Parameterizer& parameterizer, Error_code expected = OK)
+{
+  const Kernel::Point_2 untouched(-77, 77);
+  const auto uvmap = get(CGAL::dynamic_vertex_property_t<Kernel::Point_2>(), mesh);
+  for (const auto v : vertices(mesh))
+    put(uvmap, v, untouched);
+  EXPECT_EQ(SMP::parameterize(mesh, parameterizer, longest_border(mesh), uvmap), expected);
+  std::vector<Kernel::Point_2> uv;
+  for (const auto v : vertices(mesh)) {
+    uv.push_back(get(uvmap, v));
+    EXPECT_EQ(uv.back() == untouched, expected != OK);
+  }
+  return uv;
+}
+
+double distance(const std::vector<Kernel::Point_2>& a, const std::vector<Kernel::Point_2>& b)
+{
+  EXPECT_EQ(a.size(), b.size());
+  double greatest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double d = CGAL::squared_distance(a[i], b[i]);
+    greatest = (std::max)(greatest, std::isfinite(d) ? std::sqrt(d) : std::numeric_limits<double>::infinity());
+  }
+  return greatest;
+}
+
+template <class Method>
+Hierarchical_parameterizer_3<Method> hierarchical(const Method& method)
+{
+  return Hierarchical_parameterizer_3<Method>(method, parameters::coarsest_size(20));
+}
+
+template <class EdgeWeights, class TriangleMesh = Surface_mesh>
+using Method = Edge_energy_parameterizer_3<TriangleMesh, EdgeWeights>;
+
+template <class EdgeWeights>
+Method<EdgeWeights> method_of_tolerance(double tolerance) { return Method<EdgeWeights>({}, EdgeWeights(), parameters::tolerance(tolerance)); }
+
+std::vector<Flat_mesh> disks() { return { grid(16, 12, wavy), hemisphere(), deep_cap(), delaunay_patch(400, 1, wavy), crumpled_grid(14, 1), disk_with_hole() }; }
+
+// ---- the method: one check for all weights ----
+
+template <class EdgeWeights>
+class Edge_energy_parameterizer : public testing::Test { };
+typedef testing::Types<Uniform_edge_weights_3, Chordal_edge_weights_3, Harmonic_edge_weights_3, Mean_value_edge_weights_3, Shape_preserving_edge_weights_3>
+  Weights;
+TYPED_TEST_SUITE(Edge_energy_parameterizer, Weights, );
+
+// Computes the relative residual of the finest level by its definition.
+template <class EdgeWeights>
+struct Residual_visitor : Hierarchy_visitor_3
+{
+  double* residual;
+  explicit Residual_visitor(double& residual) : residual(&residual) { }
+
+  bool level_parameterized(const Level& level, const Level::Uv& uv, const Level_summary&)
+  {
+    const double scale = std::ldexp(1., level.scale_exponent());
+    double found = 0, reference = 0;
+    for (Index v = 0; v < level.number_of_vertices(); ++v) {
+      if (level.is_fixed(v))
+        continue;
+      std::vector<Point_3> ring;
+      for (Index w : level.one_ring(v))
+        ring.push_back(level.point(w));
+      std::vector<double> weights;
+      EdgeWeights()(level.point(v), ring, !level.is_border(v), weights);
+      Vector_2 r(0, 0), r0(0, 0);
+      for (std::size_t i = 0; i < weights.size(); ++i) {
+        const Index w = level.one_ring(v)[Index(i)];
+        r = r + weights[i] / sum(weights) * (uv[w] - uv[v]);
+        if (level.is_fixed(w))
+          r0 = r0 + weights[i] / sum(weights) * (level.fixed_place(w) - Point_2(0.5 * scale, 0.5 * scale));    // the middle of the circle
+      }
+      found += r.squared_length();
+      reference += r0.squared_length();
+    }
+    *residual = std::sqrt(found / reference);
+    return true;
+  }
+};
+
+TYPED_TEST(Edge_energy_parameterizer, solves_the_system_to_the_tolerance)
+{
+  for (const double tolerance : { 1e-4, 1e-9 }) {
+    Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(800, 1, wavy));
+    double residual = -1;
+    Parameterization_summary s;
+    map_of(mesh, Hierarchical_parameterizer_3<Method<TypeParam>>(method_of_tolerance<TypeParam>(tolerance),
+                                                                 parameters::summary(std::ref(s)).visitor(Residual_visitor<TypeParam>(residual))));
+    EXPECT_TRUE(s.converged);
+    EXPECT_TRUE(residual > 0 && residual < 1.05 * tolerance) << residual;    // the border's box is not quite the circle's
+    EXPECT_GT(s.levels.back().iterations, 0u);
+  }
+}
+
+TYPED_TEST(Edge_energy_parameterizer, hierarchical_and_flat_maps_are_the_same)
+{
+  for (const Flat_mesh& m : disks()) {
+    Surface_mesh mesh = make<Surface_mesh>(m);
+    EXPECT_LT(distance(map_of(mesh, hierarchical(method_of_tolerance<TypeParam>(1e-11))), map_of(mesh, Method<TypeParam>())), 1e-8);
+  }
+}
+
+TYPED_TEST(Edge_energy_parameterizer, positive_weights_give_a_one_to_one_map)
+{
+  if (TypeParam::is_positive)
+    for (const Flat_mesh& m : disks()) {
+      Surface_mesh mesh = make<Surface_mesh>(m);
+      const auto uvmap = mesh.add_property_map<Surface_mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+      EXPECT_EQ(SMP::parameterize(mesh, hierarchical(Method<TypeParam>()), longest_border(mesh), uvmap), OK);
+      EXPECT_EQ(parameterization_quality(mesh, uvmap).flips, 0u);
+    }
+}
+
+TYPED_TEST(Edge_energy_parameterizer, is_finite_on_any_mesh)
+{
+  for (const auto& [name, m] : named_meshes()) {
+    SCOPED_TRACE(name);
+    Surface_mesh mesh = make<Surface_mesh>(m);
+    for (const Kernel::Point_2& p : map_of(mesh, hierarchical(Method<TypeParam>())))
+      EXPECT_TRUE(p.x() >= -1 && p.x() <= 2 && p.y() >= -1 && p.y() <= 2);     // about the circle, which holds all if weights are positive
+  }
+}
+
+TYPED_TEST(Edge_energy_parameterizer, border_is_where_the_border_parameterizer_puts_it)
+{
+  for (const double scale : { 1e-100, 0.3, 1e100 }) {
+    Flat_mesh m = grid(16, 12, wavy);
+    for (Point_3& p : m.points)
+      p = Point_3(scale * p.x(), scale * p.y(), scale * p.z());
+    Surface_mesh mesh = make<Surface_mesh>(m);
+    const std::vector<Kernel::Point_2> uv = map_of(mesh, hierarchical(Method<TypeParam>()));
+    std::map<Surface_mesh::Vertex_index, Kernel::Point_2> border;
+    std::map<Surface_mesh::Vertex_index, bool> is_placed;
+    Circular_border_arc_length_parameterizer_3<Surface_mesh>().parameterize(mesh, longest_border(mesh), boost::make_assoc_property_map(border),
+                                                                            get(CGAL::vertex_index, mesh), boost::make_assoc_property_map(is_placed));
+    for (const auto& [v, place] : border)
+      EXPECT_EQ(uv[v], place);
+  }
+}
+
+TYPED_TEST(Edge_energy_parameterizer, does_not_depend_on_units)
+{
+  Flat_mesh m = grid(16, 12, wavy);
+  Surface_mesh mesh = make<Surface_mesh>(m);
+  const std::vector<Kernel::Point_2> expected = map_of(mesh, hierarchical(method_of_tolerance<TypeParam>(1e-11)));
+  for (const double scale : { 1e-100, 0.3, 1e100 }) {
+    for (const auto v : vertices(mesh))
+      mesh.point(v) = Kernel::Point_3(scale * m.points[v].x(), scale * m.points[v].y(), scale * m.points[v].z());
+    EXPECT_LT(distance(map_of(mesh, hierarchical(method_of_tolerance<TypeParam>(1e-11))), expected), 1e-8);
+  }
+}
+
+// Leaves the border where it is.
+struct Planar_border_parameterizer
+{
+  template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
+  Error_code parameterize(const Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, VertexUVMap uvmap, VertexIndexMap, VertexParameterizedMap vpmap)
+  {
+    for (const auto h : CGAL::halfedges_around_face(bhd, mesh)) {
+      const auto v = target(h, mesh);
+      put(uvmap, v, Kernel::Point_2(mesh.point(v).x(), mesh.point(v).y()));
+      put(vpmap, v, true);
+    }
+    return OK;
+  }
+};
+
+TYPED_TEST(Linear_precision, a_planar_mesh_is_mapped_onto_itself)
+{
+  typedef Edge_energy_parameterizer_3<Surface_mesh, TypeParam, Planar_border_parameterizer> Planar_method;
+  const auto is_kept = [](const Point_3& p) { return p.x() < 0.5 || p.y() < 0.5; };
+  for (const Flat_mesh& m : { grid(15, 15, flat), delaunay_patch(400, 2, flat), part(grid(16, 16, flat), is_kept) }) {    // the last one is not convex
+    Surface_mesh mesh = make<Surface_mesh>(m);
+    std::vector<Kernel::Point_2> expected;
+    for (const Point_3& p : m.points)
+      expected.push_back(Kernel::Point_2(p.x(), p.y()));
+    EXPECT_LT(distance(map_of(mesh, Planar_method()), expected), 1e-9);
+    EXPECT_LT(distance(map_of(mesh, hierarchical(Planar_method({}, {}, parameters::tolerance(1e-11)))), expected), 1e-7);
+  }
+}
+
+// ---- CGAL's methods for the same maps ----
+
+template <class TriangleMesh, class Border>
+void compare_with_CGAL(const Flat_mesh& m)
+{
+  TriangleMesh mesh = make<TriangleMesh>(m);
+  const auto compare = [&](const auto& weights, const auto& parameterizer) {
+    typedef Edge_energy_parameterizer_3<TriangleMesh, std::decay_t<decltype(weights)>, Border> Method;
+    const std::vector<Kernel::Point_2> expected = map_of(mesh, parameterizer);
+    EXPECT_LT(distance(map_of(mesh, Method()), expected), 1e-7);
+    EXPECT_LT(distance(map_of(mesh, hierarchical(Method({}, weights, parameters::tolerance(1e-11)))), expected), 1e-7);
+  };
+  compare(Uniform_edge_weights_3(), Barycentric_mapping_parameterizer_3<TriangleMesh, Border>());
+  compare(Mean_value_edge_weights_3(), Mean_value_coordinates_parameterizer_3<TriangleMesh, Border>());
+  compare(Harmonic_edge_weights_3(), Discrete_conformal_map_parameterizer_3<TriangleMesh, Border>());
+}
+
+TEST(CGAL, finds_the_same_maps)
+{
+  for (const Flat_mesh& m : { grid(16, 12, wavy), hemisphere(), deep_cap(), delaunay_patch(200, 1, wavy) }) {
+    compare_with_CGAL<Surface_mesh, Circular_border_arc_length_parameterizer_3<Surface_mesh>>(m);
+    compare_with_CGAL<Surface_mesh, Circular_border_uniform_parameterizer_3<Surface_mesh>>(m);
+    compare_with_CGAL<Surface_mesh, Square_border_arc_length_parameterizer_3<Surface_mesh>>(m);
+    compare_with_CGAL<Polyhedron, Circular_border_arc_length_parameterizer_3<Polyhedron>>(m);
+    compare_with_CGAL<Polyhedron, Square_border_uniform_parameterizer_3<Polyhedron>>(m);
+  }
+}
+
+TEST(CGAL, finds_the_same_map_with_given_corners)
+{
+  typedef Square_border_arc_length_parameterizer_3<Surface_mesh> Border;
+  typedef Edge_energy_parameterizer_3<Surface_mesh, Uniform_edge_weights_3, Border> Square_method;
+  Surface_mesh mesh = make<Surface_mesh>(grid(16, 16, wavy));
+  const auto corner = [](std::size_t v) { return Surface_mesh::Vertex_index(Surface_mesh::size_type(v)); };
+  const Border border(corner(0), corner(16), corner(16 * 17), corner(17 * 17 - 1));
+  const std::vector<Kernel::Point_2> expected = map_of(mesh, Barycentric_mapping_parameterizer_3<Surface_mesh, Border>(border));
+  EXPECT_LT(distance(map_of(mesh, hierarchical(Square_method(border))), expected), 1e-6);
+}
+
+// ---- options, errors, threads ----
+
+TEST(Edge_energy, number_of_iterations_is_the_most)
+{
+  Surface_mesh mesh = make<Surface_mesh>(grid(16, 12, wavy));
+  typedef Method<Uniform_edge_weights_3> Uniform;
+  for (const std::size_t sweeps : { 0, 3 }) {
+    Parameterization_summary s;
+    map_of(mesh, Hierarchical_parameterizer_3<Uniform>(Uniform({}, {}, parameters::tolerance(1e-12).number_of_iterations(sweeps)),
+                                                       parameters::coarsest_size(20).summary(std::ref(s))));
+    EXPECT_FALSE(s.converged);
+    for (std::size_t i = 1; i < s.levels.size(); ++i)
+      EXPECT_EQ(s.levels[i].iterations, sweeps);
+  }
+}
+
+TEST(Edge_energy, never_rises_by_sweeps_with_symmetric_weights)
+{
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(800, 1, wavy));
+  typedef Method<Harmonic_edge_weights_3> Harmonic;
+  Parameterization_summary s, flat;
+  map_of(mesh, Hierarchical_parameterizer_3<Harmonic>(Harmonic(), parameters::coarsest_size(20).summary(std::ref(s))));
+  for (const Level_summary& level : s.levels)
+    EXPECT_LE(level.energy_end, level.energy_start * (1 + 1e-12));
+  map_of(mesh, Harmonic({}, {}, parameters::summary(std::ref(flat))));
+  EXPECT_NEAR(s.energy / flat.energy, 1, 1e-10);
+}
+
+TEST(Edge_energy, energy_is_in_the_units_of_the_plane)
+{
+  // The planar mesh is mapped onto itself: Dirichlet's energy is its area, in any units.
+  typedef Edge_energy_parameterizer_3<Surface_mesh, Harmonic_edge_weights_3, Planar_border_parameterizer> Planar_method;
+  for (const double scale : { 1e-3, 1., 7e5 }) {
+    Flat_mesh m = grid(9, 9, flat);
+    for (Point_3& p : m.points)
+      p = Point_3(scale * p.x(), scale * p.y(), 0);
+    Surface_mesh mesh = make<Surface_mesh>(m);
+    Parameterization_summary s;
+    map_of(mesh, Planar_method({}, {}, parameters::summary(std::ref(s))));
+    EXPECT_NEAR(s.energy / (scale * scale), 1, 1e-9);
+  }
+}
+
+TEST(Edge_energy, errors_leave_the_maps_untouched)
+{
+  typedef Method<Uniform_edge_weights_3> Uniform;
+  Flat_mesh point = fan(5);
+  for (Point_3& p : point.points)
+    p = Point_3(1, 2, 3);
+  Surface_mesh no_length = make<Surface_mesh>(point);
+  map_of(no_length, Uniform(), ERROR_BORDER_TOO_SHORT);
+  map_of(no_length, hierarchical(Uniform()), ERROR_BORDER_TOO_SHORT);
+
+  typedef Edge_energy_parameterizer_3<Surface_mesh, Uniform_edge_weights_3, Square_border_uniform_parameterizer_3<Surface_mesh>> Square_method;
+  Surface_mesh triangle = make<Surface_mesh>(single_triangle());
+  map_of(triangle, hierarchical(Square_method()), ERROR_BORDER_TOO_SHORT);
+}
+
+// Fixes no vertex.
+struct No_border_parameterizer
+{
+  template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
+  Error_code parameterize(const Surface_mesh&, Surface_mesh::Halfedge_index, VertexUVMap, VertexIndexMap, VertexParameterizedMap) { return OK; }
+};
+
+TEST(Edge_energy, needs_a_fixed_vertex)
+{
+  Surface_mesh mesh = make<Surface_mesh>(grid(5, 5, wavy));
+  map_of(mesh, hierarchical(Edge_energy_parameterizer_3<Surface_mesh, Uniform_edge_weights_3, No_border_parameterizer>()), ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TYPED_TEST(Edge_energy_parameterizer, is_the_same_for_every_number_of_threads)
+{
+  typedef Edge_energy_parameterizer_3<Surface_mesh, TypeParam, Circular_border_arc_length_parameterizer_3<Surface_mesh>, CGAL::Parallel_tag> Parallel_method;
+  Surface_mesh mesh = make<Surface_mesh>(grid(120, 110, wavy));     // groups of several blocks
+  const auto np = parameters::tolerance(1e-4);
+  const std::vector<Kernel::Point_2> expected = map_of(mesh, hierarchical(Method<TypeParam>({}, TypeParam(), np)));
+  for (const int threads : { 1, 2, 5 }) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+    EXPECT_EQ(map_of(mesh, hierarchical(Parallel_method({}, TypeParam(), np))), expected);
+  }
+}
+#endif
+
+// ---- the factor of over-relaxation ----
+
+// Feeds the residuals of a matrix whose Jacobi steps have the rate `jacobi`: those of Young's theory.
+double learned_factor(double jacobi, std::size_t n)
+{
+  internal::Relaxation_factor factor;
+  factor.start(n);
+  double residual = 1;
+  for (int i = 0; i < 3000 && residual > 1e-200; ++i) {
+    const double w = factor.value(), root = jacobi * jacobi * w * w - 4 * (w - 1);
+    const double rate = root > 0 ? std::pow(0.5 * (jacobi * w + std::sqrt(root)), 2) : w - 1;
+    factor.learn(residual *= rate);
+  }
+  return factor.value();
+}
+
+TEST(Relaxation_factor, is_about_the_best_one)
+{
+  for (const double h : { 0.3, 0.1, 0.03, 0.003 }) {
+    const double best = 2 / (1 + std::sqrt(1 - std::cos(h) * std::cos(h)));
+    EXPECT_NEAR((2 - learned_factor(std::cos(h), 10000)) / (2 - best), 1, 0.3);
+  }
+}
+
+TEST(Relaxation_factor, falls_to_one_when_sweeps_diverge)
+{
+  internal::Relaxation_factor factor;
+  factor.start(1000);
+  double residual = 1, last = 2;
+  for (int i = 0; i < 1000; ++i) {
+    factor.learn(residual *= 1.5);
+    EXPECT_LE(factor.value(), last);
+    last = factor.value();
+  }
+  EXPECT_EQ(last, 1);
+}
+
+} // namespace
