@@ -4,15 +4,11 @@
 // Parameterizes surfaces from the command line: see --help.
 
 #include "program_input.h"
+#include "program_methods.h"
 #include "program_output.h"
 
-#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_SVG.h>
-#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
-#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -22,13 +18,10 @@
 #include <tbb/global_control.h>
 #endif
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -37,15 +30,12 @@ namespace {
 
 enum Exit_status { WRITTEN = 0, WRONG_USAGE = 1, BAD_INPUT = 2, METHOD_FAILED = 3 };
 
-struct Options
+struct Options : Method_options
 {
   std::vector<std::string> inputs;
-  std::string method, weights, output, picture, report, levels;
-  double tolerance;
-  std::size_t iterations;
-  unsigned int seed;
+  const Program_method* method;
+  std::string output, picture, report;
   int threads;
-  bool flat, quiet;
 };
 
 struct Usage_error { std::string message; };
@@ -54,18 +44,20 @@ struct Usage_error { std::string message; };
 bool read_options(int argc, char** argv, Options& options)
 {
   namespace po = boost::program_options;
+  std::string method, weights;
   po::options_description described("Options");
   described.add_options()
     ("help,h", "print this text")
-    ("method", po::value(&options.method)->default_value("mips"), "mips: least distortion of angles; symmetric-dirichlet: least distortion of lengths; both with a free border")
+    ("method", po::value(&method)->default_value("mips"), "one of those above")
     ("output", po::value(&options.output), "write the mesh with its map as OBJ")
     ("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion")
     ("report", po::value(&options.report), "write figures as JSON, one line per input")
     ("levels", po::value(&options.levels), "write every level of the hierarchy as OBJ into this folder")
     ("flat", po::bool_switch(&options.flat), "run the method without the hierarchy")
-    ("tolerance", po::value(&options.tolerance)->default_value(1e-6), "converged when a step lowers the energy by less than this part of its excess over the minimum")
-    ("iterations", po::value(&options.iterations)->default_value(100), "the most steps of Newton's method on a level")
-    ("weights", po::value(&options.weights), "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)")
+    ("tolerance", po::value(&options.tolerance), "mips, symmetric-dirichlet: converged when a step lowers the energy by less than this part of its excess over the minimum "
+                                                 "(default 1e-6); others: when the relative residual is not greater (default 1e-8)")
+    ("iterations", po::value(&options.iterations), "the most steps on a level: of Newton's method (default 100), or sweeps (default 10000)")
+    ("weights", po::value(&weights), "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)")
     ("seed", po::value(&options.seed)->default_value(0), "of the random choices: the same seed gives the same result")
     ("threads", po::value(&options.threads)->default_value(0), "the most threads to use, if built with TBB; 0: as many as there are. The result is the same")
     ("quiet", po::bool_switch(&options.quiet), "print errors only");
@@ -80,17 +72,22 @@ bool read_options(int argc, char** argv, Options& options)
   }
   if (values.count("help")) {
     std::cout << "Usage: hierarchical_parameterization [INPUT ...] [OPTION ...]\n\n"
-                 "Lays triangulated surfaces (OFF, OBJ, PLY or STL) in the plane without a flip, coarse to fine.\n"
-                 "Without INPUT: a built-in face of 1042 vertices.\n\n" << described << "\n"
+                 "Lays triangulated surfaces (OFF, OBJ, PLY or STL) in the plane, coarse to fine.\n"
+                 "Without INPUT: a built-in face of 1042 vertices.\n\nMethods:\n  "
+              << list_of_methods("\n  ", [](const Program_method& m) { return m.name + ": " + m.description + (m.is_flip_free ? "; no triangle flips" : ""); }) << "\n\n" << described << "\n"
                  "Exit status: 0 maps written, 1 wrong usage, 2 an input is no surface to parameterize, 3 a method failed.\n";
     return false;
   }
-  if (options.method != "mips" && options.method != "symmetric-dirichlet")
-    throw Usage_error{ "unknown method '" + options.method + "'; there are: mips, symmetric-dirichlet" };
-  if (options.weights.empty())
-    options.weights = options.method == "mips" ? "triangle" : "area";
-  if (options.weights != "triangle" && options.weights != "area")
-    throw Usage_error{ "unknown weights '" + options.weights + "'; there are: triangle, area" };
+  options.method = find_method(method);
+  if (!options.method)
+    throw Usage_error{ "unknown method '" + method + "'; there are: " + list_of_methods(", ", [](const Program_method& m) { return m.name; }) };
+  if (!weights.empty() && weights != "triangle" && weights != "area")
+    throw Usage_error{ "unknown weights '" + weights + "'; there are: triangle, area" };
+  options.triangle_weight = weights.empty() ? options.method->triangle_weight : weights == "area" ? SMP::Triangle_weight::AREA : SMP::Triangle_weight::ONE;
+  if (!values.count("tolerance"))
+    options.tolerance = options.method->tolerance;
+  if (!values.count("iterations"))
+    options.iterations = options.method->iterations;
   if (!(options.tolerance >= 0))
     throw Usage_error{ "the tolerance must not be negative" };
   if (options.threads < 0)
@@ -100,52 +97,6 @@ bool read_options(int argc, char** argv, Options& options)
   if (options.inputs.empty())
     options.inputs.emplace_back();
   return true;
-}
-
-// Tells of progress on a terminal and writes the levels.
-struct Visitor : SMP::Hierarchy_visitor_3
-{
-  const Options& options;
-  const Mesh& mesh;
-  const std::vector<Mesh::Vertex_index>& vertices;    // of the component, as the hierarchy numbers them
-  bool has_progress_line;
-
-  Visitor(const Options& options, const Mesh& mesh, const std::vector<Mesh::Vertex_index>& vertices)
-    : options(options), mesh(mesh), vertices(vertices), has_progress_line(!options.quiet && isatty(STDERR_FILENO))
-  { }
-
-  bool level_parameterized(const SMP::Level& level, const SMP::Level::Uv& uv, const SMP::Level_summary& summary)
-  {
-    if (has_progress_line)
-      std::fprintf(stderr, "\rlevel %zu of %zu: %zu triangles, energy %.6g %s", level.index() + 1, level.hierarchy().number_of_levels(),
-                   summary.faces, summary.energy_end, level.is_finest() ? "\n" : "");
-    if (!options.levels.empty()) {
-      char name[32];
-      std::snprintf(name, sizeof name, "level_%02zu.obj", level.index());
-      write_file((std::filesystem::path(options.levels) / name).string(),
-                 [&](std::ostream& out) { write_level(out, mesh, vertices, level, uv); });
-    }
-    return true;
-  }
-};
-
-template <class Method, class UVMap>
-SMP::Parameterization_summary parameterize(Input& input, const Options& options, UVMap uvmap)
-{
-  SMP::Parameterization_summary summary;
-  const Method method(CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary))
-                      .triangle_weight(options.weights == "area" ? SMP::Triangle_weight::AREA : SMP::Triangle_weight::ONE)
-                      .number_of_iterations(options.iterations));
-  if (options.flat)
-    SMP::parameterize(input.mesh, method, input.border, uvmap);
-  else {
-    const std::vector<Mesh::Vertex_index> vertices = options.levels.empty() ? std::vector<Mesh::Vertex_index>()
-      : SMP::Mesh_component<Mesh>(input.mesh, input.border).vertices_of_component();
-    const SMP::Hierarchical_parameterizer_3<Method> hierarchical(method, CGAL::parameters::summary(std::ref(summary)).random_seed(options.seed)
-                                                                         .visitor(Visitor(options, input.mesh, vertices)));
-    SMP::parameterize(input.mesh, hierarchical, input.border, uvmap);
-  }
-  return summary;
 }
 
 void print_summary(const Input& input, const SMP::Parameterization_summary& summary, const SMP::Parameterization_quality& quality)
@@ -173,13 +124,11 @@ Exit_status run(const std::string& file, const Options& options, std::string& re
 
   if (!options.levels.empty())
     std::filesystem::create_directories(options.levels);
-  auto uvmap = input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
-  const SMP::Parameterization_summary summary = options.method == "mips"
-    ? parameterize<SMP::MIPS_parameterizer_3<Mesh, CGAL::Parallel_if_available_tag>>(input, options, uvmap)
-    : parameterize<SMP::Symmetric_Dirichlet_parameterizer_3<Mesh, CGAL::Parallel_if_available_tag>>(input, options, uvmap);
+  const UV_map uvmap = input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+  const SMP::Parameterization_summary summary = options.method->run(input, options, uvmap);
   if (summary.error.code != SMP::OK) {
     std::cerr << input.name << ": " << error_message(summary.error) << '\n';
-    report += make_report(input, options.method, summary, seconds_read, 0, nullptr).dump() + '\n';
+    report += make_report(input, options.method->name, summary, seconds_read, 0, nullptr).dump() + '\n';
     return summary.error.code == SMP::ERROR_NO_1_TO_1_MAPPING || summary.error.code == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM ? METHOD_FAILED : BAD_INPUT;
   }
 
@@ -194,10 +143,10 @@ Exit_status run(const std::string& file, const Options& options, std::string& re
   }
   if (!options.picture.empty())
     write_file(options.picture, [&](std::ostream& out) { SMP::IO::write_SVG(out, input.mesh, input.faces, uvmap); });
-  report += make_report(input, options.method, summary, seconds_read, timer.time() - seconds_before_writing, &quality).dump() + '\n';
+  report += make_report(input, options.method->name, summary, seconds_read, timer.time() - seconds_before_writing, &quality).dump() + '\n';
   if (!options.quiet)
     print_summary(input, summary, quality);
-  return quality.flips == 0 ? WRITTEN : METHOD_FAILED;
+  return quality.flips == 0 || !options.method->is_flip_free ? WRITTEN : METHOD_FAILED;
 }
 
 } // namespace

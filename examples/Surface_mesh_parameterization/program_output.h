@@ -85,6 +85,7 @@ inline std::string error_message(const SMP::Parameterization_error& error)
                                                                                                         : "the surface has a handle; cut it open first"; break;
     case SMP::ERROR_WRONG_PARAMETER: message = "a coordinate is not a finite number"; break;
     case SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM: message = "a linear system could not be solved"; break;
+    case SMP::ERROR_BORDER_TOO_SHORT: message = "the border has no length"; break;
     case SMP::ERROR_NO_1_TO_1_MAPPING: message = "no map without flips was found"; break;
     default: message = error_name(error.code);
   }

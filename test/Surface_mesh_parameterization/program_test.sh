@@ -51,6 +51,19 @@ is_field flips 0 flat
 expect 0 --method symmetric-dirichlet --report report.json
 is_field flips 0 symmetric-dirichlet
 is_field status '"ok"' symmetric-dirichlet
+for method in uniform chordal harmonic shape-preserving; do
+  expect 0 --method $method --output nested.obj --picture $method.svg --report report.json
+  is_field method "\"$method\"" $method
+  is_field status '"ok"' $method
+  [ $method = harmonic ] || is_field flips 0 $method
+  [ "$(grep -o '"energy_end"' report.json | wc -l)" -gt 5 ] || fail "$method did not run level by level"
+  expect 0 --method $method --flat --output flat.obj --report report.json
+  is_field status '"ok"' "$method --flat"
+  # The same map but for the last digits.
+  paste <(grep '^vt ' nested.obj) <(grep '^vt ' flat.obj) | awk '{ if (($2-$5)^2 + ($3-$6)^2 > 1e-12) exit 1 }' || fail "$method: flat and hierarchical maps differ"
+done
+expect 0 --method uniform --iterations 2 --report report.json
+is_field status '"not_converged"' "uniform --iterations 2"
 expect 0 --weights area --tolerance 1e-3 --iterations 5 --quiet
 [ ! -s stdout ] && [ ! -s stderr ] || fail "--quiet printed something"
 expect 0 --help

@@ -436,6 +436,16 @@ TEST(Edge_energy, number_of_iterations_is_the_most)
   }
 }
 
+TEST(Edge_energy, over_relaxed_sweeps_are_few)
+{
+  Surface_mesh mesh = make<Surface_mesh>(grid(60, 60, wavy));
+  Parameterization_summary s;
+  typedef Method<Uniform_edge_weights_3> Uniform;
+  map_of(mesh, Hierarchical_parameterizer_3<Uniform>(Uniform(), parameters::summary(std::ref(s))));
+  EXPECT_TRUE(s.converged);
+  EXPECT_LT(s.levels.back().iterations, 300u);      // thousands without over-relaxation
+}
+
 TEST(Edge_energy, never_rises_by_sweeps_with_symmetric_weights)
 {
   Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(800, 1, wavy));

@@ -1,0 +1,153 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROGRAM_METHODS_H
+#define PROGRAM_METHODS_H
+
+#include "program_input.h"
+#include "program_output.h"
+
+#include <CGAL/Surface_mesh_parameterization/Chordal_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Harmonic_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Shape_preserving_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+typedef Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2>   UV_map;
+
+// What the command line tells a method.
+struct Method_options
+{
+  double tolerance;
+  std::size_t iterations;
+  SMP::Triangle_weight triangle_weight;
+  unsigned int seed;
+  std::string levels;       // a folder, or empty
+  bool flat, quiet;
+};
+
+// A method that --method can name. A new one is a row in methods().
+struct Program_method
+{
+  typedef SMP::Parameterization_summary (*Run)(Input&, const Method_options&, UV_map);
+
+  std::string name, description;
+  Run run;
+  bool is_flip_free;                          // whether flips are a failure
+  double tolerance;                           // the defaults of the options
+  std::size_t iterations;
+  SMP::Triangle_weight triangle_weight;
+};
+
+// Tells of progress on a terminal and writes the levels.
+struct Program_visitor : SMP::Hierarchy_visitor_3
+{
+  const Method_options& options;
+  const Mesh& mesh;
+  const std::vector<Mesh::Vertex_index>& vertices;    // of the component, as the hierarchy numbers them
+  bool has_progress_line;
+
+  Program_visitor(const Method_options& options, const Mesh& mesh, const std::vector<Mesh::Vertex_index>& vertices)
+    : options(options), mesh(mesh), vertices(vertices), has_progress_line(!options.quiet && isatty(STDERR_FILENO))
+  { }
+
+  bool level_parameterized(const SMP::Level& level, const SMP::Level::Uv& uv, const SMP::Level_summary& summary)
+  {
+    if (has_progress_line)
+      std::fprintf(stderr, "\rlevel %zu of %zu: %zu triangles, energy %.6g %s", level.index() + 1, level.hierarchy().number_of_levels(),
+                   summary.faces, summary.energy_end, level.is_finest() ? "\n" : "");
+    if (!options.levels.empty()) {
+      char name[32];
+      std::snprintf(name, sizeof name, "level_%02zu.obj", level.index());
+      write_file((std::filesystem::path(options.levels) / name).string(),
+                 [&](std::ostream& out) { write_level(out, mesh, vertices, level, uv); });
+    }
+    return true;
+  }
+};
+
+// Runs a refinable method, flat or coarse to fine. `make_method(summary)` makes it so that a flat run fills that summary.
+template <class Make_method>
+SMP::Parameterization_summary run_refinable(Input& input, const Method_options& options, UV_map uvmap, const Make_method& make_method)
+{
+  SMP::Parameterization_summary summary;
+  const auto method = make_method(summary);
+  if (options.flat)
+    SMP::parameterize(input.mesh, method, input.border, uvmap);
+  else {
+    const std::vector<Mesh::Vertex_index> vertices = options.levels.empty() ? std::vector<Mesh::Vertex_index>()
+      : SMP::Mesh_component<Mesh>(input.mesh, input.border).vertices_of_component();
+    const SMP::Hierarchical_parameterizer_3<std::decay_t<decltype(method)>> hierarchical(
+      method, CGAL::parameters::summary(std::ref(summary)).random_seed(options.seed).visitor(Program_visitor(options, input.mesh, vertices)));
+    SMP::parameterize(input.mesh, hierarchical, input.border, uvmap);
+  }
+  return summary;
+}
+
+template <template <class, class> class Method>
+SMP::Parameterization_summary minimize_distortion(Input& input, const Method_options& options, UV_map uvmap)
+{
+  return run_refinable(input, options, uvmap, [&](SMP::Parameterization_summary& summary) {
+    return Method<Mesh, CGAL::Parallel_if_available_tag>(CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary))
+                                                         .triangle_weight(options.triangle_weight).number_of_iterations(options.iterations));
+  });
+}
+
+template <class EdgeWeights>
+SMP::Parameterization_summary minimize_edge_energy(Input& input, const Method_options& options, UV_map uvmap)
+{
+  typedef SMP::Circular_border_arc_length_parameterizer_3<Mesh>                                                Border;
+  typedef SMP::Edge_energy_parameterizer_3<Mesh, EdgeWeights, Border, CGAL::Parallel_if_available_tag>   Method;
+  return run_refinable(input, options, uvmap, [&](SMP::Parameterization_summary& summary) {
+    return Method(Border(), EdgeWeights(),
+                  CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary)).number_of_iterations(options.iterations));
+  });
+}
+
+inline const std::vector<Program_method>& methods()
+{
+  constexpr SMP::Triangle_weight one = SMP::Triangle_weight::ONE, area = SMP::Triangle_weight::AREA;
+  static const std::vector<Program_method> all = {
+    { "mips", "least distortion of angles, free border", minimize_distortion<SMP::MIPS_parameterizer_3>, true, 1e-6, 100, one },
+    { "symmetric-dirichlet", "least distortion of lengths, free border", minimize_distortion<SMP::Symmetric_Dirichlet_parameterizer_3>, true, 1e-6, 100, area },
+    { "uniform", "every vertex the mean of its neighbors, border on a circle", minimize_edge_energy<SMP::Uniform_edge_weights_3>, false, 1e-8, 10000, one },
+    { "chordal", "the same, weighted by the inverse lengths of the edges", minimize_edge_energy<SMP::Chordal_edge_weights_3>, false, 1e-8, 10000, one },
+    { "harmonic", "the same, weighted by cotangents", minimize_edge_energy<SMP::Harmonic_edge_weights_3>, false, 1e-8, 10000, one },
+    { "shape-preserving", "the same, by Floater's weights", minimize_edge_energy<SMP::Shape_preserving_edge_weights_3>, false, 1e-8, 10000, one } };
+  return all;
+}
+
+// The method of that name, null if there is none.
+inline const Program_method* find_method(const std::string& name)
+{
+  const auto found = std::find_if(methods().begin(), methods().end(), [&](const Program_method& m) { return m.name == name; });
+  return found == methods().end() ? nullptr : &*found;
+}
+
+// One text of what `describe(method)` returns, for all of them.
+template <class Describe>
+std::string list_of_methods(const std::string& separator, const Describe& describe)
+{
+  std::string list;
+  for (const Program_method& method : methods())
+    list += (list.empty() ? "" : separator) + describe(method);
+  return list;
+}
+
+#endif // PROGRAM_METHODS_H
