@@ -13,6 +13,12 @@ set(table "
 0 Parameterization_summary.h
 0 internal/flat_types.h
 0 internal/Loops.h
+0 internal/Sparse_rows.h
+0 internal/Sparse_matrix.h
+0 internal/Incomplete_LU.h
+0 internal/Krylov_methods.h
+0 internal/solve_by_factorization.h
+0 internal/Component_map.h
 0 internal/Block_matrix.h
 0 internal/conjugate_gradients.h
 0 internal/corner_hessian.h
@@ -46,11 +52,17 @@ set(table "
 2 internal/write_map.h
 2 internal/Pruned_prolongation.h
 2 internal/Galerkin_product.h
+2 internal/Grid_transfer.h
+2 internal/Mesh_system.h
+2 internal/Mesh_unknowns.h
 2 IO/write_SVG.h
 2 IO/write_OBJ.h
 3 internal/Level_energy.h
 3 internal/Vertex_relaxation.h
 3 internal/V_cycle.h
+3 internal/Multigrid_preconditioner.h
+3 internal/Multigrid_linear_solver.h
+3 internal/Multigrid_session.h
 3 internal/Newton_multigrid.h
 3 internal/Level_refiner.h
 3 internal/Edge_system.h
@@ -64,6 +76,10 @@ set(table "
 4 Symmetric_Dirichlet_parameterizer_3.h
 4 Edge_energy_parameterizer_3.h
 5 Nested_iteration_parameterizer_3.h
+5 Multigrid_solver_traits.h
+5 Rebind_solver.h
+5 internal/Solver_use.h
+5 internal/Rebound_parameterizer_3.h
 6 Hierarchical_parameterizer_3.h
 ")
 

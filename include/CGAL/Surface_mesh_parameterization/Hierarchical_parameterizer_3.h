@@ -6,7 +6,10 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Rebound_parameterizer_3.h>
 
 #include <type_traits>
 #include <utility>
@@ -25,33 +28,57 @@ struct Is_refinable<Parameterizer, std::void_t<
     decltype(std::declval<Parameterizer&>().refine(std::declval<const Level&>(), std::declval<Level::Uv&>(), std::declval<Level_summary&>()))>>
   : std::true_type { };
 
+template <class Parameterizer, class = void>
+struct Has_rebindable_solver : std::false_type { };
+
+template <class Parameterizer>
+struct Has_rebindable_solver<Parameterizer, std::void_t<
+    typename Parameterizer::Triangle_mesh, typename Rebind_solver<Parameterizer, Multigrid_solver_traits>::type>>
+  : std::true_type { };
+
 // How a parameterizer is run hierarchically.
 template <class Parameterizer>
 struct Hierarchical_base
 {
-  static_assert(Is_refinable<Parameterizer>::value,
-                "Hierarchical_parameterizer_3<P>: P must model RefinableParameterizer_3, that is, "
-                "have the types Triangle_mesh and Concurrency_tag, the constant is_flip_free and the members parameterize_coarsest(level, uv) and "
-                "refine(level, uv, summary).");
-  typedef Nested_iteration_parameterizer_3<Parameterizer>   type;
+  static constexpr bool is_refinable = Is_refinable<Parameterizer>::value;
+  static_assert(is_refinable || Has_rebindable_solver<Parameterizer>::value,
+                "Hierarchical_parameterizer_3<P>: P can be wrapped in neither way. Either P models RefinableParameterizer_3, that is, it has the types "
+                "Triangle_mesh and Concurrency_tag, the constant is_flip_free and the members parameterize_coarsest(level, uv) and "
+                "refine(level, uv, summary); or P solves linear systems through solver traits and Rebind_solver<P, Multigrid_solver_traits> has a type.");
+  typedef std::conditional_t<is_refinable, Nested_iteration_parameterizer_3<Parameterizer>, Rebound_parameterizer_3<Parameterizer>>   type;
 };
 
 } // namespace internal
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// Runs a parameterizer hierarchically: coarse to fine, level by level. A method that improves a given map (`RefinableParameterizer_3`) runs by
-/// `Nested_iteration_parameterizer_3`, whose constructor this class has; any other type is refused when it is compiled.
+/// Runs a parameterizer hierarchically.
+///
+/// A method that improves a given map (`RefinableParameterizer_3`) runs coarse to fine, level by level, by `Nested_iteration_parameterizer_3`,
+/// whose constructor this class then has.
+///
+/// A parameterizer that solves linear systems, as most of CGAL's do, gives the same map as without this class, found by multigrid
+/// (`Multigrid_solver_traits`, `Rebind_solver`). The constructor takes what that parameterizer's constructor takes, but for the solver, and then named parameters:
+/// - `tolerance`, `number_of_iterations`: of the solver, see `Multigrid_solver_traits`
+/// - `coarsest_size`, `random_seed`: of the hierarchy, see `Collapse_hierarchy_3`
+/// - `visitor`: a model of `HierarchyVisitor_3`, of which `hierarchy_built()` is called
+/// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as long as the parameterizer runs
+///
+/// On an error the user's maps are untouched. Any other type is refused when it is compiled.
 ///
 /// \code
 ///   namespace SMP = CGAL::Surface_mesh_parameterization;
 ///   SMP::Hierarchical_parameterizer_3<SMP::MIPS_parameterizer_3<Mesh>> mips;
 ///   SMP::Error_code status = SMP::parameterize(mesh, mips, bhd, uvmap);
+///
+///   typedef SMP::Square_border_arc_length_parameterizer_3<Mesh>   Border;
+///   SMP::Hierarchical_parameterizer_3<SMP::Mean_value_coordinates_parameterizer_3<Mesh, Border>> mean_value(Border(v0, v1, v2, v3));
+///   status = SMP::parameterize(mesh, mean_value, bhd, uvmap);
 /// \endcode
 ///
 /// \cgalModels `Parameterizer_3`
 ///
-/// \tparam Parameterizer a model of `RefinableParameterizer_3`
+/// \tparam Parameterizer a model of `RefinableParameterizer_3`, or a parameterizer that `Rebind_solver` knows
 template <class Parameterizer>
 class Hierarchical_parameterizer_3
   : public internal::Hierarchical_base<Parameterizer>::type

@@ -46,6 +46,20 @@ struct Level_summary
 
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
+/// What a `Multigrid_solver_traits` did.
+struct Linear_solver_summary
+{
+  std::size_t setups = 0;             ///< matrices for which the grids were set up
+  std::size_t right_sides = 0;        ///< right sides that were solved for
+  std::size_t iterations = 0;         ///< the most iterations that a right side took: of conjugate gradients, or of the stabilized bi-conjugate gradients
+  double residual = 0;                ///< the greatest relative residual at the end, computed anew; rows scaled to unit diagonal
+  std::size_t direct_solutions = 0;   ///< right sides for which the iteration did not arrive, so that a direct solver took over
+  double seconds_setup = 0;           ///< wall-clock time of the setups
+  double seconds_solve = 0;           ///< wall-clock time of the iterations and direct solutions
+};
+
+/// \ingroup PkgHierarchicalParameterizationRef
+///
 /// What a run of a parameterizer did, beyond the `Error_code` that it returns.
 struct Parameterization_summary
 {
@@ -54,6 +68,7 @@ struct Parameterization_summary
   bool stopped = false;                   ///< whether a visitor stopped the run
   double energy = 0;                      ///< the method's energy of the result: the sum over the triangles, or the mean over the area
   std::vector<Level_summary> levels;      ///< from the coarsest level to the finest
+  Linear_solver_summary linear_solver;    ///< of a method that solves linear systems by multigrid
   double seconds_hierarchy = 0;           ///< wall-clock time of reading the mesh and of building the hierarchy
   double seconds_parameterize = 0;        ///< wall-clock time from the coarsest level to the result
 };

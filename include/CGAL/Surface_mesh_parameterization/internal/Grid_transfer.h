@@ -1,0 +1,151 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_GRID_TRANSFER_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_GRID_TRANSFER_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/Pruned_prolongation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Sparse_rows.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// What an unknown of a linear system is: a component of a vertex.
+struct Mesh_unknown
+{
+  Index vertex;         // its rank
+  Index component;
+};
+
+// The prolongation P from the unknowns of a coarse grid to those of the next finer one: each component of a vertex comes from the same component of
+// vertices of the coarse level. What is no unknown of the coarse grid, since its value is known, is 0 there.
+class Grid_transfer
+{
+public:
+  // The coarse unknowns are those of the `fine_unknowns` that sit at coarse vertices, in the same order.
+  Grid_transfer(const Pruned_prolongation& prolongation, const std::vector<Mesh_unknown>& fine_unknowns)
+  {
+    std::size_t components = 1;
+    for (const Mesh_unknown& u : fine_unknowns)
+      components = (std::max)(components, std::size_t(u.component) + 1);
+    std::vector<Index> number(components * prolongation.coarse_size(), no_index);
+    for (const Mesh_unknown& u : fine_unknowns)
+      if (u.vertex < prolongation.coarse_size()) {
+        number[components * u.vertex + u.component] = Index(m_coarse_unknowns.size());
+        m_coarse_unknowns.push_back(u);
+      }
+
+    m_rows.reserve(fine_unknowns.size());
+    for (const Mesh_unknown& u : fine_unknowns) {
+      Row row = prolongation.row(u.vertex);
+      for (int k = 0; k < Pruned_prolongation::row_size; ++k) {
+        row.columns[k] = number[components * row.columns[k] + u.component];
+        if (row.columns[k] == no_index)
+          row.columns[k] = 0, row.weights[k] = 0;
+      }
+      m_rows.push_back(row);
+    }
+  }
+
+  const std::vector<Mesh_unknown>& coarse_unknowns() const { return m_coarse_unknowns; }
+
+  // x := x + P x_c
+  template <class Vector>
+  void add_prolongation(const Vector& coarse, Vector& x) const
+  {
+    typedef typename Vector::value_type::Scalar   Real;
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+      for (int k = 0; k < Pruned_prolongation::row_size; ++k)
+        x[i] += Real(m_rows[i].weights[k]) * coarse[m_rows[i].columns[k]];
+  }
+
+  // b_c := P^T b, where b(i) is the value at the fine unknown i
+  template <class Function, class Vector>
+  void restrict(const Function& b, Vector& coarse) const
+  {
+    typedef typename Vector::value_type   Value;
+    typedef typename Value::Scalar        Real;
+    std::fill(coarse.begin(), coarse.end(), Value::Zero());
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+      const Value value = b(Index(i));
+      for (int k = 0; k < Pruned_prolongation::row_size; ++k)
+        coarse[m_rows[i].columns[k]] += Real(m_rows[i].weights[k]) * value;
+    }
+  }
+
+  // P^T A P with ascending columns; `Matrix` has diagonal(i) and for_each_entry(i, f).
+  template <class Real, class Matrix>
+  Sparse_rows<Real> galerkin_product(const Matrix& a) const
+  {
+    const Index n = Index(m_coarse_unknowns.size());
+    const auto [first, transpose] = transposed_rows();
+    Sparse_rows<Real> result;
+    result.first.reserve(n + 1);
+    result.first.push_back(0);
+    std::vector<Index> position(n, no_index);
+    std::vector<std::pair<Index, double>> sums;
+    const auto add = [&, this](Index i, double value) {
+      for (int k = 0; k < Pruned_prolongation::row_size; ++k) {
+        if (m_rows[i].weights[k] == 0)
+          continue;
+        Index& p = position[m_rows[i].columns[k]];
+        if (p == no_index) {
+          p = Index(sums.size());
+          sums.push_back({ m_rows[i].columns[k], 0. });
+        }
+        sums[p].second += m_rows[i].weights[k] * value;
+      }
+    };
+    for (Index c = 0; c < n; ++c) {
+      sums.clear();
+      for (Index t = first[c]; t < first[c + 1]; ++t) {
+        const Index i = transpose[t].first;
+        const double weight = transpose[t].second;
+        add(i, weight * a.diagonal(i));
+        a.for_each_entry(i, [&](Index column, Real value) { add(column, weight * value); });
+      }
+      for (const auto& sum : sums)
+        position[sum.first] = no_index;
+      std::sort(sums.begin(), sums.end());
+      for (const auto& [column, sum] : sums) {
+        result.columns.push_back(column);
+        result.values.push_back(Real(sum));
+      }
+      result.first.push_back(Index(result.columns.size()));
+    }
+    return result;
+  }
+
+private:
+  typedef Pruned_prolongation::Row   Row;
+
+  // For every coarse unknown: where its entries begin, and these, a fine unknown and a weight each.
+  std::pair<std::vector<Index>, std::vector<std::pair<Index, float>>> transposed_rows() const
+  {
+    std::vector<Index> first(m_coarse_unknowns.size() + 2, 0);      // shifted by one while it counts
+    for (const Row& row : m_rows)
+      for (int k = 0; k < Pruned_prolongation::row_size; ++k)
+        if (row.weights[k] != 0)
+          ++first[row.columns[k] + 2];
+    for (std::size_t i = 2; i < first.size(); ++i)
+      first[i] += first[i - 1];
+    std::vector<std::pair<Index, float>> entries(first.back());
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+      for (int k = 0; k < Pruned_prolongation::row_size; ++k)
+        if (m_rows[i].weights[k] != 0)
+          entries[first[m_rows[i].columns[k] + 1]++] = { Index(i), m_rows[i].weights[k] };
+    return { std::move(first), std::move(entries) };
+  }
+
+  std::vector<Mesh_unknown> m_coarse_unknowns;
+  std::vector<Row> m_rows;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_GRID_TRANSFER_H

@@ -1,0 +1,220 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_SYSTEM_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_SYSTEM_H
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Grid_transfer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Sparse_rows.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// A square linear system whose unknowns sit at the vertices of a hierarchy, made ready for an iteration.
+//
+// An unknown whose row holds nothing but the diagonal is *fixed*: its value is known at once, and the free ones only are unknowns of the grids, where such a
+// row would spoil the Galerkin operators. The rows of a matrix that is not symmetric are scaled to unit diagonal: those of mean value weights, for
+// instance, grow like one over the edge length.
+class Mesh_system
+{
+public:
+  typedef Sparse_rows<double>   Rows;
+
+  // `unknowns[i]` tells where unknown i sits.
+  Mesh_system(const Collapse_hierarchy_3& hierarchy, std::shared_ptr<const Rows> rows, std::vector<Mesh_unknown> unknowns)
+    : m_hierarchy(hierarchy), m_rows(std::move(rows)), m_unknowns(std::move(unknowns))
+  {
+    read_diagonal();
+    m_is_symmetric = has_symmetric_free_part();
+    collect_free_unknowns();
+  }
+
+  Index size() const { return m_rows->number_of_rows(); }
+  const std::shared_ptr<const Rows>& rows() const { return m_rows; }
+  const Loops& loops() const { return m_loops; }
+
+  // Whether every row has a diagonal entry.
+  bool is_regular() const { return m_is_regular; }
+
+  bool is_symmetric() const { return m_is_symmetric; }
+
+  // The free unknowns, in the order of the hierarchy's input, which suits the cache.
+  const std::vector<Index>& free_unknowns() const { return m_free; }
+
+  std::vector<Mesh_unknown> free_mesh_unknowns() const
+  {
+    std::vector<Mesh_unknown> result;
+    result.reserve(m_free.size());
+    for (const Index i : m_free)
+      result.push_back(m_unknowns[i]);
+    return result;
+  }
+
+  // The rows and columns of the free unknowns in that order, times free_part_scale(), which makes them about as large as 1. Entries that are mere rounding
+  // are left out.
+  template <class Real>
+  Sparse_rows<Real> free_part() const
+  {
+    constexpr double negligible = 1e-12;
+    std::vector<Index> number(size(), no_index);
+    for (std::size_t k = 0; k < m_free.size(); ++k)
+      number[m_free[k]] = Index(k);
+    const bool keeps_order = std::is_sorted(m_free.begin(), m_free.end());
+    Sparse_rows<Real> result;
+    result.first.reserve(m_free.size() + 1);
+    result.first.push_back(0);
+    result.columns.reserve(m_rows->columns.size());
+    result.values.reserve(m_rows->columns.size());
+    std::vector<std::pair<Index, double>> row;
+    for (const Index i : m_free) {
+      row.clear();
+      for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k)
+        if (const Index column = number[m_rows->columns[k]]; column != no_index && std::abs(m_rows->values[k] * m_inverse_diagonal[i]) > negligible)
+          row.push_back({ column, row_scale(i) * m_free_part_scale * m_rows->values[k] });
+      if (!keeps_order)
+        std::sort(row.begin(), row.end());
+      for (const auto& [column, value] : row) {
+        result.columns.push_back(column);
+        result.values.push_back(Real(value));
+      }
+      result.first.push_back(Index(result.columns.size()));
+    }
+    return result;
+  }
+
+  double free_part_scale() const { return m_free_part_scale; }
+
+  // Row i of the scaled matrix times x.
+  template <class Vector>
+  typename Vector::value_type row_times(Index i, const Vector& x) const { return row_scale(i) * m_rows->row_times(i, x); }
+
+  // The residual of the free unknowns in scaled rows, 0 for the fixed ones.
+  template <class Vector>
+  void compute_residual(const Vector& b, const Vector& x, Vector& r) const
+  {
+    m_loops.for_each(0, size(), [&](Index i) {
+      if (m_is_fixed[i])
+        r[i].setZero();
+      else
+        r[i] = row_scale(i) * (b[i] - m_rows->row_times(i, x));
+    });
+  }
+
+  // The norm of a residual as it is with rows of unit diagonal.
+  template <class Vector>
+  typename Vector::value_type norm(const Vector& r) const
+  {
+    typedef typename Vector::value_type   Value;
+    return m_loops.sum(0, size(), Value(Value::Zero()), [&](Index i) -> Value {
+      return (r[i] * (m_is_symmetric ? m_inverse_diagonal[i] : 1.)).square();
+    }).sqrt();
+  }
+
+  template <class Vector>
+  void set_fixed_unknowns(const Vector& b, Vector& x) const
+  {
+    for (Index i = 0; i < size(); ++i)
+      if (m_is_fixed[i])
+        x[i] = b[i] * m_inverse_diagonal[i];
+  }
+
+  // Gives the free unknowns values that continue those of the fixed ones: at every vertex the combination of its parent triangle.
+  template <class Vector>
+  void extend_fixed_unknowns(Vector& x) const
+  {
+    std::size_t components = 1;
+    for (const Mesh_unknown& u : m_unknowns)
+      components = (std::max)(components, std::size_t(u.component) + 1);
+    std::vector<Index> unknown_at(components * m_hierarchy.number_of_vertices(), no_index);
+    for (std::size_t i = 0; i < m_unknowns.size(); ++i)
+      unknown_at[components * m_unknowns[i].vertex + m_unknowns[i].component] = Index(i);
+    for (std::size_t v = m_hierarchy.number_of_vertices(0); v < m_hierarchy.number_of_vertices(); ++v)
+      for (std::size_t c = 0; c < components; ++c) {
+        const Index i = unknown_at[components * v + c];
+        if (i == no_index || m_is_fixed[i])
+          continue;
+        const Collapse_hierarchy_3::Triangle& parent = m_hierarchy.parent_triangle(Index(v));
+        const std::array<double, 3> coordinates = m_hierarchy.barycentric_coordinates(Index(v));
+        for (int k = 0; k < 3; ++k)
+          if (const Index j = unknown_at[components * parent[k] + c]; j != no_index)
+            x[i] += coordinates[k] * x[j];
+      }
+  }
+
+private:
+  double row_scale(Index i) const { return m_is_symmetric ? 1. : m_inverse_diagonal[i]; }
+
+  void read_diagonal()
+  {
+    m_inverse_diagonal.assign(size(), 0);
+    m_is_fixed.assign(size(), true);
+    for (Index i = 0; i < size(); ++i) {
+      for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k)
+        if (m_rows->columns[k] == i)
+          m_inverse_diagonal[i] = 1 / m_rows->values[k];
+        else if (m_rows->values[k] != 0)
+          m_is_fixed[i] = false;
+      m_is_regular = m_is_regular && std::isfinite(m_inverse_diagonal[i]) && m_inverse_diagonal[i] != 0;
+    }
+  }
+
+  // The entries below the diagonal of a row are met in their order when the rows above it are gone through.
+  bool has_symmetric_free_part() const
+  {
+    constexpr double tolerance = 1e-10;
+    const Rows& a = *m_rows;
+    std::vector<Index> next(a.first.begin(), a.first.end() - 1);
+    for (Index i = 0; i < size(); ++i)
+      for (Index k = a.first[i]; k < a.first[i + 1] && !m_is_fixed[i]; ++k) {
+        const Index j = a.columns[k];
+        if (j <= i || m_is_fixed[j])
+          continue;
+        Index& l = next[j];
+        while (l < a.first[j + 1] && a.columns[l] < i)
+          ++l;
+        const double transposed = l < a.first[j + 1] && a.columns[l] == i ? a.values[l] : 0;
+        const double scale = (std::min)(std::abs(1 / m_inverse_diagonal[i]), std::abs(1 / m_inverse_diagonal[j]));
+        if (!(std::abs(a.values[k] - transposed) <= tolerance * scale))
+          return false;
+      }
+    return true;
+  }
+
+  void collect_free_unknowns()
+  {
+    double greatest = 0;
+    for (Index i = 0; i < size(); ++i)
+      if (!m_is_fixed[i]) {
+        m_free.push_back(i);
+        greatest = (std::max)(greatest, std::abs(row_scale(i) / m_inverse_diagonal[i]));
+      }
+    m_free_part_scale = greatest > 0 ? 1 / greatest : 1;
+    const auto place = [&](Index i) { return std::make_pair(m_hierarchy.input_vertex(m_unknowns[i].vertex), m_unknowns[i].component); };
+    const auto is_before = [&](Index i, Index j) { return place(i) < place(j); };
+    if (!std::is_sorted(m_free.begin(), m_free.end(), is_before))
+      std::sort(m_free.begin(), m_free.end(), is_before);
+  }
+
+  const Collapse_hierarchy_3& m_hierarchy;
+  Loops m_loops;
+  std::shared_ptr<const Rows> m_rows;
+  std::vector<Mesh_unknown> m_unknowns;
+  std::vector<double> m_inverse_diagonal;
+  std::vector<bool> m_is_fixed;
+  std::vector<Index> m_free;
+  double m_free_part_scale = 1;
+  bool m_is_regular = true, m_is_symmetric = false;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_SYSTEM_H

@@ -1,0 +1,175 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MULTIGRID_LINEAR_SOLVER_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MULTIGRID_LINEAR_SOLVER_H
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Krylov_methods.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Mesh_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Multigrid_preconditioner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Sparse_rows.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/solve_by_factorization.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Solves a linear system whose unknowns sit at the vertices of a hierarchy, for any number of right sides: conjugate gradients if it is symmetric,
+// stabilized bi-conjugate gradients if not, preconditioned by V-cycles, from the first guess of full multigrid. Where these do not arrive, it solves directly.
+class Multigrid_linear_solver
+{
+public:
+  // `unknowns[i]` tells where unknown i sits.
+  Multigrid_linear_solver(std::shared_ptr<const Collapse_hierarchy_3> hierarchy, std::shared_ptr<const Sparse_rows<double>> rows,
+                          std::vector<Mesh_unknown> unknowns)
+    : m_hierarchy(std::move(hierarchy)), m_system(*m_hierarchy, std::move(rows), std::move(unknowns))
+  {
+    if (m_system.is_regular())
+      m_multigrid = std::make_unique<Multigrid>(*m_hierarchy, m_system.free_mesh_unknowns(), m_system.free_part<Real>());
+  }
+
+  const std::shared_ptr<const Sparse_rows<double>>& rows() const { return m_system.rows(); }
+
+  struct Options
+  {
+    double tolerance = 1e-10;             // of the residual, relative to that of the free unknowns at 0; rows scaled to unit diagonal
+    std::size_t most_iterations = 100;
+  };
+
+  struct Result
+  {
+    bool is_solved = false;
+    bool is_direct = false;       // by the direct solver
+    std::size_t iterations = 0;
+    double residual = 0;          // the relative one, computed at the end; the greatest of the right sides
+  };
+
+  template <int columns>
+  Result solve(const Value_vector<double, columns>& b, Value_vector<double, columns>& x, const Options& options) const
+  {
+    typedef Value_vector<double, columns>    Vector;
+    Result result;
+    x.assign(b.size(), Values<double, columns>::Zero());
+    m_system.set_fixed_unknowns(b, x);
+    Vector r(b.size());
+    m_system.compute_residual(b, x, r);
+    const auto start = m_system.norm(r);
+
+    if (m_multigrid && m_multigrid->is_ready()) {
+      Iteration<columns> iteration(*this, options.tolerance * start);
+      m_system.extend_fixed_unknowns(x);
+      m_system.compute_residual(b, x, r);
+      iteration.full_multigrid(r, x);
+      result.iterations = iterate(iteration, b, x, r, options.most_iterations);
+      result.residual = quotient(m_system.norm(r), start).maxCoeff();
+      result.is_solved = result.residual <= options.tolerance;
+    }
+    if (!result.is_solved) {
+      // A direct solution that is a little less exact than was wished is still the better one.
+      constexpr double worst_residual = 1e-6;
+      result.is_direct = true;
+      if (solve_by_factorization(*m_system.rows(), b, x)) {
+        m_system.compute_residual(b, x, r);
+        result.residual = quotient(m_system.norm(r), start).maxCoeff();
+        result.is_solved = result.residual <= (std::max)(options.tolerance, worst_residual);
+      }
+    }
+    return result;
+  }
+
+private:
+  typedef float                            Real;      // the grids' numbers: half the memory, and exact enough for a preconditioner
+  typedef Multigrid_preconditioner<Real>   Multigrid;
+
+  // The system as the Krylov methods see it.
+  template <int columns>
+  class Iteration
+  {
+    typedef Values<double, columns>          Value;
+    typedef Value_vector<double, columns>    Vector;
+
+  public:
+    Iteration(const Multigrid_linear_solver& solver, const Value& target)
+      : m_system(solver.m_system), m_multigrid(*solver.m_multigrid), m_space(m_multigrid), m_target(target)
+    { }
+
+    Index number_of_rows() const { return m_system.size(); }
+    const Loops& loops() const { return m_system.loops(); }
+    Value row_times(Index i, const Vector& x) const { return m_system.row_times(i, x); }
+    bool is_solved(const Vector& r) const { return (m_system.norm(r) <= m_target).all(); }
+
+    // z := M^-1 r
+    void precondition(const Vector& r, Vector& z)
+    {
+      const Value scale = give_to_grid(r);
+      m_multigrid.cycle(m_space);
+      z.assign(z.size(), Value::Zero());
+      add_from_grid(scale, z);
+    }
+
+    // x := x + the approximate solution for r by full multigrid
+    void full_multigrid(const Vector& r, Vector& x)
+    {
+      const Value scale = give_to_grid(r);
+      m_multigrid.full_cycle(m_space);
+      add_from_grid(scale, x);
+    }
+
+  private:
+    // Writes r, scaled to the size of 1, to the finest grid; returns that scale.
+    Value give_to_grid(const Vector& r)
+    {
+      Value greatest = Value::Zero();
+      for (const Value& value : r)
+        greatest = greatest.max(value.abs());
+      const Value inverse = quotient(Value(Value::Ones()), greatest);
+      const std::vector<Index>& unknowns = m_system.free_unknowns();
+      for (std::size_t k = 0; k < unknowns.size(); ++k)
+        m_space.right_side[0][k] = (r[unknowns[k]] * inverse).template cast<Real>();
+      return greatest * m_system.free_part_scale();
+    }
+
+    void add_from_grid(const Value& scale, Vector& x) const
+    {
+      const std::vector<Index>& unknowns = m_system.free_unknowns();
+      for (std::size_t k = 0; k < unknowns.size(); ++k)
+        x[unknowns[k]] += scale * m_space.solution[0][k].template cast<double>();
+    }
+
+    const Mesh_system& m_system;
+    const Multigrid& m_multigrid;
+    Multigrid::Space<columns> m_space;
+    Value m_target;
+  };
+
+  // Improves x and computes its residual r. Returns the number of iterations.
+  template <class Iteration, class Vector>
+  std::size_t iterate(Iteration& iteration, const Vector& b, Vector& x, Vector& r, std::size_t most_iterations) const
+  {
+    // Rounding lets the residual that an iteration carries along drift away from the true one: then it starts again from there.
+    constexpr int most_starts = 3;
+    std::size_t iterations = 0;
+    m_system.compute_residual(b, x, r);
+    for (int i = 0; i < most_starts && iterations < most_iterations && !iteration.is_solved(r); ++i) {
+      const std::size_t left = most_iterations - iterations;
+      iterations += m_system.is_symmetric() ? conjugate_gradients(iteration, x, r, left) : stabilized_biconjugate_gradients(iteration, x, r, left);
+      m_system.compute_residual(b, x, r);
+    }
+    return iterations;
+  }
+
+  std::shared_ptr<const Collapse_hierarchy_3> m_hierarchy;
+  Mesh_system m_system;
+  std::unique_ptr<Multigrid> m_multigrid;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MULTIGRID_LINEAR_SOLVER_H

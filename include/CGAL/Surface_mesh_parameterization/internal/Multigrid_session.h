@@ -1,0 +1,131 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MULTIGRID_SESSION_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MULTIGRID_SESSION_H
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Mesh_unknowns.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Multigrid_linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Sparse_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Sparse_rows.h>
+
+#include <CGAL/Eigen_vector.h>
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// What the copies of a Multigrid_solver_traits share: the hierarchy, and the solver that was set up last.
+class Multigrid_session
+{
+public:
+  typedef Eigen_vector<double>   Vector;
+
+  // `solves_in_pairs`: the caller solves twice with every matrix before it looks at a solution, and calls finish() at the end.
+  Multigrid_session(std::shared_ptr<const Collapse_hierarchy_3> hierarchy, Mesh_unknowns unknowns, const Multigrid_linear_solver::Options& options,
+                    bool solves_in_pairs = false)
+    : m_hierarchy(std::move(hierarchy)), m_unknowns(std::move(unknowns)), m_options(options), m_solves_in_pairs(solves_in_pairs)
+  { }
+
+  const Linear_solver_summary& summary() const { return m_summary; }
+
+  // Sets up the solver for a matrix, unless it is the one of the last time.
+  bool set_up(const Sparse_matrix& matrix)
+  {
+    std::shared_ptr<const Sparse_rows<double>> rows = matrix.rows();
+    if (m_solver && m_solver->rows() == rows)
+      return true;
+    m_solver.reset();
+    const std::size_t n = rows->number_of_rows();
+    std::vector<Mesh_unknown> unknowns = m_unknowns.of_system(n);
+    if (matrix.column_dimension() != matrix.row_dimension() || unknowns.size() != n)
+      return false;
+    CGAL::Real_timer timer;
+    timer.start();
+    m_solver = std::make_unique<Multigrid_linear_solver>(m_hierarchy, std::move(rows), std::move(unknowns));
+    ++m_summary.setups;
+    m_summary.seconds_setup += timer.time();
+    return true;
+  }
+
+  bool solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution)
+  {
+    return m_solves_in_pairs ? solve_with_next(matrix, right_side, solution) : set_up(matrix) && solve(right_side, solution);
+  }
+
+  // Solves for one right side with the last matrix.
+  bool solve(const Vector& right_side, Vector& solution)
+  {
+    return m_solver && solve<1>({ &right_side }, { &solution });
+  }
+
+  // Solves what still waits for its partner.
+  bool finish()
+  {
+    Vector* const solution = std::exchange(m_waiting_solution, nullptr);
+    return !solution || (m_solver && solve<1>({ &m_waiting_right_side }, { solution }));
+  }
+
+private:
+  // Puts a right side off until the next one comes: two of them are solved side by side in little more than the time of one.
+  bool solve_with_next(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution)
+  {
+    if (m_waiting_solution && m_solver && m_solver->rows() == matrix.rows()) {
+      Vector* const first_solution = std::exchange(m_waiting_solution, nullptr);
+      return solve<2>({ &m_waiting_right_side, &right_side }, { first_solution, &solution });
+    }
+    if (!finish() || !set_up(matrix))
+      return false;
+    m_waiting_right_side = right_side.eigen_object();
+    m_waiting_solution = &solution;
+    return true;
+  }
+
+  template <int columns>
+  bool solve(const std::array<const Vector::EigenType*, columns>& right_sides, const std::array<Vector*, columns>& solutions)
+  {
+    CGAL::Real_timer timer;
+    timer.start();
+    const std::size_t n = m_solver->rows()->number_of_rows();
+    if (std::any_of(right_sides.begin(), right_sides.end(), [n](const Vector::EigenType* b) { return std::size_t(b->size()) != n; }))
+      return false;
+    Value_vector<double, columns> b(n), x;
+    for (std::size_t i = 0; i < n; ++i)
+      for (int c = 0; c < columns; ++c)
+        b[i][c] = (*right_sides[c])[i];
+    const Multigrid_linear_solver::Result result = m_solver->solve<columns>(b, x, m_options);
+    m_summary.right_sides += columns;
+    m_summary.iterations = (std::max)(m_summary.iterations, result.iterations);
+    m_summary.residual = (std::max)(m_summary.residual, result.residual);
+    m_summary.direct_solutions += result.is_direct ? columns : 0;
+    if (result.is_solved)
+      for (int c = 0; c < columns; ++c) {
+        solutions[c]->resize(n);
+        for (std::size_t i = 0; i < n; ++i)
+          (*solutions[c])[i] = x[i][c];
+      }
+    m_summary.seconds_solve += timer.time();
+    return result.is_solved;
+  }
+
+  std::shared_ptr<const Collapse_hierarchy_3> m_hierarchy;
+  Mesh_unknowns m_unknowns;
+  Multigrid_linear_solver::Options m_options;
+  bool m_solves_in_pairs;
+  std::unique_ptr<Multigrid_linear_solver> m_solver;
+  Vector::EigenType m_waiting_right_side;
+  Vector* m_waiting_solution = nullptr;
+  Linear_solver_summary m_summary;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MULTIGRID_SESSION_H

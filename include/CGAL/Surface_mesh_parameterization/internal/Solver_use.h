@@ -1,0 +1,49 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_SOLVER_USE_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_SOLVER_USE_H
+
+namespace CGAL::Surface_mesh_parameterization {
+
+template <class, class, class> class Barycentric_mapping_parameterizer_3;
+template <class, class, class> class Discrete_authalic_parameterizer_3;
+template <class, class, class> class Discrete_conformal_map_parameterizer_3;
+template <class, class, class> class Iterative_authalic_parameterizer_3;
+template <class, class, class> class LSCM_parameterizer_3;
+template <class, class, class> class Mean_value_coordinates_parameterizer_3;
+
+namespace internal {
+
+// How a parameterizer uses its solver.
+template <class Parameterizer>
+struct Solver_use
+{
+  static constexpr bool solves_in_pairs = false;          // for u and for v, before it looks at either
+  static constexpr bool locks_placed_vertices = false;    // those that are parameterized already are no unknowns
+};
+
+struct Solves_in_pairs
+{
+  static constexpr bool solves_in_pairs = true;
+  static constexpr bool locks_placed_vertices = false;
+};
+
+template <class M, class B, class S> struct Solver_use<Barycentric_mapping_parameterizer_3<M, B, S>> : Solves_in_pairs { };
+template <class M, class B, class S> struct Solver_use<Discrete_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs { };
+template <class M, class B, class S> struct Solver_use<Discrete_conformal_map_parameterizer_3<M, B, S>> : Solves_in_pairs { };
+template <class M, class B, class S> struct Solver_use<Iterative_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs { };
+template <class M, class B, class S> struct Solver_use<Mean_value_coordinates_parameterizer_3<M, B, S>> : Solves_in_pairs { };
+
+template <class M, class B, class S>
+struct Solver_use<LSCM_parameterizer_3<M, B, S>>
+{
+  static constexpr bool solves_in_pairs = false;
+  static constexpr bool locks_placed_vertices = true;
+};
+
+} // namespace internal
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_SOLVER_USE_H
