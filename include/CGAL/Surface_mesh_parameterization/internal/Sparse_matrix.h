@@ -43,11 +43,12 @@ public:
     return k == not_found ? 0 : m_rows->values[k];
   }
 
-  // a_ij := value; `is_new`: the caller knows that a_ij has not been set before
+  // a_ij := value; `is_new`: the caller knows that a_ij has not been set before, which saves time while the matrix is filled
   void set_coef(std::size_t i, std::size_t j, double value, bool is_new = false)
   {
-    if (is_new || !m_waiting.empty() || !set_existing(i, j, value))
-      append(i, j, value, !is_new);
+    const bool was_merged = !m_rows->values.empty();
+    if (!was_merged || !m_waiting.empty() || !set_existing(i, j, value))
+      append(i, j, value, was_merged || !is_new);
   }
 
   // a_ij := a_ij + value
