@@ -520,7 +520,7 @@ TYPED_TEST(Edge_energy_parameterizer, is_the_same_for_every_number_of_threads)
 // Feeds the residuals of a matrix whose Jacobi steps have the rate `jacobi`: those of Young's theory.
 double learned_factor(double jacobi, std::size_t n)
 {
-  internal::Relaxation_factor factor;
+  internal::Relaxation_factor factor(true);
   factor.start(n);
   double residual = 1;
   for (int i = 0; i < 3000 && residual > 1e-200; ++i) {
@@ -541,7 +541,7 @@ TEST(Relaxation_factor, is_about_the_best_one)
 
 TEST(Relaxation_factor, falls_to_one_when_sweeps_diverge)
 {
-  internal::Relaxation_factor factor;
+  internal::Relaxation_factor factor(false);
   factor.start(1000);
   double residual = 1, last = 2;
   for (int i = 0; i < 1000; ++i) {

@@ -123,7 +123,7 @@ private:
 
   Border_parameterizer m_border_parameterizer;
   Edge_weights m_weights;
-  internal::Relaxation_factor m_factor;
+  internal::Relaxation_factor m_factor{ Edge_weights::is_symmetric };
   double m_tolerance = 1e-8;
   std::size_t m_number_of_iterations = 10000;
 };

@@ -1,0 +1,217 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The introduction of Hormann, Greiner and Campagna (1999) in numbers: iterative solvers of the quadratic energy (1) become slow as meshes grow, unless they go
+// from coarse to fine. For a mesh and its Loop subdivisions, the iterations and seconds of each solver to a relative residual. CSV on stdout.
+
+#include "benchmark_utilities.h"
+
+#include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Harmonic_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
+
+#include <Eigen/IterativeLinearSolvers>
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+struct Limits
+{
+  double tolerance;
+  std::size_t iterations;     // the most
+};
+
+// A mesh as a hierarchy of one level, its border on a circle, and the system of its energy.
+template <class EdgeWeights>
+class Flat_problem
+{
+  typedef SMP::Edge_energy_parameterizer_3<Mesh, EdgeWeights>   Method;
+
+public:
+  explicit Flat_problem(const Mesh& mesh)
+    : m_component(mesh, outer_border(mesh)), m_hierarchy(surface_with_border(mesh, m_component), CGAL::parameters::coarsest_size(mesh.number_of_vertices())),
+      m_mesh(m_hierarchy), m_level(m_mesh, 0), m_system(m_level, EdgeWeights())
+  { }
+
+  const SMP::internal::Edge_system& system() const { return m_system; }
+  const SMP::Level& level() const { return m_level; }
+
+  // Every vertex that is not on the border in the middle of the circle.
+  SMP::Level::Uv start() const
+  {
+    SMP::Level::Uv uv(m_level.number_of_vertices(), middle());
+    for (SMP::Level::Index v = 0; v < uv.size(); ++v)
+      if (m_level.is_fixed(v))
+        uv[v] = m_level.fixed_place(v);
+    return uv;
+  }
+
+  SMP::Level::Point_2 middle() const
+  {
+    const double half = std::ldexp(0.5, m_level.scale_exponent());
+    return SMP::Level::Point_2(half, half);
+  }
+
+  // The map that a parameterizer has found.
+  SMP::Level::Uv read(const Mesh& mesh) const
+  {
+    const Uv_map map = mesh.property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
+    SMP::Level::Uv uv;
+    for (SMP::Level::Index v = 0; v < m_level.number_of_vertices(); ++v) {
+      const Point_2& p = map[m_component.vertices_of_component()[m_hierarchy.input_vertex(v)]];
+      uv.emplace_back(std::ldexp(p.x(), m_level.scale_exponent()), std::ldexp(p.y(), m_level.scale_exponent()));
+    }
+    return uv;
+  }
+
+private:
+  static SMP::Triangulated_surface_3 surface_with_border(const Mesh& mesh, SMP::Mesh_component<Mesh>& component)
+  {
+    check(component.error().code);
+    Method method;
+    check(SMP::internal::place_border(method, mesh, outer_border(mesh), component));
+    return std::move(component.surface());
+  }
+
+  SMP::Mesh_component<Mesh> m_component;
+  SMP::Collapse_hierarchy_3 m_hierarchy;
+  SMP::Progressive_mesh_3 m_mesh;
+  SMP::Level m_level;
+  SMP::internal::Edge_system m_system;
+};
+
+// ---- solvers: each returns the number of its iterations ----
+
+template <bool is_symmetric>
+std::size_t sweep(const SMP::internal::Edge_system& system, const Limits& limits, bool is_over_relaxed, SMP::Level::Uv& uv)
+{
+  SMP::internal::Relaxation_factor factor(is_symmetric);
+  factor.start(system.size());
+  for (std::size_t sweeps = 1; sweeps < limits.iterations; ++sweeps) {
+    const double residual = system.sweep(uv, is_over_relaxed ? factor.value() : 1);
+    factor.learn(residual);
+    if (residual <= limits.tolerance)
+      return sweeps;
+  }
+  return limits.iterations;
+}
+
+// Conjugate gradients, or BiCGSTAB where the matrix is not symmetric, with Jacobi's preconditioner, which is what Eigen takes unless told otherwise.
+template <bool is_symmetric>
+std::size_t solve_by_Krylov_method(const SMP::internal::Edge_system& system, const Limits& limits, const SMP::Level::Point_2& middle, SMP::Level::Uv& uv)
+{
+  typedef Eigen::SparseMatrix<double, Eigen::RowMajor>   Matrix;
+  typedef std::conditional_t<is_symmetric, Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper>, Eigen::BiCGSTAB<Matrix>>   Solver;
+  const SMP::internal::Edge_matrix a(system);
+  Solver solver;
+  solver.setTolerance(limits.tolerance);
+  solver.setMaxIterations(Eigen::Index(limits.iterations));
+  const Matrix by_rows = a.matrix;      // the solver keeps a reference
+  solver.compute(by_rows);
+  std::size_t iterations = 0;
+  for (const int coordinate : { 0, 1 }) {
+    const Eigen::VectorXd guess = Eigen::VectorXd::Constant(a.right_side.rows(), middle[coordinate]);
+    const Eigen::VectorXd solution = solver.solveWithGuess(a.right_side.col(coordinate), guess);
+    iterations = (std::max)(iterations, std::size_t(solver.iterations()));
+    for (std::size_t row = 0; row < a.vertices.size(); ++row) {
+      const SMP::Level::Point_2 p = uv[a.vertices[row]];
+      uv[a.vertices[row]] = coordinate == 0 ? SMP::Level::Point_2(solution[Eigen::Index(row)], p.y()) : SMP::Level::Point_2(p.x(), solution[Eigen::Index(row)]);
+    }
+  }
+  return iterations;
+}
+
+// ---- measuring ----
+
+template <class EdgeWeights>
+class Measurement
+{
+  typedef SMP::Edge_energy_parameterizer_3<Mesh, EdgeWeights>   Method;
+
+public:
+  Measurement(Mesh& mesh, const std::string& weights, const Limits& limits) : m_mesh(mesh), m_weights(weights), m_limits(limits), m_problem(mesh) { }
+
+  void run()
+  {
+    measure("direct", [&](SMP::Level::Uv& uv) {
+      check(SMP::internal::solve_directly<EdgeWeights::is_symmetric>(m_problem.system(), uv));
+      m_solution = uv;
+      return 0;
+    });
+    measure("gauss-seidel", [&](SMP::Level::Uv& uv) { return sweep<EdgeWeights::is_symmetric>(m_problem.system(), m_limits, false, uv); });
+    measure("over-relaxation", [&](SMP::Level::Uv& uv) { return sweep<EdgeWeights::is_symmetric>(m_problem.system(), m_limits, true, uv); });
+    measure(EdgeWeights::is_symmetric ? "conjugate-gradients" : "bicgstab", [&](SMP::Level::Uv& uv) {
+      return solve_by_Krylov_method<EdgeWeights::is_symmetric>(m_problem.system(), m_limits, m_problem.middle(), uv);
+    });
+    constexpr std::size_t few_sweeps = 10;
+    measure_nested("nested-10-sweeps", few_sweeps);
+    measure_nested("nested", m_limits.iterations);
+  }
+
+private:
+  // The time of a flat solver is that of solving only; setting up the system is common to all.
+  template <class Solve>
+  void measure(const std::string& solver, const Solve& solve)
+  {
+    SMP::Level::Uv uv = m_problem.start();
+    std::size_t iterations = 0;
+    const double seconds = seconds_of([&] { iterations = solve(uv); });
+    print(solver, iterations, uv, seconds);
+  }
+
+  // All of it: reading the mesh, the hierarchy, and solving on every level.
+  void measure_nested(const std::string& solver, std::size_t sweeps)
+  {
+    SMP::Parameterization_summary summary;
+    const Method method({}, {}, CGAL::parameters::tolerance(m_limits.tolerance).number_of_iterations(sweeps));
+    parameterize(m_mesh, SMP::Hierarchical_parameterizer_3<Method>(method, CGAL::parameters::summary(std::ref(summary))));
+    print(solver, summary.levels.back().iterations, m_problem.read(m_mesh), summary.seconds_hierarchy + summary.seconds_parameterize);
+  }
+
+  void print(const std::string& solver, std::size_t iterations, const SMP::Level::Uv& uv, double seconds) const
+  {
+    double error = 0;
+    for (std::size_t v = 0; v < uv.size(); ++v)
+      error = (std::max)(error, CGAL::squared_distance(uv[v], m_solution[v]));
+    std::cout << m_weights << ',' << solver << ',' << m_mesh.number_of_faces() << ',' << m_mesh.number_of_vertices() << ',' << iterations << ','
+              << m_problem.system().relative_residual(uv) << ',' << std::ldexp(std::sqrt(error), -m_problem.level().scale_exponent()) << ',' << seconds << std::endl;
+  }
+
+  Mesh& m_mesh;
+  std::string m_weights;
+  Limits m_limits;
+  Flat_problem<EdgeWeights> m_problem;
+  SMP::Level::Uv m_solution;
+};
+
+void run(int argc, char* argv[])
+{
+  po::options_description options("Options");
+  options.add_options()
+    ("subdivide", po::value<int>()->default_value(3), "measure after 0, 1, ... so many Loop subdivisions")
+    ("iterations", po::value<int>()->default_value(10000), "the most iterations of a solver")
+    ("tolerance", po::value<double>()->default_value(1e-8), "the relative residual to be reached");
+  const po::variables_map values = parse(argc, argv, options, "edge_energies [MESH.off] [--subdivide K] [--iterations N] [--tolerance T]");
+  const std::size_t subdivisions = count_of(values, "subdivide", 0, 12);
+  const Limits limits = { values["tolerance"].as<double>(), count_of(values, "iterations", 1, 100000000) };
+  if (!(limits.tolerance > 0))
+    throw Usage_error("--tolerance must be positive");
+  Named_mesh input = only_mesh(values);
+
+  std::cout << "weights,solver,triangles,vertices,iterations,residual,error,seconds" << std::endl;
+  for (std::size_t k = 0; k <= subdivisions; ++k) {
+    if (k > 0)
+      subdivide(input.mesh, 1);
+    input.mesh.collect_garbage();
+    Measurement<SMP::Uniform_edge_weights_3>(input.mesh, "uniform", limits).run();
+    Measurement<SMP::Harmonic_edge_weights_3>(input.mesh, "harmonic", limits).run();
+    Measurement<SMP::Mean_value_edge_weights_3>(input.mesh, "mean-value", limits).run();
+  }
+}
+
+int main(int argc, char* argv[])
+{
+  return exit_status_of([&] { run(argc, argv); });
+}
