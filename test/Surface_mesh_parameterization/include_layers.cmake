@@ -4,6 +4,7 @@
 cmake_minimum_required(VERSION 3.18...3.25)
 
 set(table "
+0 As_rigid_as_possible_energy_2.h
 0 Distortion_derivatives_2.h
 0 MIPS_energy_2.h
 0 Symmetric_Dirichlet_energy_2.h
@@ -44,6 +45,7 @@ set(table "
 2 IO/write_OBJ.h
 3 internal/Level_energy.h
 3 internal/Vertex_relaxation.h
+3 internal/Border_guard.h
 3 internal/V_cycle.h
 3 internal/Newton_multigrid.h
 3 internal/Level_refiner.h
