@@ -49,11 +49,13 @@ set(table "
 3 internal/V_cycle.h
 3 internal/Newton_multigrid.h
 3 internal/Level_refiner.h
+3 internal/Conformal_refiner.h
 3 internal/insert_new_vertices.h
 3 internal/scale_to_area.h
 3 internal/Tutte_embedding.h
 4 Refinable_parameterizer_base_3.h
 4 Distortion_parameterizer_3.h
+4 As_rigid_as_possible_parameterizer_3.h
 4 MIPS_parameterizer_3.h
 4 Symmetric_Dirichlet_parameterizer_3.h
 5 Nested_iteration_parameterizer_3.h

@@ -20,7 +20,7 @@ public:
   /// `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`: whether vertices are inserted by several threads
   typedef unspecified_type Concurrency_tag;
 
-  /// whether the method keeps maps free of flips. If so, its vertices are inserted without a flip. If not, they are inserted at their stored barycentric
+  /// whether the method keeps maps free of flips, at least on all levels below the finest. If so, its vertices are inserted without a flip. If not, they are inserted at their stored barycentric
   /// coordinates, flips or not
   static constexpr bool is_flip_free;
 
