@@ -50,11 +50,11 @@ public:
   Step step(Level::Uv& uv, double energy, double tolerance)
   {
     Step result = try_step(uv, energy, tolerance);
-    if (result.length == 0 && m_lent > 0) {     // from here on with a Hessian that is surely positive semidefinite
-      m_lent = 0;
-      m_needs_setup = true;
+    if (result.length == 0 && m_lent > 0) {
+      lend(0);
       result = try_step(uv, energy, tolerance);
     }
+    lend(Energy::is_flip_free || result.length < 1 ? 0 : most_lent);
     return result;
   }
 
@@ -119,8 +119,15 @@ private:
   void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, number_of_vertices(), f); }
 
   // See Jacobian_hessian. An energy that lets triangles flip has a negative twist wherever they are compressed, and without a loan Newton's method
-  // creeps: on a camel's head it takes four times as many steps.
+  // creeps: on a camel's head it takes six times as many steps. Where a step cannot be taken in full length the model is indefinite, or no good: the next one
+  // goes without, with a Hessian that is surely positive semidefinite.
   static constexpr double most_lent = 0.95;
+
+  void lend(double part)
+  {
+    m_needs_setup = m_needs_setup || part != m_lent;
+    m_lent = part;
+  }
 
   // The coarse grids of an earlier step serve as long as they work: to make them costs as much as three cycles.
   static constexpr std::size_t most_cycles_without_setup = 8;
