@@ -10,6 +10,7 @@
 ///
 /// A method is copied; its functions may be called on a copy, but all of them on the same one.
 ///
+/// \cgalHasModel `CGAL::Surface_mesh_parameterization::As_rigid_as_possible_parameterizer_3<TriangleMesh>`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::MIPS_parameterizer_3<TriangleMesh>`
 class RefinableParameterizer_3
 {
