@@ -4,6 +4,7 @@
 cmake_minimum_required(VERSION 3.18...3.25)
 
 set(table "
+0 As_rigid_as_possible_energy_2.h
 0 Distortion_derivatives_2.h
 0 MIPS_energy_2.h
 0 Symmetric_Dirichlet_energy_2.h
@@ -59,6 +60,7 @@ set(table "
 2 IO/write_OBJ.h
 3 internal/Level_energy.h
 3 internal/Vertex_relaxation.h
+3 internal/Border_guard.h
 3 internal/V_cycle.h
 3 internal/Multigrid_preconditioner.h
 3 internal/Multigrid_linear_solver.h
@@ -67,11 +69,13 @@ set(table "
 3 internal/Level_refiner.h
 3 internal/Edge_system.h
 3 internal/solve_directly.h
+3 internal/Conformal_refiner.h
 3 internal/insert_new_vertices.h
 3 internal/scale_to_area.h
 3 internal/Tutte_embedding.h
 4 Refinable_parameterizer_base_3.h
 4 Distortion_parameterizer_3.h
+4 As_rigid_as_possible_parameterizer_3.h
 4 MIPS_parameterizer_3.h
 4 Symmetric_Dirichlet_parameterizer_3.h
 4 Edge_energy_parameterizer_3.h

@@ -6,8 +6,12 @@
 ///
 /// The energy of a triangle's linear map from space to the plane, a function of its singular values `s1 >= s2 > 0` that is symmetric in them and
 /// twice differentiable. It is given through two invariants that are polynomials in the coordinates: the squared Frobenius norm
-/// `f = s1^2 + s2^2` and the determinant `d = s1 s2 > 0`. It grows beyond all bounds as `d` goes to 0 with `f` fixed: that keeps triangles positive.
+/// `f = s1^2 + s2^2` and the determinant `d = s1 s2`. Either it is defined for positive `d` and grows beyond all bounds as `d` goes to 0 with `f` fixed, which
+/// keeps triangles positive, or it is defined for every `d`, and maps may have flips.
 ///
+/// Models are `DefaultConstructible` and `CopyConstructible`. The functions are `static` where an energy has no parameters.
+///
+/// \cgalHasModel `CGAL::Surface_mesh_parameterization::As_rigid_as_possible_energy_2`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::MIPS_energy_2`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Symmetric_Dirichlet_energy_2`
 class DistortionEnergy_2
@@ -19,9 +23,15 @@ public:
   /// whether `value(c * c * f, c * c * d)` equals `value(f, d)` for every `c > 0`
   static constexpr bool is_scale_invariant;
 
+  /// whether the energy keeps triangles positive
+  static constexpr bool is_flip_free;
+
+  /// the energy of a triangle with the given area in space; itself, if it does not depend on the area
+  DistortionEnergy_2 of_area(double area) const;
+
   /// the energy
-  static double value(double f, double d);
+  double value(double f, double d) const;
 
   /// the energy with its first and second derivatives by `f` and `d`
-  static CGAL::Surface_mesh_parameterization::Distortion_derivatives_2 derivatives(double f, double d);
+  CGAL::Surface_mesh_parameterization::Distortion_derivatives_2 derivatives(double f, double d) const;
 };

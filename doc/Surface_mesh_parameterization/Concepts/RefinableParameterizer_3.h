@@ -10,6 +10,7 @@
 ///
 /// A method is copied; its functions may be called on a copy, but all of them on the same one.
 ///
+/// \cgalHasModel `CGAL::Surface_mesh_parameterization::As_rigid_as_possible_parameterizer_3<TriangleMesh>`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::MIPS_parameterizer_3<TriangleMesh>`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Edge_energy_parameterizer_3<TriangleMesh, EdgeWeights>`
 class RefinableParameterizer_3
@@ -21,7 +22,7 @@ public:
   /// `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`: whether vertices are inserted by several threads
   typedef unspecified_type Concurrency_tag;
 
-  /// whether the method keeps maps free of flips. If so, its vertices are inserted without a flip. If not, they are inserted at their stored barycentric
+  /// whether the method keeps maps free of flips, at least on all levels below the finest. If so, its vertices are inserted without a flip. If not, they are inserted at their stored barycentric
   /// coordinates, flips or not
   static constexpr bool is_flip_free;
 

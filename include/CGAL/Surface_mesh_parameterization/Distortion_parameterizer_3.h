@@ -30,13 +30,14 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `RefinableParameterizer_3`
 ///
 /// \tparam TriangleMesh_ a model of `FaceListGraph` with an internal vertex point map
-/// \tparam Energy a model of `DistortionEnergy_2`
+/// \tparam Energy a model of `DistortionEnergy_2` that keeps triangles positive
 /// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result is the same for every number of threads
 template <class TriangleMesh_, class Energy, class ConcurrencyTag = Sequential_tag>
 class Distortion_parameterizer_3
   : public Refinable_parameterizer_base_3<Distortion_parameterizer_3<TriangleMesh_, Energy, ConcurrencyTag>, TriangleMesh_, ConcurrencyTag>
 {
   typedef Refinable_parameterizer_base_3<Distortion_parameterizer_3, TriangleMesh_, ConcurrencyTag>   Base;
+  static_assert(Energy::is_flip_free, "Distortion_parameterizer_3<TriangleMesh, Energy>: the energy must keep triangles positive");
 
 public:
   /// \param np

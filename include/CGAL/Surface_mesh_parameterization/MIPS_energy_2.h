@@ -26,6 +26,12 @@ struct MIPS_energy_2
   /// whether the energy stays the same when the plane is scaled
   static constexpr bool is_scale_invariant = true;
 
+  /// whether the energy keeps triangles positive
+  static constexpr bool is_flip_free = true;
+
+  /// the energy of a triangle with any area in space
+  const MIPS_energy_2& of_area(double) const { return *this; }
+
   /// the energy of a map with the given squared Frobenius norm `s1^2 + s2^2` and determinant `s1 s2 > 0`
   static double value(double frobenius, double determinant) { return frobenius / determinant; }
 

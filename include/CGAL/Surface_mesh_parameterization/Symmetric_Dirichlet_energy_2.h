@@ -26,6 +26,12 @@ struct Symmetric_Dirichlet_energy_2
   /// whether the energy stays the same when the plane is scaled
   static constexpr bool is_scale_invariant = false;
 
+  /// whether the energy keeps triangles positive
+  static constexpr bool is_flip_free = true;
+
+  /// the energy of a triangle with any area in space
+  const Symmetric_Dirichlet_energy_2& of_area(double) const { return *this; }
+
   /// the energy of a map with the given squared Frobenius norm `s1^2 + s2^2` and determinant `s1 s2 > 0`
   static double value(double frobenius, double determinant) { return frobenius * (1 + 1 / (determinant * determinant)); }
 

@@ -20,13 +20,16 @@ class Level_energy
 public:
   typedef Energy_   Energy;
 
-  Level_energy(const Level& level, Triangle_weight weight) : m_level(level), m_weight(weight) { }
+  Level_energy(const Level& level, Triangle_weight weight, const Energy& energy = Energy()) : m_level(level), m_weight(weight), m_energy(energy) { }
 
   const Level& level() const { return m_level; }
 
+  // What the triangle of a corner contributes, less its weight.
+  Energy triangle_energy(const Rest_corner& c) const { return m_energy.of_area(1 / c.inverse_area); }
+
   double weight(const Rest_corner& c) const { return m_weight == Triangle_weight::AREA ? 1 / c.inverse_area : 1; }
 
-  void gather(Index v, const Level::Uv& uv, Star<Energy>& star) const { star.gather(m_level.rings(), uv, v, m_level.rest_corners(v), m_weight); }
+  void gather(Index v, const Level::Uv& uv, Star<Energy>& star) const { star.gather(m_level.rings(), uv, v, m_level.rest_corners(v), m_weight, m_energy); }
 
   // The sum of f(v, a, b, corner) over the triangles vab.
   template <class Function>
@@ -51,14 +54,14 @@ public:
     });
   }
 
-  // Infinite if a triangle is not positive.
+  // Infinite if a triangle is not positive and the energy keeps them so.
   double operator()(const Level::Uv& uv) const
   {
     return sum([&](Index v, Index a, Index b, const Rest_corner& c) {
       const Vector_2 ab = uv[b] - uv[a], x = uv[v] - uv[a], from_foot = x - c.foot * ab;
       const double doubled_area = cross(ab, x), scale = 0.5 * c.inverse_area;
-      return !(doubled_area > 0) ? (std::numeric_limits<double>::infinity)() :
-             weight(c) * Energy::value(scale * (from_foot.squared_length() / c.height + c.height * ab.squared_length()), scale * doubled_area);
+      return Energy::is_flip_free && !(doubled_area > 0) ? (std::numeric_limits<double>::infinity)() :
+             weight(c) * triangle_energy(c).value(scale * (from_foot.squared_length() / c.height + c.height * ab.squared_length()), scale * doubled_area);
     });
   }
 
@@ -87,6 +90,7 @@ private:
 
   const Level& m_level;
   Triangle_weight m_weight;
+  Energy m_energy;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -24,8 +24,8 @@ public:
   // The steps of sweeps, in Newton steps of a vertex: as in successive over-relaxation this cuts the number of sweeps by a multiple.
   static constexpr double over_relaxation = 1.8;
 
-  Level_refiner(const Level& level, Level::Uv& uv, const Refinement_options& options, Level_summary& summary)
-    : m_level(level), m_uv(uv), m_options(options), m_summary(summary), m_energy(level, options.triangle_weight),
+  Level_refiner(const Level& level, Level::Uv& uv, const Refinement_options& options, Level_summary& summary, const Energy& energy = Energy())
+    : m_level(level), m_uv(uv), m_options(options), m_summary(summary), m_energy(level, options.triangle_weight, energy),
       m_minimum(m_energy.minimum()), m_current(m_energy(uv))
   { }
 

@@ -6,11 +6,13 @@
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Grid_transfer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Krylov_methods.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -117,6 +119,25 @@ public:
     return m_loops.sum(0, size(), Value(Value::Zero()), [&](Index i) -> Value {
       return (r[i] * (m_is_symmetric ? m_inverse_diagonal[i] : 1.)).square();
     }).sqrt();
+  }
+
+  // The norm of the residual, relative to that of the terms that make it up; NaN if x is not finite.
+  template <class Vector>
+  double backward_error(const Vector& b, const Vector& x) const
+  {
+    typedef typename Vector::value_type   Value;
+    Value errors = Value::Zero(), sizes = Value::Zero();
+    for (Index i = 0; i < size(); ++i) {
+      Value error = b[i], size = b[i].abs();
+      for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k) {
+        const Value term = m_rows->values[k] * x[m_rows->columns[k]];
+        error -= term;
+        size += term.abs();
+      }
+      errors += (error * m_inverse_diagonal[i]).square();
+      sizes += (size * m_inverse_diagonal[i]).square();
+    }
+    return std::sqrt(quotient(errors, sizes).maxCoeff());
   }
 
   template <class Vector>

@@ -4,24 +4,24 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_MULTIGRID_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_MULTIGRID_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/Border_guard.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/V_cycle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/conjugate_gradients.h>
 #include <CGAL/Surface_mesh_parameterization/internal/corner_hessian.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star_validity.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Newton's method for the energy of a level: the exact gradient, a positive semidefinite Hessian, the step by conjugate gradients that are preconditioned
-// by a V-cycle, and a line search that keeps the map valid. Patterns are made once, for all steps.
+// Newton's method for the energy of a level: the exact gradient, a Hessian that is made positive semidefinite, the step by conjugate gradients that are
+// preconditioned by a V-cycle, and a line search that keeps the map valid, if the energy keeps triangles positive. Patterns are made once, for all steps.
 template <class Energy>
 class Newton_multigrid
 {
@@ -35,7 +35,7 @@ public:
   };
 
   explicit Newton_multigrid(const Level_energy<Energy>& energy)
-    : m_energy(energy), m_level(energy.level()), m_cycle(energy.level())
+    : m_energy(energy), m_level(energy.level()), m_border_guard(energy.level()), m_cycle(energy.level())
   {
     const One_rings& rings = m_level.rings();
     m_cycle.matrix().set_pattern(rings.number_of_vertices(), rings.offsets(), rings.neighbors());
@@ -43,8 +43,23 @@ public:
     m_direction.resize(rings.number_of_vertices());
   }
 
+  // Lets no step move the given vertices. They have to be vertices of the coarsest level, so that all grids have them.
+  void hold(std::vector<Index> vertices) { m_held = std::move(vertices); }
+
   // One step from `uv`, whose energy is given; the linear system is solved to the relative residual `tolerance`.
   Step step(Level::Uv& uv, double energy, double tolerance)
+  {
+    Step result = try_step(uv, energy, tolerance);
+    if (result.length == 0 && m_lent > 0) {
+      lend(0);
+      result = try_step(uv, energy, tolerance);
+    }
+    lend(Energy::is_flip_free || result.length < 1 ? 0 : most_lent);
+    return result;
+  }
+
+private:
+  Step try_step(Level::Uv& uv, double energy, double tolerance)
   {
     Step result;
     assemble(uv);
@@ -66,12 +81,16 @@ public:
     return result;
   }
 
-private:
   // Gradient and Hessian row by row, so that no two rows write to one place.
   void assemble(const Level::Uv& uv)
   {
     Block_matrix& matrix = m_cycle.matrix();
     for_each_vertex([&](Index v) { assemble_row(uv, v, matrix); });
+    constexpr double stiffness = 1e12;      // of a spring that holds a vertex, to those of its triangles
+    for (const Index v : m_held) {
+      m_gradient[v] = Pair(0, 0);
+      matrix.set_diagonal(v, stiffness * matrix.unscaled_diagonal_block(v));
+    }
   }
 
   void assemble_row(const Level::Uv& uv, Index v, Block_matrix& matrix)
@@ -84,7 +103,8 @@ private:
     m_gradient[v] = Pair(0, 0);
     for (std::size_t i = 0; i < m_level.rings().number_of_triangles(v); ++i) {
       const std::size_t j = i + 1 == ring.size() ? 0 : i + 1;
-      const Corner_hessian h = corner_hessian<Energy>(corners[i], m_energy.weight(corners[i]), uv[ring[i]] - uv[v], uv[ring[j]] - uv[v]);
+      const Corner_hessian h = corner_hessian(m_energy.triangle_energy(corners[i]), corners[i], m_energy.weight(corners[i]),
+                                              uv[ring[i]] - uv[v], uv[ring[j]] - uv[v], m_lent);
       m_gradient[v] += h.gradient;
       diagonal += h.to_v;
       row[j] += h.to_b;
@@ -98,6 +118,17 @@ private:
   template <class Function>
   void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, number_of_vertices(), f); }
 
+  // See Jacobian_hessian. An energy that lets triangles flip has a negative twist wherever they are compressed, and without a loan Newton's method
+  // creeps: on a camel's head it takes six times as many steps. Where a step cannot be taken in full length the model is indefinite, or no good: the next one
+  // goes without, with a Hessian that is surely positive semidefinite.
+  static constexpr double most_lent = 0.95;
+
+  void lend(double part)
+  {
+    m_needs_setup = m_needs_setup || part != m_lent;
+    m_lent = part;
+  }
+
   // The coarse grids of an earlier step serve as long as they work: to make them costs as much as three cycles.
   static constexpr std::size_t most_cycles_without_setup = 8;
 
@@ -109,6 +140,8 @@ private:
     m_space.residual.resize(number_of_vertices());
     for_each_vertex([&](Index v) { m_space.residual[v] = -scale[v] * m_gradient[v]; });
     const std::size_t cycles = conjugate_gradients(m_level.loops(), m_cycle.matrix(), m_cycle, tolerance, most_cycles, m_space);
+    for (const Index v : m_held)
+      m_space.solution[v] = Pair(0, 0);
     for_each_vertex([&](Index v) { m_direction[v] = scale[v] * m_space.solution[v]; });
     return cycles;
   }
@@ -161,7 +194,7 @@ private:
     constexpr int rounds_of_bending = 6, most_rounds = 10;
     for (int i = 0; i < most_rounds && slope < 0; ++i) {
       try_lengths(uv, energy, slope, result);
-      if (result.length > 0 || !bend_at_turning_vertices(uv, i < rounds_of_bending))
+      if (result.length > 0 || !Energy::is_flip_free || !m_border_guard.bend(uv, m_trial, m_direction, i < rounds_of_bending))
         return;
       slope = dot_with_gradient();
     }
@@ -172,76 +205,31 @@ private:
   {
     constexpr int most_halvings = 12;
     constexpr double part_of_longest_step = 0.9, sufficient_decrease = 1e-4;
-    double length = (std::min)(1., part_of_longest_step * longest_step(uv));
+    double length = Energy::is_flip_free ? (std::min)(1., part_of_longest_step * longest_step(uv)) : 1;
     m_trial.resize(uv.size());
     for (int i = 0; i < most_halvings; ++i, length *= 0.5) {
       for_each_vertex([&](Index v) { m_trial[v] = uv[v] + Vector_2(length * m_direction[v][0], length * m_direction[v][1]); });
       const double decrease = energy - m_energy(m_trial);
       if (!(decrease > -sufficient_decrease * length * slope))
         continue;
-      if (!turns_too_far_at_border(uv) && is_map_valid(m_level.rings(), m_trial, m_level.loops())) {
+      if (!Energy::is_flip_free || (!m_border_guard.turns_too_far(uv, m_trial) && is_map_valid(m_level.rings(), m_trial, m_level.loops()))) {
         uv.swap(m_trial);
         result.decrease = decrease;
         result.length = length;
         return;
       }
-      if (turns_too_far_at_border(uv))
+      if (m_border_guard.turns_too_far(uv, m_trial))
         return;
     }
   }
 
-  // Whether the angles at a border vertex reach a full turn in the trial, or come so close that there is no room left that was there before.
-  bool turns_too_far_in_trial(const Level::Uv& uv, Index v) const
-  {
-    const One_rings& rings = m_level.rings();
-    return turns_too_far(rings, Place_of_vertex{ m_trial }, v) || (leaves_no_room(rings, m_trial, v) && !leaves_no_room(rings, uv, v));
-  }
-
-  bool turns_too_far_at_border(const Level::Uv& uv) const
-  {
-    for (Index v = 0; v < m_level.number_of_vertices(); ++v)
-      if (m_level.is_border(v) && turns_too_far_in_trial(uv, v))
-        return true;
-    return false;
-  }
-
-  // Changes the direction at the border vertices that turn too far in the trial; returns whether there are any.
-  bool bend_at_turning_vertices(const Level::Uv& uv, bool may_bend)
-  {
-    bool result = false;
-    for (Index v = 0; v < m_level.number_of_vertices(); ++v)
-      if (m_level.is_border(v) && turns_too_far_in_trial(uv, v)) {
-        const Index first = m_level.one_ring(v).front(), last = m_level.one_ring(v).back();
-        if (!may_bend || !keep_gap(uv, v, first, last))
-          m_direction[v] = m_direction[first] = m_direction[last] = Pair(0, 0);
-        result = true;
-      }
-    return result;
-  }
-
-  // Changes the direction of a border vertex v and its border neighbors as little as is needed for the gap, what the angles at v lack of a full turn, to lose, to
-  // first order, no more than a part of what it has above a small angle. Returns whether a change was needed.
-  bool keep_gap(const Level::Uv& uv, Index v, Index first, Index last)
-  {
-    constexpr double least_gap = 2e-3, part_to_lose = 0.8;
-    const Vector_2 a = uv[first] - uv[v], b = uv[last] - uv[v];
-    const double angle = std::atan2(cross(b, a), b * a), gap = angle < 0 ? angle + 2 * CGAL_PI : angle;
-    const Pair at_first = Pair(-a.y(), a.x()) / a.squared_length(), at_last = Pair(b.y(), -b.x()) / b.squared_length(), at_v = -at_first - at_last;
-    const double change = at_first.dot(m_direction[first]) + at_last.dot(m_direction[last]) + at_v.dot(m_direction[v]);
-    const double excess = -part_to_lose * (std::max)(gap - least_gap, 0.) - change;
-    if (!(excess > 0))
-      return false;
-    const double factor = excess / (at_first.squaredNorm() + at_last.squaredNorm() + at_v.squaredNorm());
-    m_direction[first] += factor * at_first;
-    m_direction[last] += factor * at_last;
-    m_direction[v] += factor * at_v;
-    return true;
-  }
-
   const Level_energy<Energy>& m_energy;
   const Level& m_level;
+  Border_guard m_border_guard;
   V_cycle m_cycle;
   bool m_needs_setup = true;
+  double m_lent = Energy::is_flip_free ? 0 : most_lent;
+  std::vector<Index> m_held;
   Pair_vector m_gradient, m_direction;
   Conjugate_gradients_space m_space;
   Level::Uv m_trial;

@@ -30,7 +30,8 @@ public:
   };
 
   // Gathers the star of v. `corners` are the rest shapes of its triangles, in the order of its ring.
-  void gather(const One_rings& rings, const std::vector<Point_2>& uv, Index v, const Rest_corner* corners, Triangle_weight weight)
+  void gather(const One_rings& rings, const std::vector<Point_2>& uv, Index v, const Rest_corner* corners, Triangle_weight weight,
+              const Energy& energy = Energy())
   {
     const One_rings::Ring ring = rings[v];
     m_triangles.resize(rings.number_of_triangles(v));
@@ -41,7 +42,8 @@ public:
       const Vector_2 ab = b - a;
       const Rest_corner& c = corners[i];
       const double determinant_scale = 0.5 * c.inverse_area;
-      m_triangles[i] = { a, ab, c.foot * ab, determinant_scale / c.height, determinant_scale * c.height * ab.squared_length(), determinant_scale,
+      m_triangles[i] = { energy.of_area(1 / c.inverse_area), a, ab, c.foot * ab,
+                         determinant_scale / c.height, determinant_scale * c.height * ab.squared_length(), determinant_scale,
                          weight == Triangle_weight::AREA ? 1 / c.inverse_area : 1. };
       a = b;
     }
@@ -49,7 +51,7 @@ public:
 
   struct Filtered_energy
   {
-    double value;                // infinite unless all triangles are positive
+    double value;                // infinite unless all triangles are positive, if the energy keeps them so
     bool is_surely_positive;     // whether they are so beyond any rounding error
   };
 
@@ -62,24 +64,24 @@ public:
     for (const Triangle& t : m_triangles) {
       const Vector_2 x = p - t.a, u = x - t.foot;
       const double plus = t.ab.x() * x.y(), minus = t.ab.y() * x.x(), doubled_area = plus - minus;
-      if (!(doubled_area > 0))
+      if (Energy::is_flip_free && !(doubled_area > 0))
         return { (std::numeric_limits<double>::infinity)(), false };
       least_margin = (std::min)(least_margin, doubled_area - relative_error * (std::abs(plus) + std::abs(minus)));
-      sum += t.weight * Energy::value(t.frobenius_scale * u.squared_length() + t.least_frobenius, t.determinant_scale * doubled_area);
+      sum += t.weight * t.value(t.frobenius_scale * u.squared_length() + t.least_frobenius, t.determinant_scale * doubled_area);
     }
     return { sum, least_margin > least_determinant };
   }
 
   double energy(const Point_2& p) const { return filtered_energy(p).value; }
 
-  // Value, gradient and Hessian with V at p. Precondition: all triangles are positive.
+  // Value, gradient and Hessian with V at p. Precondition: all triangles are positive, if the energy keeps them so.
   Derivatives derivatives(const Point_2& p) const
   {
     Derivatives sum = { 0, { 0, 0 }, { 0, 0, 0 } };
     for (const Triangle& t : m_triangles) {
       const Vector_2 x = p - t.a, u = x - t.foot;
-      const Distortion_derivatives_2 e = Energy::derivatives(t.frobenius_scale * u.squared_length() + t.least_frobenius,
-                                                             t.determinant_scale * cross(t.ab, x));
+      const Distortion_derivatives_2 e = t.derivatives(t.frobenius_scale * u.squared_length() + t.least_frobenius,
+                                                       t.determinant_scale * cross(t.ab, x));
       // Gradients of the two invariants: f of the squared Frobenius norm, whose Hessian is a multiple of the identity, d of the determinant.
       const double fx = 2 * t.frobenius_scale * u.x(), fy = 2 * t.frobenius_scale * u.y();
       const double dx = -t.determinant_scale * t.ab.y(), dy = t.determinant_scale * t.ab.x();
@@ -106,7 +108,7 @@ public:
   }
 
 private:
-  struct Triangle
+  struct Triangle : Energy
   {
     Point_2 a;
     Vector_2 ab, foot;              // relative to a

@@ -24,7 +24,7 @@ struct Corner_hessian
   Eigen::Matrix2d to_v, to_b;
 };
 
-// The Hessian of an energy in the space of Jacobians, made positive semidefinite, and its gradient.
+// The Hessian of an energy in the space of Jacobians, made positive semidefinite unless some curvature is lent, and its gradient.
 //
 // As complex numbers, with P the images of the corners and G the gradients of their hat functions on the rest shape, the map's conformal and
 // anticonformal parts are z = sum P conj(G) / 2 and w = sum P G / 2. Its singular values are |z| + |w| and |z| - |w|, so its squared Frobenius norm is
@@ -35,17 +35,17 @@ struct Jacobian_hessian
   std::array<std::array<double, 4>, 4> hessian;
 
   template <class Energy>
-  static Jacobian_hessian of(double zx, double zy, double wx, double wy, double determinant)
+  static Jacobian_hessian of(const Energy& energy, double zx, double zy, double wx, double wy, double determinant, double lent)
   {
     const double a = zx * zx + zy * zy, b = wx * wx + wy * wy;
-    const Distortion_derivatives_2 e = Energy::derivatives(2 * (a + b), determinant);
+    const Distortion_derivatives_2 e = energy.derivatives(2 * (a + b), determinant);
     const double e_a = 2 * e.f + e.d, e_b = 2 * e.f - e.d;
     Jacobian_hessian result;
     result.gradient = { 2 * e_a * zx, 2 * e_a * zy, 2 * e_b * wx, 2 * e_b * wy };
     if constexpr (Energy::is_scale_invariant)
       result.set_gauss_newton(a * e_b, a * a * (4 * e.ff - 4 * e.fd + e.dd), zx, zy, wx, wy);
     else
-      result.set_projected(e, a, b, zx, zy, wx, wy);
+      result.set_projected(e, a, b, zx, zy, wx, wy, lent);
     return result;
   }
 
@@ -71,16 +71,20 @@ private:
 
   // The Hessian with its negative eigenvalues replaced by 0. They are known in closed form (Smith, De Goes, Kim 2019, in other variables): 2 e_a
   // across z (the twist), 2 e_b across w (the flip), and those of a 2x2 block along z and w (the stretch).
-  void set_projected(const Distortion_derivatives_2& e, double a, double b, double zx, double zy, double wx, double wy)
+  //
+  // The integral of the determinant depends on the border only, so a move of the interior changes |z|^2 and |w|^2 by the same amount in the sum over all
+  // triangles: where the twist is negative the flip can lend it curvature, and the sum stays positive as long as the flip is the greater one of the two. So
+  // a negative twist is kept up to the part `lent` of the flip. Where the two vary from triangle to triangle this is no proof.
+  void set_projected(const Distortion_derivatives_2& e, double a, double b, double zx, double zy, double wx, double wy, double lent)
   {
     const double abs_z = std::sqrt(a), abs_w = std::sqrt(b);
     const double e_a = 2 * e.f + e.d, e_b = 2 * e.f - e.d;
     double zz = 2 * e_a + 4 * (4 * e.ff + 4 * e.fd + e.dd) * a, zw = 4 * (4 * e.ff - e.dd) * abs_z * abs_w,
            ww = 2 * e_b + 4 * (4 * e.ff - 4 * e.fd + e.dd) * b;
     project(zz, zw, ww);
-    const double twist = (std::max)(2 * e_a, 0.), flip = (std::max)(2 * e_b, 0.);
+    const double flip = (std::max)(2 * e_b, 0.), twist = (std::max)(2 * e_a, -lent * flip);
 
-    const double z[2] = { zx / abs_z, zy / abs_z }, w[2] = { abs_w > 0 ? wx / abs_w : 1, abs_w > 0 ? wy / abs_w : 0 };
+    const double z[2] = { abs_z > 0 ? zx / abs_z : 1, abs_z > 0 ? zy / abs_z : 0 }, w[2] = { abs_w > 0 ? wx / abs_w : 1, abs_w > 0 ? wy / abs_w : 0 };
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j) {
         hessian[i][j] = (zz - twist) * z[i] * z[j] + (i == j ? twist : 0);
@@ -104,9 +108,10 @@ private:
   }
 };
 
-// `va` and `vb` lead from V to A and B; precondition: the triangle is positive.
+// `va` and `vb` lead from V to A and B. Of the flip's curvature the part `lent` makes up for a negative twist.
+// Precondition: the triangle is positive, or the energy takes others too.
 template <class Energy>
-Corner_hessian corner_hessian(const Rest_corner& corner, double weight, const Vector_2& va, const Vector_2& vb)
+Corner_hessian corner_hessian(const Energy& energy, const Rest_corner& corner, double weight, const Vector_2& va, const Vector_2& vb, double lent = 0)
 {
   // Gradients of the hat functions with V over the edge AB, which lies on the axis: V's is (0, g), B's is (bx, by), A's minus their sum.
   const double inverse_base = std::sqrt(0.5 * corner.height * corner.inverse_area);
@@ -115,7 +120,7 @@ Corner_hessian corner_hessian(const Rest_corner& corner, double weight, const Ve
   const double zx = 0.5 * (va.x() * ax + va.y() * ay + vb.x() * bx + vb.y() * by), zy = 0.5 * (va.y() * ax - va.x() * ay + vb.y() * bx - vb.x() * by);
   const double wx = 0.5 * (va.x() * ax - va.y() * ay + vb.x() * bx - vb.y() * by), wy = 0.5 * (va.y() * ax + va.x() * ay + vb.y() * bx + vb.x() * by);
   const double determinant = 0.5 * corner.inverse_area * cross(va, vb);
-  const Jacobian_hessian h = Jacobian_hessian::of<Energy>(zx, zy, wx, wy, determinant);
+  const Jacobian_hessian h = Jacobian_hessian::of(energy, zx, zy, wx, wy, determinant, lent);
 
   // A move (x, y) of V changes z and w by g (y, -x) / 2 and g (-y, x) / 2; one of B by conj(G) (x + iy) / 2 and G (x + iy) / 2.
   const double scale = 0.5 * g * weight;

@@ -64,6 +64,8 @@ double relax_vertex(const Star<Energy>& star, const One_rings& rings, Index v, d
     }
     const bool had_room = !rings.is_border(v) || has_room(rings, uv, v);
     uv[v] = trial;
+    if (!Energy::is_flip_free)
+      return decrease;
     if (rings.is_border(v) ? is_star_valid(rings, uv, v) && (!had_room || has_room(rings, uv, v))
                            : energy.is_surely_positive || is_star_valid(rings, uv, v))
       return decrease;

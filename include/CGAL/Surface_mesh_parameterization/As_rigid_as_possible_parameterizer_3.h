@@ -1,0 +1,125 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_AS_RIGID_AS_POSSIBLE_PARAMETERIZER_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_AS_RIGID_AS_POSSIBLE_PARAMETERIZER_3_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
+#include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Conformal_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Level_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Level_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/scale_to_area.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationMethods
+///
+/// Minimizes the energy of CGAL's `ARAP_parameterizer_3`, see `As_rigid_as_possible_energy_2`, with a free border: the greater `lambda`, the better
+/// lengths are kept at the expense of angles. As in CGAL, triangles of the result may be flipped where that costs less, and `lambda` is in the units of
+/// the mesh: it weighs against squares of lengths. A `lambda` that is too small for the units makes the map shrink, at last to a point, because that costs
+/// least. For `lambda` 0, where no scale is better than another, two vertices on the border are held far from each other. Unlike CGAL the method does
+/// not try to repair flips.
+///
+/// The energy has many local minima, and once a map is folded it does not unfold. So the levels below the finest, or Tutte's map where the method runs
+/// alone, are made flip-free and free of strong distortion by the symmetric Dirichlet energy. On the finest level Newton's method with multigrid starts
+/// from there.
+///
+/// Energies are reported as CGAL reports them: half of the sum over the edges of all triangles, in the units of the mesh.
+///
+/// Source: Liu, Zhang, Xu, Gotsman, Gortler, *A local/global approach to mesh parameterization*, 2008.
+///
+/// \cgalModels `Parameterizer_3`
+/// \cgalModels `RefinableParameterizer_3`
+///
+/// \tparam TriangleMesh_ a model of `FaceListGraph` with an internal vertex point map
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result is the same for every number of threads
+template <class TriangleMesh_, class ConcurrencyTag = Sequential_tag>
+class As_rigid_as_possible_parameterizer_3
+  : public Refinable_parameterizer_base_3<As_rigid_as_possible_parameterizer_3<TriangleMesh_, ConcurrencyTag>, TriangleMesh_, ConcurrencyTag>
+{
+  typedef Refinable_parameterizer_base_3<As_rigid_as_possible_parameterizer_3, TriangleMesh_, ConcurrencyTag>   Base;
+  typedef As_rigid_as_possible_energy_2                                                                         Energy;
+
+public:
+  /// \param np
+  /// - `lambda`: what a change of scale costs; at least 0, and may be infinite; default 1000, as in CGAL
+  /// - `tolerance`, `number_of_iterations` and the other named parameters of `Refinement_options`, less `triangle_weight`
+  /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit As_rigid_as_possible_parameterizer_3(const NamedParameters& np = parameters::default_values())
+    : Base(np)
+  {
+    m_options.set(np);
+    m_options.triangle_weight = Triangle_weight::AREA;      // which is part of the energy's definition
+    m_lambda = parameters::choose_parameter(parameters::get_parameter(np, internal_np::lambda), m_lambda);
+    CGAL_precondition(m_lambda >= 0);
+  }
+
+  /// Tutte's map of a level, scaled to the surface's area. Of the only level, improved as far as it can be without a flip.
+  /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING` if Tutte's map, computed in doubles, has a flip
+  Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
+  {
+    const Error_code status = internal::Tutte_embedding::compute(level, uv);
+    if (status != OK)
+      return status;
+    internal::scale_to_area(level, uv);
+    Level_summary unused_summary;
+    if (level.is_finest())
+      refine_without_flips(level, uv, unused_summary);
+    return OK;
+  }
+
+  /// improves a flip-free map of a level and keeps it flip-free; of the finest level, minimizes the energy of a map, flips or not.
+  /// \return `OK`
+  Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
+  {
+    const double energy_start = energy(level, uv);
+    if (!level.is_finest())
+      refine_without_flips(level, uv, summary);
+    else if (m_lambda > 0)
+      internal::Level_refiner<Energy>(level, uv, m_options, summary, Energy(lambda_of(level))).run();
+    else
+      internal::Conformal_refiner(level, uv, m_options, summary).run();
+    summary.energy_start = energy_start;
+    summary.energy_end = energy(level, uv);
+    return OK;
+  }
+
+private:
+  // lambda in the units of a level
+  double lambda_of(const Level& level) const { return std::ldexp(m_lambda, 2 * level.scale_exponent()); }
+
+  // the energy in the user's units
+  double energy(const Level& level, const Level::Uv& uv) const
+  {
+    const internal::Level_energy<Energy> energy(level, Triangle_weight::AREA, Energy(lambda_of(level)));
+    return std::ldexp(energy(uv), -2 * level.scale_exponent());
+  }
+
+  void refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) const
+  {
+    constexpr double tolerance_of_start = 1e-3;
+    Refinement_options options = m_options;
+    options.tolerance = (std::max)(options.tolerance, tolerance_of_start);
+    internal::Level_refiner<Symmetric_Dirichlet_energy_2>(level, uv, options, summary).run();
+  }
+
+  double m_lambda = 1000;
+  Refinement_options m_options;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_AS_RIGID_AS_POSSIBLE_PARAMETERIZER_3_H
