@@ -84,6 +84,7 @@ set(table "
 5 Rebind_solver.h
 5 internal/Solver_use.h
 5 internal/Rebound_parameterizer_3.h
+5 internal/Rebound_as_rigid_as_possible_3.h
 6 Hierarchical_parameterizer_3.h
 ")
 

@@ -398,6 +398,48 @@ TEST(As_rigid_as_possible, threads_do_not_change_the_map)
 }
 #endif
 
+// ---- in the place of CGAL's ----
+
+typedef ARAP_parameterizer_3<Surface_mesh>          CGAL_method;
+typedef Hierarchical_parameterizer_3<CGAL_method>   Hierarchical_CGAL_method;
+
+TEST(Hierarchical_ARAP_parameterizer, takes_the_arguments_of_CGALs_and_named_parameters)
+{
+  const Two_vertices_parameterizer_3<Surface_mesh> border;
+  Mapped_mesh mapped(grid(16, 12, wavy));
+  const auto uv = [&mapped](const auto& parameterizer) {
+    EXPECT_EQ(mapped.parameterize(parameterizer), OK);
+    return mapped.uv();
+  };
+  const auto coarse = parameters::coarsest_size(20);
+  const auto method_uv = [&](const auto& method_parameters) { return uv(Hierarchical_method(Method(method_parameters), coarse)); };
+
+  EXPECT_EQ(uv(Hierarchical_CGAL_method()), uv(Hierarchical_method()));
+  EXPECT_EQ(uv(Hierarchical_CGAL_method(0.1)), uv(Hierarchical_method(Method(parameters::lambda(0.1)))));
+  EXPECT_EQ(uv(Hierarchical_CGAL_method(10)), uv(Hierarchical_method(Method(parameters::lambda(10.)))));
+  EXPECT_EQ(uv(Hierarchical_CGAL_method(border)), uv(Hierarchical_method()));
+  EXPECT_EQ(uv(Hierarchical_CGAL_method(coarse)), method_uv(parameters::default_values()));
+  EXPECT_EQ(uv(Hierarchical_CGAL_method(0.1, coarse)), method_uv(parameters::lambda(0.1)));
+  EXPECT_EQ(uv(Hierarchical_CGAL_method(border, coarse)), method_uv(parameters::default_values()));
+  EXPECT_EQ(uv(Hierarchical_CGAL_method(border, 0.1, coarse)), method_uv(parameters::lambda(0.1)));
+  EXPECT_EQ(uv(Hierarchical_CGAL_method(border, 0.1, 1, coarse)), method_uv(parameters::lambda(0.1).number_of_iterations(1)));
+  EXPECT_EQ(uv(Hierarchical_CGAL_method(border, 0.1, 9, 0.1, coarse)), method_uv(parameters::lambda(0.1).tolerance(0.1).number_of_iterations(9)));
+  EXPECT_EQ(uv(Hierarchical_CGAL_method(parameters::lambda(0.1).coarsest_size(20))), method_uv(parameters::lambda(0.1)));
+}
+
+TEST(Hierarchical_ARAP_parameterizer, tells_what_it_did)
+{
+  Mapped_mesh mapped(hemisphere());
+  EXPECT_EQ(mapped.parameterize(Hierarchical_CGAL_method(10., parameters::coarsest_size(20).summary(std::ref(mapped.summary)))), OK);
+  EXPECT_TRUE(mapped.summary.converged);
+  EXPECT_GT(mapped.summary.levels.size(), 3u);
+  EXPECT_NEAR(mapped.summary.energy, mapped.energy(10), 1e-8 * mapped.summary.energy);
+
+  Mapped_mesh theirs(hemisphere());
+  EXPECT_EQ(theirs.parameterize(CGAL_method(10.)), OK);
+  EXPECT_LE(mapped.summary.energy, theirs.energy(10) * (1 + 1e-6));
+}
+
 // Checks that all levels are free of flips but the finest.
 struct Checking_visitor
 {

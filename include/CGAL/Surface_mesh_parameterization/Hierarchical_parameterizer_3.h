@@ -9,12 +9,15 @@
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Rebound_as_rigid_as_possible_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rebound_parameterizer_3.h>
 
 #include <type_traits>
 #include <utility>
 
 namespace CGAL::Surface_mesh_parameterization {
+
+template <class, class, class> class ARAP_parameterizer_3;
 
 namespace internal {
 
@@ -48,6 +51,12 @@ struct Hierarchical_base
   typedef std::conditional_t<is_refinable, Nested_iteration_parameterizer_3<Parameterizer>, Rebound_parameterizer_3<Parameterizer>>   type;
 };
 
+template <class TriangleMesh, class BorderParameterizer, class SolverTraits>
+struct Hierarchical_base<ARAP_parameterizer_3<TriangleMesh, BorderParameterizer, SolverTraits>>
+{
+  typedef Rebound_as_rigid_as_possible_3<TriangleMesh, BorderParameterizer>   type;
+};
+
 } // namespace internal
 
 /// \ingroup PkgHierarchicalParameterizationMethods
@@ -63,6 +72,10 @@ struct Hierarchical_base
 /// - `coarsest_size`, `random_seed`: of the hierarchy, see `Collapse_hierarchy_3`
 /// - `visitor`: a model of `HierarchyVisitor_3`, of which `hierarchy_built()` is called
 /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as long as the parameterizer runs
+///
+/// CGAL's `ARAP_parameterizer_3` is the exception: in its place runs `As_rigid_as_possible_parameterizer_3`, level by level, which minimizes the same energy. The
+/// constructor takes what CGAL's takes, but for the solver: `(lambda)` or `(border_parameterizer, lambda, iterations, tolerance)`, and then the named parameters of
+/// that method and of `Nested_iteration_parameterizer_3`. The border parameterizer is not used.
 ///
 /// On an error the user's maps are untouched. Any other type is refused when it is compiled.
 ///

@@ -9,6 +9,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <functional>
+#include <type_traits>
 
 /// \file parameters.h
 /// The named parameters of this package that CGAL does not have: `coarsest_size`, `tolerance`, `triangle_weight`, `number_of_local_steps`,
@@ -51,6 +52,13 @@ struct Named_parameters : Named_function_parameters<T, Tag, Base>
   CGAL_SURFACE_MESH_PARAMETERIZATION_NAMED_PARAMETERS(CGAL_SURFACE_MESH_PARAMETERIZATION_MEMBER)
 #undef CGAL_SURFACE_MESH_PARAMETERIZATION_MEMBER
 };
+
+template <class T, class Tag, class Base>
+std::true_type test_named_parameters(const Named_function_parameters<T, Tag, Base>*);
+std::false_type test_named_parameters(const void*);
+
+template <class T>
+constexpr bool is_named_parameters = decltype(test_named_parameters(static_cast<const T*>(nullptr)))::value;
 
 } // namespace Surface_mesh_parameterization::internal
 

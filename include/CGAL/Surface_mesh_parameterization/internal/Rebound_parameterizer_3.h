@@ -35,10 +35,6 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-template <class T, class Tag, class Base>
-std::true_type is_named_parameters(const Named_function_parameters<T, Tag, Base>*);
-std::false_type is_named_parameters(const void*);
-
 // Runs a parameterizer that solves linear systems with the multigrid solver in place of its own. Vertices are numbered breadth first, and the
 // parameterizer writes to private maps, which are copied to the user's if all went well.
 template <class Parameterizer>
@@ -65,7 +61,7 @@ public:
     const auto arguments = std::make_tuple(first, others...);
     constexpr std::size_t last = sizeof...(others);
     typedef std::decay_t<decltype(std::get<last>(arguments))>   Last;
-    if constexpr (decltype(is_named_parameters(static_cast<const Last*>(nullptr)))::value) {
+    if constexpr (is_named_parameters<Last>) {
       keep_arguments(arguments, std::make_index_sequence<last>());
       set_options(std::get<last>(arguments));
     } else {
