@@ -111,7 +111,7 @@ public:
   ///        a vertex whose index is the i-th in ascending order have the numbers from k i to k i + k - 1. A vertex with a negative index is not in the system
   /// \param np
   /// - `tolerance`: relative residual to be reached, of rows scaled to unit diagonal; default 1e-10
-  /// - `number_of_iterations`: the most iterations before the direct solver takes over; default 100
+  /// - `number_of_iterations`: the most iterations before the direct solver takes over; default 300
   /// - `coarsest_size`, `random_seed`: of the hierarchy, see `Collapse_hierarchy_3`
   ///
   /// Whether the mesh could be read is told by `error()`; if not, nothing can be solved.

@@ -17,9 +17,9 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 //   number_of_rows(), loops(),
 //   row_times(i, x)          row i of A x
 //   precondition(r, z)       z := M^-1 r
-//   is_solved(r)             whether the residual is small enough, for each right side
-// The methods start from `x` and its residual `r`, change both, and stop where is_solved(r), after `most_iterations`, or where a right side breaks
-// down; they return the number of iterations. A right side that has been solved stays as it is.
+//   is_finished(r)           whether to stop: the residual is small enough for each right side, or there is no progress any more
+// The methods start from `x` and its residual `r`, change both, and stop where is_finished(r), after `most_iterations`, or where a right side breaks
+// down; they return the number of iterations.
 
 template <class Value>
 Value quotient(const Value& a, const Value& b) { return (b != 0).select(a / b, Value::Zero()); }
@@ -41,7 +41,7 @@ std::size_t conjugate_gradients(System& system, Vector& x, Vector& r, std::size_
   Vector z(n), p(n, Value::Zero());
   Value rz = Value::Zero();
   std::size_t iterations = 0;
-  for (; iterations < most_iterations && !system.is_solved(r); ++iterations) {
+  for (; iterations < most_iterations && !system.is_finished(r); ++iterations) {
     system.precondition(r, z);
     const Value rz_before = std::exchange(rz, dot(loops, r, z)), beta = quotient(rz, rz_before);
     loops.for_each(0, n, [&](Index i) { p[i] = z[i] + beta * p[i]; });
@@ -71,7 +71,7 @@ std::size_t stabilized_biconjugate_gradients(System& system, Vector& x, Vector& 
   Vector p(n, Value::Zero()), v(n, Value::Zero()), y(n), t(n);
   Value rho = Value::Ones(), alpha = Value::Ones(), omega = Value::Ones();
   std::size_t iterations = 0;
-  for (; iterations < most_iterations && !system.is_solved(r); ++iterations) {
+  for (; iterations < most_iterations && !system.is_finished(r); ++iterations) {
     const Value rho_before = std::exchange(rho, dot(loops, shadow, r)), beta = quotient(rho, rho_before) * quotient(alpha, omega);
     loops.for_each(0, n, [&](Index i) { p[i] = r[i] + beta * (p[i] - omega * v[i]); });
     system.precondition(p, y);
@@ -83,7 +83,7 @@ std::size_t stabilized_biconjugate_gradients(System& system, Vector& x, Vector& 
       x[i] += alpha * y[i];
       r[i] -= alpha * v[i];
     });
-    if (system.is_solved(r))
+    if (system.is_finished(r))
       return ++iterations;
 
     system.precondition(r, y);

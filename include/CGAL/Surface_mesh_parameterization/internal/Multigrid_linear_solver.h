@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -40,7 +41,7 @@ public:
   struct Options
   {
     double tolerance = 1e-10;             // of the residual, relative to that of the free unknowns at 0; rows scaled to unit diagonal
-    std::size_t most_iterations = 100;
+    std::size_t most_iterations = 300;
   };
 
   struct Result
@@ -106,6 +107,18 @@ private:
     Value row_times(Index i, const Vector& x) const { return m_system.row_times(i, x); }
     bool is_solved(const Vector& r) const { return (m_system.norm(r) <= m_target).all(); }
 
+    // Of an indefinite matrix the residual may wander about for ever.
+    bool is_finished(const Vector& r)
+    {
+      constexpr int patience = 60;
+      const double excess = quotient(m_system.norm(r), m_target).maxCoeff();
+      if (excess < m_least_excess / 2) {
+        m_least_excess = excess;
+        m_idle_steps = 0;
+      }
+      return !(excess > 1) || ++m_idle_steps > patience;
+    }
+
     // z := M^-1 r
     void precondition(const Vector& r, Vector& z)
     {
@@ -148,6 +161,8 @@ private:
     const Multigrid& m_multigrid;
     Multigrid::Space<columns> m_space;
     Value m_target;
+    double m_least_excess = (std::numeric_limits<double>::infinity)();      // of the residual over its target
+    int m_idle_steps = 0;         // since the excess was halved
   };
 
   // Improves x and computes its residual r. Returns the number of iterations.

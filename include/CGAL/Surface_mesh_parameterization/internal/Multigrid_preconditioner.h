@@ -34,11 +34,11 @@ public:
   Multigrid_preconditioner(const Collapse_hierarchy_3& hierarchy, const std::vector<Mesh_unknown>& unknowns, Sparse_rows<Real> matrix)
   {
     std::size_t fine = hierarchy.number_of_levels() - 1;
-    m_grids.push_back(Incomplete_LU<Real>(std::move(matrix), true));
+    m_grids.emplace_back(std::move(matrix));
     for (const std::vector<Mesh_unknown>* fine_unknowns = &unknowns; fine > 0 && fine_unknowns->size() > coarsest_size;) {
       const std::size_t coarse = fine > groups_per_grid ? fine - groups_per_grid : 0;
       m_transfers.emplace_back(Pruned_prolongation(hierarchy, coarse, fine, Loops()), *fine_unknowns);
-      m_grids.push_back(Incomplete_LU<Real>(m_transfers.back().template galerkin_product<Real>(m_grids.back()), false));
+      m_grids.emplace_back(m_transfers.back().template galerkin_product<Real>(m_grids.back()));
       fine_unknowns = &m_transfers.back().coarse_unknowns();
       fine = coarse;
     }

@@ -47,12 +47,16 @@ public:
   void set_coef(std::size_t i, std::size_t j, double value, bool is_new = false)
   {
     const bool was_merged = !m_rows->values.empty();
-    if (!was_merged || !m_waiting.empty() || !set_existing(i, j, value))
+    if (!was_merged || !m_waiting.empty() || !change_existing(i, j, [value](double& a) { a = value; }))
       append(i, j, value, was_merged || !is_new);
   }
 
   // a_ij := a_ij + value
-  void add_coef(std::size_t i, std::size_t j, double value) { append(i, j, value, false); }
+  void add_coef(std::size_t i, std::size_t j, double value)
+  {
+    if (m_replacements_wait || !change_existing(i, j, [value](double& a) { a += value; }))
+      append(i, j, value, false);
+  }
 
   // The rows, their columns ascending. They stay as they are while somebody holds them, whatever becomes of the matrix; so one pointer means equal values.
   std::shared_ptr<const Rows> rows() const
@@ -79,6 +83,7 @@ private:
     if (m_waiting.size() >= (std::max)((std::max)(fewest_waiting, m_rows->values.size()), m_rows->first.size() * expected_row_size))
       merge();
     m_waiting.push_back({ Index(i), Index(j), replaces, value });
+    m_replacements_wait = m_replacements_wait || replaces;
   }
 
   static constexpr std::size_t expected_row_size = 8;
@@ -90,14 +95,16 @@ private:
     return found != end && *found == Index(j) ? found - m_rows->columns.begin() : not_found;
   }
 
-  bool set_existing(std::size_t i, std::size_t j, double value)
+  // Returns whether there is such an entry among the rows.
+  template <class Change>
+  bool change_existing(std::size_t i, std::size_t j, const Change& change)
   {
     const std::size_t k = position(i, j);
     if (k == not_found)
       return false;
     if (m_rows.use_count() > 1)
       m_rows = std::make_shared<Rows>(*m_rows);
-    m_rows->values[k] = value;
+    change(m_rows->values[k]);
     return true;
   }
 
@@ -127,6 +134,7 @@ private:
     merged->values.shrink_to_fit();
     m_rows = merged;
     std::vector<Entry>().swap(m_waiting);
+    m_replacements_wait = false;
   }
 
   void merge_row(Index i, Index* begin, Index* end, Rows& merged) const
@@ -152,6 +160,7 @@ private:
   std::size_t m_columns;
   mutable std::shared_ptr<Rows> m_rows;
   mutable std::vector<Entry> m_waiting;
+  mutable bool m_replacements_wait = false;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
