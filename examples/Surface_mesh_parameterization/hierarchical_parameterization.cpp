@@ -56,7 +56,7 @@ bool read_options(int argc, char** argv, Options& options)
     ("flat", po::bool_switch(&options.flat), "run the method without the hierarchy")
     ("tolerance", po::value(&options.tolerance), "mips, symmetric-dirichlet: converged when a step lowers the energy by less than this part of its excess over the minimum "
                                                  "(default 1e-6); others: when the relative residual is not greater (default 1e-8)")
-    ("iterations", po::value(&options.iterations), "the most steps on a level: of Newton's method (default 100), or sweeps (default 10000)")
+    ("iterations", po::value(&options.iterations), "the most steps on a level: of Newton's method (default 100), sweeps (10000), or of the linear solver (300)")
     ("weights", po::value(&weights), "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)")
     ("seed", po::value(&options.seed)->default_value(0), "of the random choices: the same seed gives the same result")
     ("threads", po::value(&options.threads)->default_value(0), "the most threads to use, if built with TBB; 0: as many as there are. The result is the same")

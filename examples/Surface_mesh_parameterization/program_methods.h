@@ -7,10 +7,17 @@
 #include "program_input.h"
 #include "program_output.h"
 
+#include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Chordal_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_authalic_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Harmonic_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Iterative_authalic_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Shape_preserving_edge_weights_3.h>
@@ -18,6 +25,9 @@
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
+#include <CGAL/Real_timer.h>
+
+#include <stdlib.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -25,7 +35,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <iostream>
 #include <string>
+#include <system_error>
 #include <type_traits>
 #include <vector>
 
@@ -120,6 +132,69 @@ SMP::Parameterization_summary minimize_edge_energy(Input& input, const Method_op
   });
 }
 
+// Keeps to itself what CGAL's code prints, and the files that it leaves in the current folder (Iterative_authalic_parameterizer_3 of CGAL 5).
+class Quarantine
+{
+public:
+  Quarantine() : m_output(std::cout.rdbuf(nullptr)), m_folder(std::filesystem::current_path())
+  {
+    char name[] = "/tmp/parameterizationXXXXXX";
+    if (const char* folder = mkdtemp(name)) {
+      m_temporary_folder = folder;
+      std::filesystem::current_path(m_temporary_folder);
+    }
+  }
+  ~Quarantine()
+  {
+    std::error_code ignored;
+    std::cout.rdbuf(m_output);
+    std::cout.clear();
+    std::filesystem::current_path(m_folder, ignored);
+    if (!m_temporary_folder.empty())
+      std::filesystem::remove_all(m_temporary_folder, ignored);
+  }
+  Quarantine(const Quarantine&) = delete;
+
+private:
+  std::streambuf* m_output;
+  std::filesystem::path m_folder, m_temporary_folder;
+};
+
+// Runs one of CGAL's own parameterizers as it is.
+template <class Method>
+SMP::Parameterization_summary run_as_shipped(Input& input, UV_map uvmap)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  SMP::Parameterization_summary summary;
+  const SMP::Mesh_component<Mesh> component(input.mesh, input.border);
+  summary.error = component.error();
+  if (summary.error.code == SMP::OK) {
+    const auto index = input.mesh.add_property_map<Mesh::Vertex_index, int>("v:index").first;
+    const auto is_parameterized = input.mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_placed", false).first;
+    for (std::size_t i = 0; i < component.vertices_of_component().size(); ++i)
+      index[component.vertices_of_component()[i]] = int(i);
+    summary.error.code = Method().parameterize(input.mesh, input.border, uvmap, index, is_parameterized);
+  }
+  summary.converged = summary.error.code == SMP::OK;
+  summary.seconds_parameterize = timer.time();
+  return summary;
+}
+
+template <template <class, class, class> class CGAL_parameterizer>
+SMP::Parameterization_summary run_wrapped(Input& input, const Method_options& options, UV_map uvmap)
+{
+  typedef CGAL_parameterizer<Mesh, CGAL::Default, CGAL::Default>   Method;
+  const Quarantine quarantine;
+  if (options.flat)
+    return run_as_shipped<Method>(input, uvmap);
+  SMP::Parameterization_summary summary;
+  const SMP::Hierarchical_parameterizer_3<Method> hierarchical(
+    CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary)).random_seed(options.seed).number_of_iterations(options.iterations));
+  SMP::parameterize(input.mesh, hierarchical, input.border, uvmap);
+  return summary;
+}
+
 inline const std::vector<Program_method>& methods()
 {
   constexpr SMP::Triangle_weight one = SMP::Triangle_weight::ONE, area = SMP::Triangle_weight::AREA;
@@ -129,7 +204,14 @@ inline const std::vector<Program_method>& methods()
     { "uniform", "every vertex the mean of its neighbors, border on a circle", minimize_edge_energy<SMP::Uniform_edge_weights_3>, false, 1e-8, 10000, one },
     { "chordal", "the same, weighted by the inverse lengths of the edges", minimize_edge_energy<SMP::Chordal_edge_weights_3>, false, 1e-8, 10000, one },
     { "harmonic", "the same, weighted by cotangents", minimize_edge_energy<SMP::Harmonic_edge_weights_3>, false, 1e-8, 10000, one },
-    { "shape-preserving", "the same, by Floater's weights", minimize_edge_energy<SMP::Shape_preserving_edge_weights_3>, false, 1e-8, 10000, one } };
+    { "shape-preserving", "the same, by Floater's weights", minimize_edge_energy<SMP::Shape_preserving_edge_weights_3>, false, 1e-8, 10000, one },
+    { "barycentric", "CGAL's Tutte map, border on a circle", run_wrapped<SMP::Barycentric_mapping_parameterizer_3>, false, 1e-10, 300, one },
+    { "mean-value", "CGAL's mean value coordinates, border on a circle", run_wrapped<SMP::Mean_value_coordinates_parameterizer_3>, false, 1e-10, 300, one },
+    { "conformal", "CGAL's discrete conformal map, border on a circle", run_wrapped<SMP::Discrete_conformal_map_parameterizer_3>, false, 1e-10, 300, one },
+    { "authalic", "CGAL's discrete authalic map, border on a circle", run_wrapped<SMP::Discrete_authalic_parameterizer_3>, false, 1e-10, 300, one },
+    { "iterative-authalic", "the same, iterated for equal areas", run_wrapped<SMP::Iterative_authalic_parameterizer_3>, false, 1e-10, 300, one },
+    { "lscm", "CGAL's least squares conformal map, free border", run_wrapped<SMP::LSCM_parameterizer_3>, false, 1e-10, 300, one },
+    { "arap", "as rigid as possible, free border; --flat: as CGAL has it", run_wrapped<SMP::ARAP_parameterizer_3>, false, 1e-6, 100, one } };
   return all;
 }
 

@@ -117,6 +117,10 @@ inline nlohmann::ordered_json make_report(const Input& input, const std::string&
   for (const SMP::Level_summary& level : summary.levels)
     report["levels"].push_back({ { "vertices", level.vertices }, { "faces", level.faces }, { "energy_start", level.energy_start },
                                  { "energy_end", level.energy_end }, { "iterations", level.iterations }, { "seconds", level.seconds } });
+  if (const SMP::Linear_solver_summary& solver = summary.linear_solver; solver.right_sides > 0)
+    report["linear_solver"] = { { "right_sides", solver.right_sides }, { "iterations", solver.iterations }, { "residual", solver.residual },
+                                { "direct_solutions", solver.direct_solutions }, { "seconds_setup", solver.seconds_setup },
+                                { "seconds_solve", solver.seconds_solve } };
   if (quality)
     report["quality"] = { { "flips", quality->flips }, { "degenerate", quality->degenerate }, { "overlaps", nullptr },
                           { "mips", quality->mips }, { "mips_excess", quality->mips_excess },

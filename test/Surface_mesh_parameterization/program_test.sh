@@ -62,6 +62,20 @@ for method in uniform chordal harmonic shape-preserving; do
   # The same map but for the last digits.
   paste <(grep '^vt ' nested.obj) <(grep '^vt ' flat.obj) | awk '{ if (($2-$5)^2 + ($3-$6)^2 > 1e-12) exit 1 }' || fail "$method: flat and hierarchical maps differ"
 done
+# CGAL's own methods: the same map as without the hierarchy.
+for method in barycentric mean-value conformal authalic iterative-authalic lscm; do
+  expect 0 --method $method --output nested.obj --report report.json
+  is_field status '"ok"' $method
+  grep -q '"linear_solver":{"right_sides"' report.json || fail "$method did not solve by multigrid"
+  expect 0 --method $method --flat --output flat.obj --report report.json
+  is_field status '"ok"' "$method --flat"
+  paste <(grep '^vt ' nested.obj) <(grep '^vt ' flat.obj) | awk '{ if (($2-$5)^2 + ($3-$6)^2 > 1e-12) exit 1 }' || fail "$method: flat and hierarchical maps differ"
+done
+expect 0 --method arap --report report.json
+is_field status '"ok"' arap
+expect 0 --method arap --flat --report report.json
+is_field status '"ok"' "arap --flat"
+[ -z "$(ls | grep '[.]off$')" ] || fail "CGAL's code left a file: $(ls)"
 expect 0 --method uniform --iterations 2 --report report.json
 is_field status '"not_converged"' "uniform --iterations 2"
 expect 0 --weights area --tolerance 1e-3 --iterations 5 --quiet
