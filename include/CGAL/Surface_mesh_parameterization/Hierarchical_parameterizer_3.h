@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Rebound_orbifold_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rebound_parameterizer_3.h>
 
 #include <type_traits>
@@ -48,6 +49,12 @@ struct Hierarchical_base
   typedef std::conditional_t<is_refinable, Nested_iteration_parameterizer_3<Parameterizer>, Rebound_parameterizer_3<Parameterizer>>   type;
 };
 
+template <class SeamMesh, class SolverTraits>
+struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
+{
+  typedef Rebound_orbifold_parameterizer_3<SeamMesh, SolverTraits>   type;
+};
+
 } // namespace internal
 
 /// \ingroup PkgHierarchicalParameterizationMethods
@@ -63,6 +70,8 @@ struct Hierarchical_base
 /// - `coarsest_size`, `random_seed`: of the hierarchy, see `Collapse_hierarchy_3`
 /// - `visitor`: a model of `HierarchyVisitor_3`, of which `hierarchy_built()` is called
 /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as long as the parameterizer runs
+///
+/// CGAL's `Orbifold_Tutte_parameterizer_3` keeps its own call, `parameterize(mesh, bhd, cmap, uvmap, vimap)`.
 ///
 /// On an error the user's maps are untouched. Any other type is refused when it is compiled.
 ///

@@ -35,6 +35,8 @@ public:
     : m_hierarchy(std::move(hierarchy)), m_unknowns(std::move(unknowns)), m_options(options), m_solves_in_pairs(solves_in_pairs)
   { }
 
+  virtual ~Multigrid_session() = default;
+
   const Linear_solver_summary& summary() const { return m_summary; }
 
   // Sets up the solver for a matrix, unless it is the one of the last time.
@@ -56,7 +58,8 @@ public:
     return true;
   }
 
-  bool solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution)
+  // Solves with a matrix for one right side.
+  virtual bool solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution)
   {
     return m_solves_in_pairs ? solve_with_next(matrix, right_side, solution) : set_up(matrix) && solve(right_side, solution);
   }
