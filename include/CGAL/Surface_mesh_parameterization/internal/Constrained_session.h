@@ -32,19 +32,23 @@ public:
   // The multipliers, for which nobody asks, become 0.
   bool solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution) override
   {
-    // Ties between the two sides of the seam keep the vertex that lives on coarser levels. So on most levels one of the two is left at most, it is an unknown,
-    // and functions that a rotation continues across the seam have good coarse approximations.
+    // Of two vertices that face each other across the seam the one that lives on coarser levels stays an unknown. The other one is none, but if it is there on
+    // a coarser grid it may become one. So coarse functions on the two sides are independent but for the fine edges, whose energy ties them.
     const Constraint_elimination elimination(*matrix.rows(), right_side.eigen_object(), m_ranks);
     if (!elimination.is_complete())
       return false;
     m_is_free.resize(m_ranks.size());
-    for (std::size_t i = 0; i < m_ranks.size(); ++i)
-      m_is_free[i] = elimination.is_free(Index(i));
+    std::vector<Index> tied_vertices;
+    for (Index i = 0; i < m_ranks.size(); ++i) {
+      m_is_free[i] = elimination.is_free(i);
+      if (elimination.is_tied(i))
+        tied_vertices.push_back(m_ranks[i]);
+    }
 
     Vector reduced_right_side, free_points;
     reduced_right_side = elimination.reduced_right_side();
     if (elimination.number_of_unknowns() > 0
-        && !(set_up(elimination.reduced_matrix()) && Multigrid_session::solve(reduced_right_side, free_points)))
+        && !(set_up(elimination.reduced_matrix(), tied_vertices) && Multigrid_session::solve(reduced_right_side, free_points)))
       return false;
     const Vector::EigenType points = elimination.expand(free_points.eigen_object());
     solution.setZero(right_side.size());

@@ -58,6 +58,9 @@ public:
 
   bool is_free(Index point) const { return m_ties[point].to == point; }
 
+  // Whether a point is given by a free one.
+  bool is_tied(Index point) const { return !is_free(point) && m_ties[point].to != no_index; }
+
   // -Z' L Z. The unknowns of the i-th free point are 2 i and 2 i + 1.
   Sparse_matrix reduced_matrix() const
   {

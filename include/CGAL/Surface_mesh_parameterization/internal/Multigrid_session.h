@@ -39,8 +39,8 @@ public:
 
   const Linear_solver_summary& summary() const { return m_summary; }
 
-  // Sets up the solver for a matrix, unless it is the one of the last time.
-  bool set_up(const Sparse_matrix& matrix)
+  // Sets up the solver for a matrix, unless it is the one of the last time; `tied_vertices` as for Multigrid_linear_solver.
+  bool set_up(const Sparse_matrix& matrix, const std::vector<Index>& tied_vertices = {})
   {
     std::shared_ptr<const Sparse_rows<double>> rows = matrix.rows();
     if (m_solver && m_solver->rows() == rows)
@@ -52,7 +52,7 @@ public:
       return false;
     CGAL::Real_timer timer;
     timer.start();
-    m_solver = std::make_unique<Multigrid_linear_solver>(m_hierarchy, std::move(rows), std::move(unknowns));
+    m_solver = std::make_unique<Multigrid_linear_solver>(m_hierarchy, std::move(rows), std::move(unknowns), tied_vertices);
     ++m_summary.setups;
     m_summary.seconds_setup += timer.time();
     return true;
