@@ -16,6 +16,7 @@ set(table "
 0 internal/Loops.h
 0 internal/Sparse_rows.h
 0 internal/Sparse_matrix.h
+0 internal/Constraint_elimination.h
 0 internal/Incomplete_LU.h
 0 internal/Krylov_methods.h
 0 internal/solve_by_factorization.h
@@ -65,6 +66,7 @@ set(table "
 3 internal/Multigrid_preconditioner.h
 3 internal/Multigrid_linear_solver.h
 3 internal/Multigrid_session.h
+3 internal/Constrained_session.h
 3 internal/Newton_multigrid.h
 3 internal/Level_refiner.h
 3 internal/Edge_system.h
@@ -83,8 +85,11 @@ set(table "
 5 Multigrid_solver_traits.h
 5 Rebind_solver.h
 5 internal/Solver_use.h
+5 internal/Rebound_run.h
+5 internal/Rebound_parameterizer_base_3.h
 5 internal/Rebound_parameterizer_3.h
 5 internal/Rebound_as_rigid_as_possible_3.h
+5 internal/Rebound_orbifold_parameterizer_3.h
 6 Hierarchical_parameterizer_3.h
 ")
 

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rebound_as_rigid_as_possible_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Rebound_orbifold_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rebound_parameterizer_3.h>
 
 #include <type_traits>
@@ -57,6 +58,12 @@ struct Hierarchical_base<ARAP_parameterizer_3<TriangleMesh, BorderParameterizer,
   typedef Rebound_as_rigid_as_possible_3<TriangleMesh, BorderParameterizer>   type;
 };
 
+template <class SeamMesh, class SolverTraits>
+struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
+{
+  typedef Rebound_orbifold_parameterizer_3<SeamMesh, SolverTraits>   type;
+};
+
 } // namespace internal
 
 /// \ingroup PkgHierarchicalParameterizationMethods
@@ -76,6 +83,8 @@ struct Hierarchical_base<ARAP_parameterizer_3<TriangleMesh, BorderParameterizer,
 /// CGAL's `ARAP_parameterizer_3` is the exception: in its place runs `As_rigid_as_possible_parameterizer_3`, level by level, which minimizes the same energy. The
 /// constructor takes what CGAL's takes, but for the solver: `(lambda)` or `(border_parameterizer, lambda, iterations, tolerance)`, and then the named parameters of
 /// that method and of `Nested_iteration_parameterizer_3`. The border parameterizer is not used.
+///
+/// CGAL's `Orbifold_Tutte_parameterizer_3` keeps its own call, `parameterize(mesh, bhd, cmap, uvmap, vimap)`.
 ///
 /// On an error the user's maps are untouched. Any other type is refused when it is compiled.
 ///

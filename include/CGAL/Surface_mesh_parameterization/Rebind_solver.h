@@ -8,6 +8,10 @@
 
 namespace CGAL::Surface_mesh_parameterization {
 
+/// \cond SKIP_IN_MANUAL
+template <class, class> class Orbifold_Tutte_parameterizer_3;
+/// \endcond
+
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
 /// Tells how a parameterizer is made to use another solver: `type` is the same parameterizer with `SolverTraits`.
@@ -30,6 +34,12 @@ template <template <class, class, class> class Parameterizer, class TriangleMesh
 struct Rebind_solver<Parameterizer<TriangleMesh, BorderParameterizer, OldSolverTraits>, SolverTraits>
 {
   typedef Parameterizer<TriangleMesh, BorderParameterizer, SolverTraits>   type;
+};
+
+template <class SeamMesh, class OldSolverTraits, class SolverTraits>
+struct Rebind_solver<Orbifold_Tutte_parameterizer_3<SeamMesh, OldSolverTraits>, SolverTraits>
+{
+  typedef Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>   type;
 };
 /// \endcond
 

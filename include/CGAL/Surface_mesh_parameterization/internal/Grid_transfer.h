@@ -27,8 +27,9 @@ struct Mesh_unknown
 class Grid_transfer
 {
 public:
-  // The coarse unknowns are those of the `fine_unknowns` that sit at coarse vertices, in the same order.
-  Grid_transfer(const Pruned_prolongation& prolongation, const std::vector<Mesh_unknown>& fine_unknowns)
+  // The coarse unknowns are those of the `fine_unknowns` that sit at coarse vertices, in the same order, and then those of some `tied_vertices`: these, though
+  // coarse vertices, have no fine unknowns, since the values of others give theirs.
+  Grid_transfer(const Pruned_prolongation& prolongation, const std::vector<Mesh_unknown>& fine_unknowns, const std::vector<Index>& tied_vertices = {})
   {
     std::size_t components = 1;
     for (const Mesh_unknown& u : fine_unknowns)
@@ -37,6 +38,11 @@ public:
     for (const Mesh_unknown& u : fine_unknowns)
       if (u.vertex < prolongation.coarse_size()) {
         number[components * u.vertex + u.component] = Index(m_coarse_unknowns.size());
+        m_coarse_unknowns.push_back(u);
+      }
+    for (const Mesh_unknown& u : needed_unknowns(prolongation, fine_unknowns, tied_vertices))
+      if (Index& n = number[components * u.vertex + u.component]; n == no_index) {
+        n = Index(m_coarse_unknowns.size());
         m_coarse_unknowns.push_back(u);
       }
 
@@ -123,6 +129,26 @@ public:
 
 private:
   typedef Pruned_prolongation::Row   Row;
+
+  // The unknowns at tied vertices that get most of the weight in the row of a fine unknown. With these only, the columns of P are linearly independent.
+  static std::vector<Mesh_unknown> needed_unknowns(const Pruned_prolongation& prolongation, const std::vector<Mesh_unknown>& fine_unknowns,
+                                                   const std::vector<Index>& tied_vertices)
+  {
+    std::vector<Mesh_unknown> result;
+    if (tied_vertices.empty())
+      return result;
+    std::vector<bool> is_tied(prolongation.fine_size(), false);
+    for (const Index v : tied_vertices)
+      if (v < is_tied.size())
+        is_tied[v] = true;
+    for (const Mesh_unknown& u : fine_unknowns) {
+      const Row& row = prolongation.row(u.vertex);
+      for (int k = 0; k < Pruned_prolongation::row_size; ++k)
+        if (row.weights[k] > 0.5f && is_tied[row.columns[k]])
+          result.push_back({ row.columns[k], u.component });
+    }
+    return result;
+  }
 
   // For every coarse unknown: where its entries begin, and these, a fine unknown and a weight each.
   std::pair<std::vector<Index>, std::vector<std::pair<Index, float>>> transposed_rows() const

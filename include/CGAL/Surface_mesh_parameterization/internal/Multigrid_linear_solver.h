@@ -27,13 +27,13 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Multigrid_linear_solver
 {
 public:
-  // `unknowns[i]` tells where unknown i sits.
+  // `unknowns[i]` tells where unknown i sits. At `tied_vertices` there is none, since the values of others give theirs.
   Multigrid_linear_solver(std::shared_ptr<const Collapse_hierarchy_3> hierarchy, std::shared_ptr<const Sparse_rows<double>> rows,
-                          std::vector<Mesh_unknown> unknowns)
+                          std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices = {})
     : m_hierarchy(std::move(hierarchy)), m_system(*m_hierarchy, std::move(rows), std::move(unknowns))
   {
     if (m_system.is_regular())
-      m_multigrid = std::make_unique<Multigrid>(*m_hierarchy, m_system.free_mesh_unknowns(), m_system.free_part<Real>());
+      m_multigrid = std::make_unique<Multigrid>(*m_hierarchy, m_system.free_mesh_unknowns(), m_system.free_part<Real>(), tied_vertices);
   }
 
   const std::shared_ptr<const Sparse_rows<double>>& rows() const { return m_system.rows(); }

@@ -31,13 +31,15 @@ public:
   static constexpr std::size_t coarsest_size = 500;      // unknowns; is solved directly
 
   // `matrix` has a row, with ascending columns, for each of `unknowns`. These are best in the order of the hierarchy's input, for the cache.
-  Multigrid_preconditioner(const Collapse_hierarchy_3& hierarchy, const std::vector<Mesh_unknown>& unknowns, Sparse_rows<Real> matrix)
+  // `tied_vertices` have none, but may have some on coarser grids, see Grid_transfer.
+  Multigrid_preconditioner(const Collapse_hierarchy_3& hierarchy, const std::vector<Mesh_unknown>& unknowns, Sparse_rows<Real> matrix,
+                           const std::vector<Index>& tied_vertices = {})
   {
     std::size_t fine = hierarchy.number_of_levels() - 1;
     m_grids.emplace_back(std::move(matrix));
     for (const std::vector<Mesh_unknown>* fine_unknowns = &unknowns; fine > 0 && fine_unknowns->size() > coarsest_size;) {
       const std::size_t coarse = fine > groups_per_grid ? fine - groups_per_grid : 0;
-      m_transfers.emplace_back(Pruned_prolongation(hierarchy, coarse, fine, Loops()), *fine_unknowns);
+      m_transfers.emplace_back(Pruned_prolongation(hierarchy, coarse, fine, Loops()), *fine_unknowns, tied_vertices);
       m_grids.emplace_back(m_transfers.back().template galerkin_product<Real>(m_grids.back()));
       fine_unknowns = &m_transfers.back().coarse_unknowns();
       fine = coarse;

@@ -35,10 +35,12 @@ public:
     : m_hierarchy(std::move(hierarchy)), m_unknowns(std::move(unknowns)), m_options(options), m_solves_in_pairs(solves_in_pairs)
   { }
 
+  virtual ~Multigrid_session() = default;
+
   const Linear_solver_summary& summary() const { return m_summary; }
 
-  // Sets up the solver for a matrix, unless it is the one of the last time.
-  bool set_up(const Sparse_matrix& matrix)
+  // Sets up the solver for a matrix, unless it is the one of the last time; `tied_vertices` as for Multigrid_linear_solver.
+  bool set_up(const Sparse_matrix& matrix, const std::vector<Index>& tied_vertices = {})
   {
     std::shared_ptr<const Sparse_rows<double>> rows = matrix.rows();
     if (m_solver && m_solver->rows() == rows)
@@ -50,13 +52,14 @@ public:
       return false;
     CGAL::Real_timer timer;
     timer.start();
-    m_solver = std::make_unique<Multigrid_linear_solver>(m_hierarchy, std::move(rows), std::move(unknowns));
+    m_solver = std::make_unique<Multigrid_linear_solver>(m_hierarchy, std::move(rows), std::move(unknowns), tied_vertices);
     ++m_summary.setups;
     m_summary.seconds_setup += timer.time();
     return true;
   }
 
-  bool solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution)
+  // Solves with a matrix for one right side.
+  virtual bool solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution)
   {
     return m_solves_in_pairs ? solve_with_next(matrix, right_side, solution) : set_up(matrix) && solve(right_side, solution);
   }

@@ -1,0 +1,91 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_REBOUND_PARAMETERIZER_BASE_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_REBOUND_PARAMETERIZER_BASE_3_H
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
+#include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Multigrid_linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Rebound_run.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// The constructor and the options of a class that runs a parameterizer with the multigrid solver in place of the parameterizer's own.
+template <class Parameterizer>
+class Rebound_parameterizer_base_3
+{
+public:
+  // The arguments are those of `Parameterizer`'s constructor, less the solver; named parameters may follow them:
+  // - `coarsest_size`, `random_seed`: of the hierarchy, see Collapse_hierarchy_3
+  // - `tolerance`, `number_of_iterations`: of the solver, see Multigrid_solver_traits
+  // - `visitor`: a model of HierarchyVisitor_3, whose hierarchy_built() is called
+  // - `summary`: a std::reference_wrapper<Parameterization_summary> that receives what the run did
+  Rebound_parameterizer_base_3() : Rebound_parameterizer_base_3(parameters::default_values()) { }
+
+  template <class First, class... Others, class = std::enable_if_t<!std::is_base_of<Rebound_parameterizer_base_3, First>::value>>
+  explicit Rebound_parameterizer_base_3(const First& first, const Others&... others)
+  {
+    const auto arguments = std::make_tuple(first, others...);
+    constexpr std::size_t last = sizeof...(others);
+    typedef std::decay_t<decltype(std::get<last>(arguments))>   Last;
+    if constexpr (is_named_parameters<Last>) {
+      keep_arguments(arguments, std::make_index_sequence<last>());
+      set_options(std::get<last>(arguments));
+    } else {
+      keep_arguments(arguments, std::make_index_sequence<last + 1>());
+      set_options(parameters::default_values());
+    }
+  }
+
+protected:
+  typedef typename Rebind_solver<Parameterizer, Multigrid_solver_traits>::type   Rebound;
+
+  // Each run makes its own parameterizer, inside the scope of its solver; and some of CGAL's cannot be copied.
+  std::unique_ptr<Rebound> make_parameterizer() const { return m_make(); }
+
+  template <class TriangleMesh>
+  Rebound_run<TriangleMesh> start_run(const TriangleMesh& mesh, typename Rebound_run<TriangleMesh>::halfedge_descriptor bhd) const
+  {
+    return Rebound_run<TriangleMesh>(mesh, bhd, m_build, *m_visitor, m_summary);
+  }
+
+  const Multigrid_linear_solver::Options& solver_options() const { return m_options; }
+
+private:
+  template <class Tuple, std::size_t... positions>
+  void keep_arguments(const Tuple& arguments, std::index_sequence<positions...>)
+  {
+    m_make = [arguments] { (void)arguments; return std::make_unique<Rebound>(std::get<positions>(arguments)...); };
+  }
+
+  template <class NamedParameters>
+  void set_options(const NamedParameters& np)
+  {
+    m_build = [np](Triangulated_surface_3 surface) { return Collapse_hierarchy_3(std::move(surface), np); };
+    m_options = linear_solver_options_of(np);
+    m_visitor = hierarchy_visitor_of(np);
+    m_summary = summary_of(np);
+  }
+
+  std::function<std::unique_ptr<Rebound>()> m_make;
+  std::function<Collapse_hierarchy_3(Triangulated_surface_3)> m_build;
+  Multigrid_linear_solver::Options m_options;
+  std::shared_ptr<Any_hierarchy_visitor> m_visitor;
+  Parameterization_summary* m_summary = nullptr;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_REBOUND_PARAMETERIZER_BASE_3_H

@@ -1,0 +1,117 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_REBOUND_RUN_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_REBOUND_RUN_H
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Multigrid_session.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// One run of a parameterizer that solves with the multigrid solver: the component that it works on, its hierarchy, and what is told of the run.
+template <class TriangleMesh>
+class Rebound_run
+{
+public:
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor                                    vertex_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor                                  halfedge_descriptor;
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int>>::const_type     Index_map;
+
+  // Reads the component of `bhd`, and has `build(surface)` make its hierarchy, which is shown to the visitor; `summary` may be null.
+  // Whether the run can go on is told by error().
+  template <class Build>
+  Rebound_run(const TriangleMesh& mesh, halfedge_descriptor bhd, const Build& build, Any_hierarchy_visitor& visitor, Parameterization_summary* summary)
+    : m_index(get(CGAL::dynamic_vertex_property_t<int>(), mesh)), m_users_summary(summary)
+  {
+    this->summary() = Parameterization_summary();
+    m_timer.start();
+    Mesh_component<TriangleMesh> component(mesh, bhd);
+    this->summary().error = component.error();
+    if (error() != OK)
+      return;
+    m_vertices = component.vertices_of_component();
+    for (std::size_t i = 0; i < m_vertices.size(); ++i)
+      put(m_index, m_vertices[i], int(i));
+    m_hierarchy = std::make_shared<const Collapse_hierarchy_3>(build(std::move(component.surface())));
+    this->summary().seconds_hierarchy = m_timer.time();
+    if (!visitor.hierarchy_built(*m_hierarchy)) {
+      this->summary().stopped = true;
+      this->summary().error.code = ERROR_NO_1_TO_1_MAPPING;
+    }
+  }
+
+  Error_code error() const { return (m_users_summary ? *m_users_summary : m_own_summary).error.code; }
+
+  // The component's vertices, breadth first, and their numbers in that order.
+  const std::vector<vertex_descriptor>& vertices() const { return m_vertices; }
+  const Index_map& index() const { return m_index; }
+
+  const std::shared_ptr<const Collapse_hierarchy_3>& hierarchy() const { return m_hierarchy; }
+
+  // The ranks of the vertices, in their order.
+  std::vector<Index> ranks() const
+  {
+    std::vector<Index> result(m_hierarchy->number_of_vertices());
+    for (Index rank = 0; rank < result.size(); ++rank)
+      result[m_hierarchy->input_vertex(rank)] = rank;
+    return result;
+  }
+
+  // Calls `parameterize()`, which makes a parameterizer whose solver is that of the session and writes its map to `uv`.
+  template <class Point, class Function>
+  Error_code parameterize(const std::shared_ptr<Multigrid_session>& session, const std::vector<Point>& uv, const Function& parameterize)
+  {
+    const Multigrid_solver_traits::Scope scope{ Multigrid_solver_traits(session) };
+    Error_code code = parameterize();
+    if (code == OK && !(session->finish() && are_finite(uv)))
+      code = ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+    summary().error.code = code;
+    summary().converged = code == OK;
+    summary().linear_solver = session->summary();
+    summary().seconds_parameterize = m_timer.time() - summary().seconds_hierarchy;
+    return code;
+  }
+
+private:
+  Parameterization_summary& summary() { return m_users_summary ? *m_users_summary : m_own_summary; }
+
+  template <class Point>
+  static bool are_finite(const std::vector<Point>& points)
+  {
+    for (const Point& p : points)
+      if (!std::isfinite(CGAL::to_double(p.x())) || !std::isfinite(CGAL::to_double(p.y())))
+        return false;
+    return true;
+  }
+
+  CGAL::Real_timer m_timer;
+  std::vector<vertex_descriptor> m_vertices;
+  Index_map m_index;
+  std::shared_ptr<const Collapse_hierarchy_3> m_hierarchy;
+  Parameterization_summary* m_users_summary;
+  Parameterization_summary m_own_summary;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_REBOUND_RUN_H
