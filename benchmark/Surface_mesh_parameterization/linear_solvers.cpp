@@ -31,6 +31,7 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 
 typedef CGAL::Eigen_vector<double>                      Vector;
