@@ -6,8 +6,11 @@
 
 #include "benchmark_utilities.h"
 
+#include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Harmonic_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
 
@@ -123,6 +126,12 @@ std::size_t solve_by_Krylov_method(const SMP::internal::Edge_system& system, con
   return iterations;
 }
 
+// CGAL's parameterizer with the same weights.
+template <class EdgeWeights> struct CGAL_parameterizer;
+template <> struct CGAL_parameterizer<SMP::Uniform_edge_weights_3> { typedef SMP::Barycentric_mapping_parameterizer_3<Mesh> type; };
+template <> struct CGAL_parameterizer<SMP::Harmonic_edge_weights_3> { typedef SMP::Discrete_conformal_map_parameterizer_3<Mesh> type; };
+template <> struct CGAL_parameterizer<SMP::Mean_value_edge_weights_3> { typedef SMP::Mean_value_coordinates_parameterizer_3<Mesh> type; };
+
 // ---- measuring ----
 
 template <class EdgeWeights>
@@ -148,6 +157,7 @@ public:
     constexpr std::size_t few_sweeps = 10;
     measure_nested("nested-10-sweeps", few_sweeps);
     measure_nested("nested", m_limits.iterations);
+    measure_multigrid();
   }
 
 private:
@@ -168,6 +178,16 @@ private:
     const Method method({}, {}, CGAL::parameters::tolerance(m_limits.tolerance).number_of_iterations(sweeps));
     parameterize(m_mesh, SMP::Hierarchical_parameterizer_3<Method>(method, CGAL::parameters::summary(std::ref(summary))));
     print(solver, summary.levels.back().iterations, m_problem.read(m_mesh), summary.seconds_hierarchy + summary.seconds_parameterize);
+  }
+
+  // All of it, too: also the assembly of the system by CGAL's parameterizer.
+  void measure_multigrid()
+  {
+    typedef typename CGAL_parameterizer<EdgeWeights>::type   CGAL_method;
+    SMP::Parameterization_summary summary;
+    const auto np = CGAL::parameters::tolerance(m_limits.tolerance).summary(std::ref(summary)).number_of_iterations(m_limits.iterations);
+    parameterize(m_mesh, SMP::Hierarchical_parameterizer_3<CGAL_method>(np));
+    print("multigrid", summary.linear_solver.iterations, m_problem.read(m_mesh), summary.seconds_hierarchy + summary.seconds_parameterize);
   }
 
   void print(const std::string& solver, std::size_t iterations, const SMP::Level::Uv& uv, double seconds) const

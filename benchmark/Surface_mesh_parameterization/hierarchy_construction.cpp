@@ -4,17 +4,13 @@
 // Figure 4 of Hormann, Greiner and Campagna (1999), in numbers: how long the levels take to build, compared with reading the file; what they hold
 // in memory; how many triangles go per collapse group.
 
+#include "Peak_memory.h"
 #include "benchmark_utilities.h"
 
 #include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <optional>
 #include <random>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace fs = std::filesystem;
 
@@ -38,40 +34,6 @@ public:
 
 private:
   fs::path m_file;
-};
-
-// The growth of the process's peak memory from the construction of this object on; Linux only.
-class Peak_memory
-{
-public:
-  Peak_memory()
-  {
-#ifdef __GLIBC__
-    malloc_trim(0);   // or else the construction hides in what reading has freed
-#endif
-    std::ofstream("/proc/self/clear_refs") << 5;   // the peak is now the present size
-    m_start = peak_bytes();
-  }
-
-  std::optional<double> growth() const
-  {
-    const std::optional<double> peak = peak_bytes();
-    return peak && m_start ? std::optional<double>(*peak - *m_start) : std::nullopt;
-  }
-
-private:
-  static std::optional<double> peak_bytes()
-  {
-    std::ifstream status("/proc/self/status");
-    std::string word;
-    double kilobytes;
-    while (status >> word)
-      if (word == "VmHWM:" && status >> kilobytes)
-        return 1024 * kilobytes;
-    return std::nullopt;
-  }
-
-  std::optional<double> m_start;
 };
 
 struct Measurement
