@@ -32,7 +32,7 @@ public:
                           std::vector<Mesh_unknown> unknowns)
     : m_hierarchy(std::move(hierarchy)), m_system(*m_hierarchy, std::move(rows), std::move(unknowns))
   {
-    if (m_system.is_regular())
+    if (m_system.is_regular() && !m_system.free_unknowns().empty())
       m_multigrid = std::make_unique<Multigrid>(*m_hierarchy, m_system.free_mesh_unknowns(), m_system.free_part<Real>());
   }
 
@@ -71,7 +71,8 @@ public:
       result.iterations = iterate(iteration, b, x, r, options.most_iterations);
       result.residual = quotient(m_system.norm(r), start).maxCoeff();
       result.is_solved = result.residual <= options.tolerance;
-    }
+    } else if (m_system.is_regular() && m_system.free_unknowns().empty())
+      result.is_solved = m_system.backward_error(b, x) <= worst_backward_error;
     if (!result.is_solved) {
       result.is_direct = true;
       if (solve_by_factorization(*m_system.rows(), b, x)) {
@@ -84,7 +85,7 @@ public:
   }
 
 private:
-  // Of a direct solution: of a nearly singular matrix, no solution has a small residual.
+  // Of a solution without iteration: of a nearly singular matrix, no solution has a small residual.
   static constexpr double worst_backward_error = 1e-10;
 
   typedef float                            Real;      // the grids' numbers: half the memory, and exact enough for a preconditioner
