@@ -19,7 +19,7 @@ set(table "
 0 internal/Constraint_elimination.h
 0 internal/Incomplete_LU.h
 0 internal/Krylov_methods.h
-0 internal/solve_by_factorization.h
+0 internal/Direct_solver.h
 0 internal/Component_map.h
 0 internal/Block_matrix.h
 0 internal/conjugate_gradients.h

@@ -5,13 +5,13 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MULTIGRID_LINEAR_SOLVER_H
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Direct_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Krylov_methods.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Mesh_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Multigrid_preconditioner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
-#include <CGAL/Surface_mesh_parameterization/internal/solve_by_factorization.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,7 +32,7 @@ public:
                           std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices = {})
     : m_hierarchy(std::move(hierarchy)), m_system(*m_hierarchy, std::move(rows), std::move(unknowns))
   {
-    if (m_system.is_regular())
+    if (m_system.is_regular() && !m_system.free_unknowns().empty())
       m_multigrid = std::make_unique<Multigrid>(*m_hierarchy, m_system.free_mesh_unknowns(), m_system.free_part<Real>(), tied_vertices);
   }
 
@@ -53,7 +53,7 @@ public:
   };
 
   template <int columns>
-  Result solve(const Value_vector<double, columns>& b, Value_vector<double, columns>& x, const Options& options) const
+  Result solve(const Value_vector<double, columns>& b, Value_vector<double, columns>& x, const Options& options)
   {
     typedef Value_vector<double, columns>    Vector;
     Result result;
@@ -67,14 +67,22 @@ public:
       Iteration<columns> iteration(*this, options.tolerance * start);
       m_system.extend_fixed_unknowns(x);
       m_system.compute_residual(b, x, r);
+      const Vector extended_values = x;
       iteration.full_multigrid(r, x);
+      m_system.compute_residual(b, x, r);
+      if (!(m_system.norm(r) <= start).all())
+        x = extended_values;
       result.iterations = iterate(iteration, b, x, r, options.most_iterations);
       result.residual = quotient(m_system.norm(r), start).maxCoeff();
       result.is_solved = result.residual <= options.tolerance;
-    }
+    } else if (m_system.is_regular() && m_system.free_unknowns().empty())
+      result.is_solved = m_system.backward_error(b, x) <= worst_backward_error;
     if (!result.is_solved) {
       result.is_direct = true;
-      if (solve_by_factorization(*m_system.rows(), b, x)) {
+      if (!m_direct_solver)
+        m_direct_solver = std::make_unique<Direct_solver>(*m_system.rows());
+      if (m_direct_solver->is_ready()) {
+        m_direct_solver->solve(b, x);
         m_system.compute_residual(b, x, r);
         result.residual = quotient(m_system.norm(r), start).maxCoeff();
         result.is_solved = m_system.backward_error(b, x) <= worst_backward_error;
@@ -84,7 +92,7 @@ public:
   }
 
 private:
-  // Of a direct solution: of a nearly singular matrix, no solution has a small residual.
+  // Of a solution without iteration: of a nearly singular matrix, no solution has a small residual.
   static constexpr double worst_backward_error = 1e-10;
 
   typedef float                            Real;      // the grids' numbers: half the memory, and exact enough for a preconditioner
@@ -184,6 +192,7 @@ private:
   std::shared_ptr<const Collapse_hierarchy_3> m_hierarchy;
   Mesh_system m_system;
   std::unique_ptr<Multigrid> m_multigrid;
+  std::unique_ptr<Direct_solver> m_direct_solver;     // made when it is needed
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

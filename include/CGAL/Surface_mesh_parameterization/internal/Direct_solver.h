@@ -1,0 +1,58 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_DIRECT_SOLVER_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_DIRECT_SOLVER_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/Sparse_rows.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// A sparse LU factorization of a matrix.
+class Direct_solver
+{
+public:
+  explicit Direct_solver(const Sparse_rows<double>& a)
+  {
+    const Index n = a.number_of_rows();
+    std::vector<int> sizes(n, 0);
+    for (const Index column : a.columns)
+      ++sizes[column];
+    Eigen::SparseMatrix<double> matrix(n, n);     // by columns, as the solver wants it
+    matrix.reserve(sizes);
+    for (Index i = 0; i < n; ++i)
+      for (Index k = a.first[i]; k < a.first[i + 1]; ++k)
+        matrix.insert(i, a.columns[k]) = a.values[k];
+    matrix.makeCompressed();
+    m_solver.compute(matrix);
+  }
+
+  // Whether the matrix has a factorization.
+  bool is_ready() const { return m_solver.info() == Eigen::Success; }
+
+  template <int columns>
+  void solve(const Value_vector<double, columns>& b, Value_vector<double, columns>& x) const
+  {
+    typedef Eigen::Matrix<double, Eigen::Dynamic, columns>   Dense;
+    Dense right_side(b.size(), columns);
+    for (std::size_t i = 0; i < b.size(); ++i)
+      right_side.row(i) = b[i].matrix().transpose();
+    const Dense solution = m_solver.solve(right_side);
+    for (std::size_t i = 0; i < b.size(); ++i)
+      x[i] = solution.row(i).transpose().array();
+  }
+
+private:
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> m_solver;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_DIRECT_SOLVER_H
