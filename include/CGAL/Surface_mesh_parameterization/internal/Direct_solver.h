@@ -10,6 +10,7 @@
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -25,6 +26,11 @@ public:
     std::vector<int> sizes(n, 0);
     for (const Index column : a.columns)
       ++sizes[column];
+    // Eigen may not come to an end with these.
+    const bool has_empty_row = std::adjacent_find(a.first.begin(), a.first.end()) != a.first.end();
+    if (has_empty_row || std::find(sizes.begin(), sizes.end(), 0) != sizes.end())
+      return;
+
     Eigen::SparseMatrix<double> matrix(n, n);     // by columns, as the solver wants it
     matrix.reserve(sizes);
     for (Index i = 0; i < n; ++i)
@@ -32,10 +38,11 @@ public:
         matrix.insert(i, a.columns[k]) = a.values[k];
     matrix.makeCompressed();
     m_solver.compute(matrix);
+    m_is_ready = m_solver.info() == Eigen::Success;
   }
 
   // Whether the matrix has a factorization.
-  bool is_ready() const { return m_solver.info() == Eigen::Success; }
+  bool is_ready() const { return m_is_ready; }
 
   template <int columns>
   void solve(const Value_vector<double, columns>& b, Value_vector<double, columns>& x) const
@@ -51,6 +58,7 @@ public:
 
 private:
   Eigen::SparseLU<Eigen::SparseMatrix<double>> m_solver;
+  bool m_is_ready = false;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
