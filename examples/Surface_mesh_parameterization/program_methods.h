@@ -7,16 +7,25 @@
 #include "program_input.h"
 #include "program_output.h"
 
+#include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Chordal_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_authalic_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Harmonic_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Iterative_authalic_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Shape_preserving_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
+
+#include <CGAL/Real_timer.h>
 
 #include <unistd.h>
 
@@ -25,7 +34,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <iostream>
+#include <streambuf>
 #include <string>
+#include <system_error>
 #include <type_traits>
 #include <vector>
 
@@ -53,6 +65,7 @@ struct Program_method
   double tolerance;                           // the defaults of the options
   std::size_t iterations;
   SMP::Triangle_weight triangle_weight;
+  bool has_levels = true;                     // whether every level is parameterized
 };
 
 // Tells of progress on a terminal and writes the levels.
@@ -120,6 +133,80 @@ SMP::Parameterization_summary minimize_edge_energy(Input& input, const Method_op
   });
 }
 
+// Runs a parameterizer as CGAL ships it.
+template <class Parameterizer>
+SMP::Parameterization_summary run_flat(Input& input, UV_map uvmap)
+{
+  SMP::Parameterization_summary summary;
+  CGAL::Real_timer timer;
+  timer.start();
+  const SMP::Mesh_component<Mesh> component(input.mesh, input.border);
+  summary.error = component.error();
+  if (summary.error.code != SMP::OK)
+    return summary;
+  const auto index = get(CGAL::dynamic_vertex_property_t<int>(), input.mesh);
+  const auto is_parameterized = get(CGAL::dynamic_vertex_property_t<bool>(), input.mesh);
+  int n = 0;
+  for (const Mesh::Vertex_index v : component.vertices_of_component())
+    put(index, v, n++);
+  // Not by SMP::parameterize(), which copies: not all parameterizers can be copied.
+  summary.error.code = Parameterizer().parameterize(input.mesh, input.border, uvmap, index, is_parameterized);
+  summary.converged = summary.error.code == SMP::OK;
+  summary.seconds_parameterize = timer.time();
+  return summary;
+}
+
+// Runs one of CGAL's parameterizers, flat or hierarchically.
+template <class Parameterizer>
+SMP::Parameterization_summary run_wrapped(Input& input, const Method_options& options, UV_map uvmap)
+{
+  if (options.flat)
+    return run_flat<Parameterizer>(input, uvmap);
+  SMP::Parameterization_summary summary;
+  const std::vector<Mesh::Vertex_index> vertices = options.levels.empty() ? std::vector<Mesh::Vertex_index>()
+    : SMP::Mesh_component<Mesh>(input.mesh, input.border).vertices_of_component();
+  const SMP::Hierarchical_parameterizer_3<Parameterizer> hierarchical(
+    CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary)).number_of_iterations(options.iterations)
+    .random_seed(options.seed).visitor(Program_visitor(options, input.mesh, vertices)));
+  SMP::parameterize(input.mesh, hierarchical, input.border, uvmap);
+  return summary;
+}
+
+// While it lives, the current folder is a new one, which goes with it, and the standard output is switched off.
+class Confinement
+{
+public:
+  Confinement()
+    : m_outside(std::filesystem::current_path()),
+      m_folder(std::filesystem::temp_directory_path() / ("hierarchical_parameterization_" + std::to_string(getpid()))), m_output(std::cout.rdbuf(nullptr))
+  {
+    std::filesystem::create_directory(m_folder);
+    std::filesystem::current_path(m_folder);
+  }
+
+  ~Confinement()
+  {
+    std::error_code unused_error;
+    std::filesystem::current_path(m_outside, unused_error);
+    std::filesystem::remove_all(m_folder, unused_error);
+    std::cout.rdbuf(m_output);
+  }
+
+  Confinement(const Confinement&) = delete;
+  Confinement& operator=(const Confinement&) = delete;
+
+private:
+  std::filesystem::path m_outside, m_folder;
+  std::streambuf* m_output;
+};
+
+// In CGAL 5 this parameterizer prints its progress, and writes a file into the current folder in every iteration.
+inline SMP::Parameterization_summary run_iterative_authalic(Input& input, const Method_options& options, UV_map uvmap)
+{
+  const Confinement confinement;
+  return run_wrapped<SMP::Iterative_authalic_parameterizer_3<Mesh>>(input, options, uvmap);
+}
+
 inline const std::vector<Program_method>& methods()
 {
   constexpr SMP::Triangle_weight one = SMP::Triangle_weight::ONE, area = SMP::Triangle_weight::AREA;
@@ -129,7 +216,14 @@ inline const std::vector<Program_method>& methods()
     { "uniform", "every vertex the mean of its neighbors, border on a circle", minimize_edge_energy<SMP::Uniform_edge_weights_3>, false, 1e-8, 10000, one },
     { "chordal", "the same, weighted by the inverse lengths of the edges", minimize_edge_energy<SMP::Chordal_edge_weights_3>, false, 1e-8, 10000, one },
     { "harmonic", "the same, weighted by cotangents", minimize_edge_energy<SMP::Harmonic_edge_weights_3>, false, 1e-8, 10000, one },
-    { "shape-preserving", "the same, by Floater's weights", minimize_edge_energy<SMP::Shape_preserving_edge_weights_3>, false, 1e-8, 10000, one } };
+    { "shape-preserving", "the same, by Floater's weights", minimize_edge_energy<SMP::Shape_preserving_edge_weights_3>, false, 1e-8, 10000, one },
+    { "barycentric", "CGAL's Tutte map, border on a circle", run_wrapped<SMP::Barycentric_mapping_parameterizer_3<Mesh>>, false, 1e-10, 300, one, false },
+    { "mean-value", "CGAL's mean value coordinates, border on a circle", run_wrapped<SMP::Mean_value_coordinates_parameterizer_3<Mesh>>, false, 1e-10, 300, one, false },
+    { "conformal", "CGAL's discrete conformal map, border on a circle", run_wrapped<SMP::Discrete_conformal_map_parameterizer_3<Mesh>>, false, 1e-10, 300, one, false },
+    { "authalic", "CGAL's discrete authalic map, border on a circle", run_wrapped<SMP::Discrete_authalic_parameterizer_3<Mesh>>, false, 1e-10, 300, one, false },
+    { "iterative-authalic", "CGAL's iterative authalic map, border on a circle", run_iterative_authalic, false, 1e-10, 300, one, false },
+    { "lscm", "CGAL's least squares conformal map, free border", run_wrapped<SMP::LSCM_parameterizer_3<Mesh>>, false, 1e-10, 300, one, false },
+    { "arap", "as rigid as possible, free border", run_wrapped<SMP::ARAP_parameterizer_3<Mesh>>, false, 1e-6, 100, area } };
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -24,6 +25,10 @@ bool solve_by_factorization(const Sparse_rows<double>& a, const Value_vector<dou
   std::vector<int> sizes(n, 0);
   for (const Index column : a.columns)
     ++sizes[column];
+  // Eigen may not come to an end with these.
+  const bool has_empty_row = std::adjacent_find(a.first.begin(), a.first.end()) != a.first.end();
+  if (has_empty_row || std::find(sizes.begin(), sizes.end(), 0) != sizes.end())
+    return false;
   matrix.reserve(sizes);
   for (Index i = 0; i < n; ++i)
     for (Index k = a.first[i]; k < a.first[i + 1]; ++k)
