@@ -53,10 +53,10 @@ bool read_options(int argc, char** argv, Options& options)
     ("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion")
     ("report", po::value(&options.report), "write figures as JSON, one line per input")
     ("levels", po::value(&options.levels), "write every level of the hierarchy as OBJ into this folder")
-    ("flat", po::bool_switch(&options.flat), "run the method without the hierarchy")
-    ("tolerance", po::value(&options.tolerance), "mips, symmetric-dirichlet: converged when a step lowers the energy by less than this part of its excess over the minimum "
-                                                 "(default 1e-6); others: when the relative residual is not greater (default 1e-8)")
-    ("iterations", po::value(&options.iterations), "the most steps on a level: of Newton's method (default 100), sweeps (10000), or of the linear solver (300)")
+    ("flat", po::bool_switch(&options.flat), "run the method without the hierarchy; those of CGAL as they are shipped")
+    ("tolerance", po::value(&options.tolerance), "mips, symmetric-dirichlet, arap: converged when a step lowers the energy by less than this part of its excess over the minimum "
+                                                 "(default 1e-6); others: when the relative residual is not greater (default 1e-8, of CGAL's 1e-10)")
+    ("iterations", po::value(&options.iterations), "the most steps on a level: of Newton's method (default 100), or sweeps (default 10000); of CGAL's methods: the most steps of the linear solver (default 300)")
     ("weights", po::value(&weights), "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)")
     ("seed", po::value(&options.seed)->default_value(0), "of the random choices: the same seed gives the same result")
     ("threads", po::value(&options.threads)->default_value(0), "the most threads to use, if built with TBB; 0: as many as there are. The result is the same")
@@ -92,6 +92,8 @@ bool read_options(int argc, char** argv, Options& options)
     throw Usage_error{ "the tolerance must not be negative" };
   if (options.threads < 0)
     throw Usage_error{ "the number of threads must not be negative" };
+  if (!options.levels.empty() && !options.method->has_levels)
+    throw Usage_error{ "--levels: " + method + " parameterizes the finest level only" };
   if (options.inputs.size() > 1 && !(options.output.empty() && options.picture.empty() && options.levels.empty()))
     throw Usage_error{ "--output, --picture and --levels take one input" };
   if (options.inputs.empty())
@@ -103,8 +105,9 @@ void print_summary(const Input& input, const SMP::Parameterization_summary& summ
 {
   if (input.number_of_components > 1)
     std::cout << input.name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
-  std::printf("%s: %zu triangles, %zu levels, %s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %.3f s\n",
-              input.name.c_str(), input.faces.size(), summary.levels.size(), summary.converged ? "converged" : "not converged",
+  const std::string levels = summary.levels.empty() ? "" : std::to_string(summary.levels.size()) + " levels, ";
+  std::printf("%s: %zu triangles, %s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %.3f s\n",
+              input.name.c_str(), input.faces.size(), levels.c_str(), summary.converged ? "converged" : "not converged",
               quality.mips, quality.mips_excess, quality.symmetric_dirichlet, quality.flips, summary.seconds_hierarchy + summary.seconds_parameterize);
 }
 

@@ -27,7 +27,6 @@
 
 #include <CGAL/Real_timer.h>
 
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -36,6 +35,7 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <streambuf>
 #include <string>
 #include <system_error>
 #include <type_traits>
@@ -65,6 +65,7 @@ struct Program_method
   double tolerance;                           // the defaults of the options
   std::size_t iterations;
   SMP::Triangle_weight triangle_weight;
+  bool has_levels = true;                     // whether every level is parameterized
 };
 
 // Tells of progress on a terminal and writes the levels.
@@ -132,67 +133,78 @@ SMP::Parameterization_summary minimize_edge_energy(Input& input, const Method_op
   });
 }
 
-// Keeps to itself what CGAL's code prints, and the files that it leaves in the current folder (Iterative_authalic_parameterizer_3 of CGAL 5).
-class Quarantine
+// Runs a parameterizer as CGAL ships it.
+template <class Parameterizer>
+SMP::Parameterization_summary run_flat(Input& input, UV_map uvmap)
 {
-public:
-  Quarantine() : m_output(std::cout.rdbuf(nullptr)), m_folder(std::filesystem::current_path())
-  {
-    char name[] = "/tmp/parameterizationXXXXXX";
-    if (const char* folder = mkdtemp(name)) {
-      m_temporary_folder = folder;
-      std::filesystem::current_path(m_temporary_folder);
-    }
-  }
-  ~Quarantine()
-  {
-    std::error_code ignored;
-    std::cout.rdbuf(m_output);
-    std::cout.clear();
-    std::filesystem::current_path(m_folder, ignored);
-    if (!m_temporary_folder.empty())
-      std::filesystem::remove_all(m_temporary_folder, ignored);
-  }
-  Quarantine(const Quarantine&) = delete;
-
-private:
-  std::streambuf* m_output;
-  std::filesystem::path m_folder, m_temporary_folder;
-};
-
-// Runs one of CGAL's own parameterizers as it is.
-template <class Method>
-SMP::Parameterization_summary run_as_shipped(Input& input, UV_map uvmap)
-{
+  SMP::Parameterization_summary summary;
   CGAL::Real_timer timer;
   timer.start();
-  SMP::Parameterization_summary summary;
   const SMP::Mesh_component<Mesh> component(input.mesh, input.border);
   summary.error = component.error();
-  if (summary.error.code == SMP::OK) {
-    const auto index = input.mesh.add_property_map<Mesh::Vertex_index, int>("v:index").first;
-    const auto is_parameterized = input.mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_placed", false).first;
-    for (std::size_t i = 0; i < component.vertices_of_component().size(); ++i)
-      index[component.vertices_of_component()[i]] = int(i);
-    summary.error.code = Method().parameterize(input.mesh, input.border, uvmap, index, is_parameterized);
-  }
+  if (summary.error.code != SMP::OK)
+    return summary;
+  const auto index = get(CGAL::dynamic_vertex_property_t<int>(), input.mesh);
+  const auto is_parameterized = get(CGAL::dynamic_vertex_property_t<bool>(), input.mesh);
+  int n = 0;
+  for (const Mesh::Vertex_index v : component.vertices_of_component())
+    put(index, v, n++);
+  // Not by SMP::parameterize(), which copies: not all parameterizers can be copied.
+  summary.error.code = Parameterizer().parameterize(input.mesh, input.border, uvmap, index, is_parameterized);
   summary.converged = summary.error.code == SMP::OK;
   summary.seconds_parameterize = timer.time();
   return summary;
 }
 
-template <template <class, class, class> class CGAL_parameterizer>
+// Runs one of CGAL's parameterizers, flat or hierarchically.
+template <class Parameterizer>
 SMP::Parameterization_summary run_wrapped(Input& input, const Method_options& options, UV_map uvmap)
 {
-  typedef CGAL_parameterizer<Mesh, CGAL::Default, CGAL::Default>   Method;
-  const Quarantine quarantine;
   if (options.flat)
-    return run_as_shipped<Method>(input, uvmap);
+    return run_flat<Parameterizer>(input, uvmap);
   SMP::Parameterization_summary summary;
-  const SMP::Hierarchical_parameterizer_3<Method> hierarchical(
-    CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary)).random_seed(options.seed).number_of_iterations(options.iterations));
+  const std::vector<Mesh::Vertex_index> vertices = options.levels.empty() ? std::vector<Mesh::Vertex_index>()
+    : SMP::Mesh_component<Mesh>(input.mesh, input.border).vertices_of_component();
+  const SMP::Hierarchical_parameterizer_3<Parameterizer> hierarchical(
+    CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary)).number_of_iterations(options.iterations)
+    .random_seed(options.seed).visitor(Program_visitor(options, input.mesh, vertices)));
   SMP::parameterize(input.mesh, hierarchical, input.border, uvmap);
   return summary;
+}
+
+// While it lives, the current folder is a new one, which goes with it, and the standard output is switched off.
+class Confinement
+{
+public:
+  Confinement()
+    : m_outside(std::filesystem::current_path()),
+      m_folder(std::filesystem::temp_directory_path() / ("hierarchical_parameterization_" + std::to_string(getpid()))), m_output(std::cout.rdbuf(nullptr))
+  {
+    std::filesystem::create_directory(m_folder);
+    std::filesystem::current_path(m_folder);
+  }
+
+  ~Confinement()
+  {
+    std::error_code unused_error;
+    std::filesystem::current_path(m_outside, unused_error);
+    std::filesystem::remove_all(m_folder, unused_error);
+    std::cout.rdbuf(m_output);
+  }
+
+  Confinement(const Confinement&) = delete;
+  Confinement& operator=(const Confinement&) = delete;
+
+private:
+  std::filesystem::path m_outside, m_folder;
+  std::streambuf* m_output;
+};
+
+// In CGAL 5 this parameterizer prints its progress, and writes a file into the current folder in every iteration.
+inline SMP::Parameterization_summary run_iterative_authalic(Input& input, const Method_options& options, UV_map uvmap)
+{
+  const Confinement confinement;
+  return run_wrapped<SMP::Iterative_authalic_parameterizer_3<Mesh>>(input, options, uvmap);
 }
 
 inline const std::vector<Program_method>& methods()
@@ -205,13 +217,13 @@ inline const std::vector<Program_method>& methods()
     { "chordal", "the same, weighted by the inverse lengths of the edges", minimize_edge_energy<SMP::Chordal_edge_weights_3>, false, 1e-8, 10000, one },
     { "harmonic", "the same, weighted by cotangents", minimize_edge_energy<SMP::Harmonic_edge_weights_3>, false, 1e-8, 10000, one },
     { "shape-preserving", "the same, by Floater's weights", minimize_edge_energy<SMP::Shape_preserving_edge_weights_3>, false, 1e-8, 10000, one },
-    { "barycentric", "CGAL's Tutte map, border on a circle", run_wrapped<SMP::Barycentric_mapping_parameterizer_3>, false, 1e-10, 300, one },
-    { "mean-value", "CGAL's mean value coordinates, border on a circle", run_wrapped<SMP::Mean_value_coordinates_parameterizer_3>, false, 1e-10, 300, one },
-    { "conformal", "CGAL's discrete conformal map, border on a circle", run_wrapped<SMP::Discrete_conformal_map_parameterizer_3>, false, 1e-10, 300, one },
-    { "authalic", "CGAL's discrete authalic map, border on a circle", run_wrapped<SMP::Discrete_authalic_parameterizer_3>, false, 1e-10, 300, one },
-    { "iterative-authalic", "the same, iterated for equal areas", run_wrapped<SMP::Iterative_authalic_parameterizer_3>, false, 1e-10, 300, one },
-    { "lscm", "CGAL's least squares conformal map, free border", run_wrapped<SMP::LSCM_parameterizer_3>, false, 1e-10, 300, one },
-    { "arap", "as rigid as possible, free border; --flat: as CGAL has it", run_wrapped<SMP::ARAP_parameterizer_3>, false, 1e-6, 100, one } };
+    { "barycentric", "CGAL's Tutte map, border on a circle", run_wrapped<SMP::Barycentric_mapping_parameterizer_3<Mesh>>, false, 1e-10, 300, one, false },
+    { "mean-value", "CGAL's mean value coordinates, border on a circle", run_wrapped<SMP::Mean_value_coordinates_parameterizer_3<Mesh>>, false, 1e-10, 300, one, false },
+    { "conformal", "CGAL's discrete conformal map, border on a circle", run_wrapped<SMP::Discrete_conformal_map_parameterizer_3<Mesh>>, false, 1e-10, 300, one, false },
+    { "authalic", "CGAL's discrete authalic map, border on a circle", run_wrapped<SMP::Discrete_authalic_parameterizer_3<Mesh>>, false, 1e-10, 300, one, false },
+    { "iterative-authalic", "CGAL's iterative authalic map, border on a circle", run_iterative_authalic, false, 1e-10, 300, one, false },
+    { "lscm", "CGAL's least squares conformal map, free border", run_wrapped<SMP::LSCM_parameterizer_3<Mesh>>, false, 1e-10, 300, one, false },
+    { "arap", "as rigid as possible, free border", run_wrapped<SMP::ARAP_parameterizer_3<Mesh>>, false, 1e-6, 100, area } };
   return all;
 }
 

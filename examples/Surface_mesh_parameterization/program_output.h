@@ -112,15 +112,15 @@ inline nlohmann::ordered_json make_report(const Input& input, const std::string&
     { "levels", nlohmann::ordered_json::array() },
     { "seconds", { { "read", seconds_read }, { "hierarchy", summary.seconds_hierarchy },
                    { "parameterize", summary.seconds_parameterize }, { "write", seconds_write } } },
+    { "linear_solver", nullptr },
     { "peak_memory_bytes", peak_memory_bytes() },
     { "quality", nullptr } };
   for (const SMP::Level_summary& level : summary.levels)
     report["levels"].push_back({ { "vertices", level.vertices }, { "faces", level.faces }, { "energy_start", level.energy_start },
                                  { "energy_end", level.energy_end }, { "iterations", level.iterations }, { "seconds", level.seconds } });
   if (const SMP::Linear_solver_summary& solver = summary.linear_solver; solver.right_sides > 0)
-    report["linear_solver"] = { { "right_sides", solver.right_sides }, { "iterations", solver.iterations }, { "residual", solver.residual },
-                                { "direct_solutions", solver.direct_solutions }, { "seconds_setup", solver.seconds_setup },
-                                { "seconds_solve", solver.seconds_solve } };
+    report["linear_solver"] = { { "iterations", solver.iterations }, { "residual", solver.residual }, { "direct_solutions", solver.direct_solutions },
+                                { "seconds", solver.seconds_setup + solver.seconds_solve } };
   if (quality)
     report["quality"] = { { "flips", quality->flips }, { "degenerate", quality->degenerate }, { "overlaps", nullptr },
                           { "mips", quality->mips }, { "mips_excess", quality->mips_excess },

@@ -62,20 +62,28 @@ for method in uniform chordal harmonic shape-preserving; do
   # The same map but for the last digits.
   paste <(grep '^vt ' nested.obj) <(grep '^vt ' flat.obj) | awk '{ if (($2-$5)^2 + ($3-$6)^2 > 1e-12) exit 1 }' || fail "$method: flat and hierarchical maps differ"
 done
-# CGAL's own methods: the same map as without the hierarchy.
+# CGAL's parameterizers: the same map by multigrid and as they are shipped.
 for method in barycentric mean-value conformal authalic iterative-authalic lscm; do
-  expect 0 --method $method --output nested.obj --report report.json
+  expect 0 --method $method --output multigrid.obj --report report.json
+  is_field method "\"$method\"" $method
   is_field status '"ok"' $method
-  grep -q '"linear_solver":{"right_sides"' report.json || fail "$method did not solve by multigrid"
-  expect 0 --method $method --flat --output flat.obj --report report.json
+  is_field direct_solutions 0 $method
+  [ "$(wc -l <stdout)" -eq 1 ] || fail "$method printed $(wc -l <stdout) lines instead of one"
+  expect 0 --method $method --flat --output shipped.obj --report report.json
   is_field status '"ok"' "$method --flat"
-  paste <(grep '^vt ' nested.obj) <(grep '^vt ' flat.obj) | awk '{ if (($2-$5)^2 + ($3-$6)^2 > 1e-12) exit 1 }' || fail "$method: flat and hierarchical maps differ"
+  is_field linear_solver null "$method --flat"
+  [ "$(wc -l <stdout)" -eq 1 ] || fail "$method --flat printed $(wc -l <stdout) lines instead of one"
+  paste <(grep '^vt ' multigrid.obj) <(grep '^vt ' shipped.obj) | awk '{ if (($2-$5)^2 + ($3-$6)^2 > 1e-12) exit 1 }' || fail "$method: the map is not CGAL's"
 done
+[ ! -e last_solve.off ] || fail "a file of CGAL's was left"
 expect 0 --method arap --report report.json
 is_field status '"ok"' arap
+[ "$(grep -o '"energy_end"' report.json | wc -l)" -gt 5 ] || fail "arap did not run level by level"
 expect 0 --method arap --flat --report report.json
 is_field status '"ok"' "arap --flat"
-[ -z "$(ls | grep '[.]off$')" ] || fail "CGAL's code left a file: $(ls)"
+expect 0 --method mean-value --iterations 0 --report report.json
+is_field direct_solutions 2 "mean-value --iterations 0"
+
 expect 0 --method uniform --iterations 2 --report report.json
 is_field status '"not_converged"' "uniform --iterations 2"
 expect 0 --weights area --tolerance 1e-3 --iterations 5 --quiet
@@ -105,6 +113,7 @@ expect 0 components.off --output components.obj --report report.json
 expect 1 --no-such-option
 expect 1 --method no-such-method
 expect 1 --weights no-such-weights
+expect 1 --method lscm --levels levels
 expect 1 --tolerance nonsense
 expect 1 a.off b.off --output one.obj
 

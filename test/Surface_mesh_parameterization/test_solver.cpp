@@ -826,7 +826,13 @@ TEST(Multigrid_solver_traits, fails_with_a_singular_matrix_and_leaves_the_soluti
   Sparse_matrix not_finite = edge_matrix(m, Uniform_edge_weights_3());
   not_finite.set_coef(480, 481, std::numeric_limits<double>::quiet_NaN());
 
-  for (const Sparse_matrix& matrix : { Sparse_matrix(n), zero_row, not_finite }) {
+  Sparse_matrix empty_row(n), empty_column(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    empty_row.add_coef(i == 7 ? 8 : i, i, 1);
+    empty_column.add_coef(i, i == 7 ? 8 : i, 1);
+  }
+
+  for (const Sparse_matrix& matrix : { Sparse_matrix(n), zero_row, empty_row, empty_column, not_finite }) {
     Solver_on_mesh on(m);
     Vector b(n);
     for (std::size_t i = 0; i < n; ++i)

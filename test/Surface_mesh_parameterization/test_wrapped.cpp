@@ -190,7 +190,7 @@ void check(typename Parameterizer::Triangle_mesh& mesh, const Arguments&... argu
 std::vector<std::pair<std::string, Flat_mesh>> meshes()
 {
   return { { "grid", grid(20, 16, wavy) }, { "hemisphere", hemisphere() }, { "disk with a hole", disk_with_hole() }, { "fan", fan(7) },
-           { "several grids", delaunay_patch(3000, 1, wavy) } };
+           { "several grids", cap(40, 80, 0.5 * CGAL_PI) } };
 }
 
 // ---- the methods ----
