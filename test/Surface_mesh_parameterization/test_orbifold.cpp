@@ -387,6 +387,23 @@ TEST(Orbifolds, leave_the_map_untouched_on_an_error)
   EXPECT_TRUE(cut.is_untouched(uv));
 }
 
+struct Stopping_visitor : Hierarchy_visitor_3
+{
+  bool hierarchy_built(const Collapse_hierarchy_3&) { return false; }
+};
+
+TEST(Orbifolds, leave_the_map_untouched_if_a_visitor_stops_the_run)
+{
+  Cut_surface cut = ball(2, 3);
+  const Cut_surface::UV_map uv = cut.untouched_map();
+  Parameterization_summary summary;
+  const Hierarchical stopped(Square, Cotangent, parameters::summary(std::ref(summary)).visitor(Stopping_visitor()));
+  EXPECT_NE(stopped.parameterize(cut.mesh, cut.bhd, cut.cone_map, uv, cut.index), OK);
+  EXPECT_TRUE(summary.stopped);
+  EXPECT_FALSE(summary.converged);
+  EXPECT_TRUE(cut.is_untouched(uv));
+}
+
 TEST(Orbifolds, refuse_a_point_that_is_not_finite)
 {
   Cut_surface cut = ball(2, 3);
