@@ -87,13 +87,11 @@ std::size_t stabilized_biconjugate_gradients(System& system, Vector& x, Vector& 
       return ++iterations;
 
     system.precondition(r, y);
-    Value tr = Value::Zero(), tt = Value::Zero();
-    tr = loops.sum(0, n, Value(Value::Zero()), [&](Index i) -> Value {
+    const Value tr = loops.sum(0, n, Value(Value::Zero()), [&](Index i) -> Value {
       t[i] = system.row_times(i, y);
       return t[i] * r[i];
     });
-    tt = dot(loops, t, t);
-    omega = quotient(tr, tt);
+    omega = quotient(tr, dot(loops, t, t));
     if (!alpha.isFinite().all() || !omega.isFinite().all())
       break;
     loops.for_each(0, n, [&](Index i) {

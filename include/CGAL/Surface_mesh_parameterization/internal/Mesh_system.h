@@ -137,7 +137,7 @@ public:
       errors += (error * m_inverse_diagonal[i]).square();
       sizes += (size * m_inverse_diagonal[i]).square();
     }
-    return std::sqrt(quotient(errors, sizes).maxCoeff());
+    return std::sqrt(quotient(errors, sizes).sum());    // not the maximum, which may pass over a NaN
   }
 
   template <class Vector>
