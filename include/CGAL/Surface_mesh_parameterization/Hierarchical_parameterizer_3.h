@@ -100,7 +100,7 @@ struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 ///
 /// \cgalModels `Parameterizer_3`
 ///
-/// \tparam Parameterizer a model of `RefinableParameterizer_3`, or a parameterizer that `Rebind_solver` knows
+/// \tparam Parameterizer a model of `RefinableParameterizer_3` or of `RebindableParameterizer_3`, or another one of CGAL's that is named above
 template <class Parameterizer>
 class Hierarchical_parameterizer_3
   : public internal::Hierarchical_base<Parameterizer>::type

@@ -18,14 +18,14 @@ template <class, class> class Orbifold_Tutte_parameterizer_3;
 ///
 /// Parameterizers with the template parameters of CGAL's, a mesh, a border parameterizer and solver traits, are covered. A specialization opens
 /// `Hierarchical_parameterizer_3` to any other one that solves linear systems with one unknown, or the same number of unknowns, at each vertex, numbered by the
-/// vertex index map that it is called with:
+/// vertex index map that it is called with (`RebindableParameterizer_3`):
 /// \code
 ///   namespace CGAL::Surface_mesh_parameterization {
 ///   template <class Mesh, class Solver, class NewSolver>
 ///   struct Rebind_solver<My_parameterizer_3<Mesh, Solver>, NewSolver> { typedef My_parameterizer_3<Mesh, NewSolver> type; };
 ///   }
 /// \endcode
-/// Such a parameterizer may take its solver by the constructor or make it itself, by the default constructor.
+/// Such a parameterizer makes its solver by the default constructor, be it as the default of an argument of its own constructor.
 template <class Parameterizer, class SolverTraits>
 struct Rebind_solver { };
 
