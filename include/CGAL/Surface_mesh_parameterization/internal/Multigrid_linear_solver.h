@@ -74,7 +74,7 @@ public:
         x = extended_values;
       result.iterations = iterate(iteration, b, x, r, options.most_iterations);
       result.residual = quotient(m_system.norm(r), start).maxCoeff();
-      result.is_solved = iteration.is_solved(r);
+      result.is_solved = result.residual <= options.tolerance && iteration.is_solved(r);     // the residual may pass over a NaN, the norms over infinity
     } else if (m_system.is_regular() && m_system.free_unknowns().empty())
       result.is_solved = m_system.backward_error(b, x) <= worst_backward_error;
     if (!result.is_solved) {
