@@ -122,7 +122,7 @@ inline nlohmann::ordered_json make_report(const Input& input, const std::string&
     report["linear_solver"] = { { "iterations", solver.iterations }, { "residual", solver.residual }, { "direct_solutions", solver.direct_solutions },
                                 { "seconds", solver.seconds_setup + solver.seconds_solve } };
   if (quality)
-    report["quality"] = { { "flips", quality->flips }, { "degenerate", quality->degenerate }, { "overlaps", nullptr },
+    report["quality"] = { { "flips", quality->flips }, { "degenerate", quality->degenerate }, { "overlaps", quality->overlaps },
                           { "mips", quality->mips }, { "mips_excess", quality->mips_excess },
                           { "symmetric_dirichlet", quality->symmetric_dirichlet }, { "l2_stretch", quality->l2_stretch },
                           { "linf_stretch", quality->linf_stretch }, { "angle", quality->angle }, { "area", quality->area } };

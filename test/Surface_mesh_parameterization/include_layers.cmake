@@ -8,6 +8,7 @@ set(table "
 0 Distortion_derivatives_2.h
 0 MIPS_energy_2.h
 0 Symmetric_Dirichlet_energy_2.h
+0 internal/Scale_bounded_energy_2.h
 0 Triangle_weight.h
 0 parameters.h
 0 Refinement_options.h
@@ -27,6 +28,8 @@ set(table "
 0 internal/Polygon_kernel_2.h
 0 internal/Rest_triangle.h
 0 internal/Mapped_triangle.h
+0 internal/border_crossings.h
+0 internal/overlapping_pairs.h
 0 internal/Relaxation_factor.h
 0 Uniform_edge_weights_3.h
 0 Chordal_edge_weights_3.h
@@ -75,6 +78,7 @@ set(table "
 3 internal/insert_new_vertices.h
 3 internal/scale_to_area.h
 3 internal/Tutte_embedding.h
+4 internal/Nested_iteration.h
 4 Refinable_parameterizer_base_3.h
 4 Distortion_parameterizer_3.h
 4 As_rigid_as_possible_parameterizer_3.h

@@ -9,9 +9,12 @@
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Level_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Scale_bounded_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/scale_to_area.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <utility>
 
 namespace CGAL::Surface_mesh_parameterization {
 
@@ -70,14 +73,26 @@ public:
   /// \return `OK`
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
-    internal::Level_refiner<Energy>(level, uv, m_options, summary).run();
-    if (Energy::is_scale_invariant && level.is_finest())
-      internal::scale_to_area(level, uv);
+    if constexpr (Energy::is_scale_invariant) {
+      if (m_bounds_scale) {
+        internal::Level_refiner<internal::Scale_bounded_energy_2<Energy>>(level, uv, m_options, summary).run();
+        summary.converged = false;
+      } else
+        internal::Level_refiner<Energy>(level, uv, m_options, summary).run();
+      if (level.is_finest())
+        internal::scale_to_area(level, uv);
+    } else
+      internal::Level_refiner<Energy>(level, uv, m_options, summary).run();
     return OK;
   }
 
+  /// bounds the scale of the map from now on, at an energy that is not quite the least.
+  /// \return whether the scale was free until now
+  bool leave_room() { return Energy::is_scale_invariant && !std::exchange(m_bounds_scale, true); }
+
 private:
   Refinement_options m_options;
+  bool m_bounds_scale = false;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

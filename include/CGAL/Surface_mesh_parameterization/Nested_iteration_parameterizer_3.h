@@ -6,25 +6,16 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
-#include <CGAL/Surface_mesh_parameterization/Level.h>
-#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
-#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
-#include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/insert_new_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/place_border.h>
-#include <CGAL/Surface_mesh_parameterization/internal/write_map.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
-
-#include <CGAL/Real_timer.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cstddef>
 #include <memory>
-#include <utility>
 
 namespace CGAL::Surface_mesh_parameterization {
 
@@ -64,8 +55,8 @@ public:
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
-    m_coarsest_size = choose_parameter(get_parameter(np, internal_np::coarsest_size), m_coarsest_size);
-    m_seed = choose_parameter(get_parameter(np, internal_np::random_seed), m_seed);
+    m_options.coarsest_size = choose_parameter(get_parameter(np, internal_np::coarsest_size), m_options.coarsest_size);
+    m_options.seed = choose_parameter(get_parameter(np, internal_np::random_seed), m_options.seed);
   }
 
   /// parameterizes the connected component of `mesh` that contains `bhd`.
@@ -82,100 +73,15 @@ public:
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap, VertexParameterizedMap vpmap)
   {
     Parameterization_summary unused_summary;
-    Parameterization_summary& summary = m_summary ? *m_summary : unused_summary;
-
-    // A coarsest level that the method cannot lay out without a flip is coarsened further: the vertices come back by insertion. Where doubles leave no
-    // room for one of them, another hierarchy may.
-    constexpr unsigned int most_seeds = 3;
-    std::size_t coarsest_size = m_coarsest_size;
-    for (unsigned int seed = m_seed; ; ) {
-      summary = Parameterization_summary();
-      CGAL::Real_timer timer;
-      timer.start();
-      Mesh_component<Triangle_mesh> component(mesh, bhd);
-      summary.error = component.error();
-      if (summary.error.code == OK)
-        summary.error.code = internal::place_border(m_method, mesh, bhd, component);
-      if (summary.error.code != OK)
-        return summary.error.code;
-
-      const Collapse_hierarchy_3 hierarchy(std::move(component.surface()), parameters::coarsest_size(coarsest_size).random_seed(seed),
-                                           typename Method::Concurrency_tag());
-      summary.seconds_hierarchy = timer.time();
-
-      Level::Uv uv;
-      summary.error.code = parameterize_levels(hierarchy, uv, summary);
-      summary.seconds_parameterize = timer.time() - summary.seconds_hierarchy;
-      if (summary.error.code == OK)
-        internal::write_map(component, hierarchy, uv, uvmap, vpmap);
-
-      if (!Method::is_flip_free || summary.error.code != ERROR_NO_1_TO_1_MAPPING || summary.stopped)
-        return summary.error.code;
-      const bool has_coarsest_map = !summary.levels.empty(), is_coarsest_possible = hierarchy.number_of_vertices(0) > coarsest_size;
-      if (has_coarsest_map ? ++seed == m_seed + most_seeds : is_coarsest_possible)
-        return summary.error.code;
-      if (!has_coarsest_map)
-        coarsest_size /= 2;
-    }
+    Method method = m_method;
+    return internal::Nested_iteration<Method>(method, m_options, *m_visitor, m_summary ? *m_summary : unused_summary).run(mesh, bhd, uvmap, vpmap);
   }
 
 private:
-  // The algorithm of the paper, section 3: with the levels built, for i from 0 to n parameterize level i, starting from
-  // the map of level i-1 with the vertices inserted that level i has in addition.
-  Error_code parameterize_levels(const Collapse_hierarchy_3& hierarchy, Level::Uv& uv, Parameterization_summary& summary)
-  {
-    if (!m_visitor->hierarchy_built(hierarchy))
-      return stop(summary);
-
-    Progressive_mesh_3 mesh(hierarchy);
-    Level level(mesh, 0, internal::Loops::of<typename Method::Concurrency_tag>());
-    for (std::size_t i = 0; i < hierarchy.number_of_levels(); ++i) {
-      CGAL::Real_timer timer;
-      timer.start();
-      if (i > 0) {
-        mesh.walk_to_level(i);
-        level.follow_mesh(i);
-      }
-
-      const Error_code status = i == 0 ? m_method.parameterize_coarsest(level, uv) : insert_new_vertices(level, uv);
-      if (status != OK)
-        return status;
-
-      summary.levels.emplace_back();
-      Level_summary& level_summary = summary.levels.back();
-      level_summary.vertices = level.number_of_vertices();
-      level_summary.faces = level.number_of_faces();
-      const Error_code refined = m_method.refine(level, uv, level_summary);
-      level_summary.seconds = timer.time();
-      if (refined != OK)
-        return refined;
-      if (!m_visitor->level_parameterized(level, uv, level_summary))
-        return stop(summary);
-    }
-    summary.energy = summary.levels.back().energy_end;
-    summary.converged = summary.levels.back().converged;
-    return OK;
-  }
-
-  static Error_code insert_new_vertices(const Level& level, Level::Uv& uv)
-  {
-    if (Method::is_flip_free)
-      return internal::insert_new_vertices(level, uv) == internal::no_index ? OK : ERROR_NO_1_TO_1_MAPPING;
-    internal::insert_at_stored_places(level, uv);
-    return OK;
-  }
-
-  static Error_code stop(Parameterization_summary& summary)
-  {
-    summary.stopped = true;
-    return ERROR_NO_1_TO_1_MAPPING;
-  }
-
   Method m_method;
   std::shared_ptr<internal::Any_hierarchy_visitor> m_visitor;
   Parameterization_summary* m_summary;
-  std::size_t m_coarsest_size = Collapse_hierarchy_3::default_coarsest_size;
-  unsigned int m_seed = 0;
+  internal::Nested_iteration_options m_options;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -6,31 +6,25 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
-#include <CGAL/Surface_mesh_parameterization/Level.h>
-#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
-#include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/place_border.h>
-#include <CGAL/Surface_mesh_parameterization/internal/write_map.h>
-#include <CGAL/Surface_mesh_parameterization/parameters.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Nested_iteration.h>
 
-#include <CGAL/Real_timer.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
 #include <limits>
-#include <utility>
 
 namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
 /// Makes a model of `Parameterizer_3` out of a model of `RefinableParameterizer_3`: `parameterize()` runs the method *flat*, on a hierarchy
-/// whose only level is the input. A method derives from it:
+/// whose only level is the input, or, where a flip-free method finds no first map of it without a flip, whose coarsest level is as fine as
+/// the method can lay out. A method derives from it:
 /// `class My_parameterizer_3 : public Refinable_parameterizer_base_3<My_parameterizer_3<Mesh>, Mesh>`. One whose maps may have flips hides `is_flip_free`.
 ///
 /// \cgalModels `Parameterizer_3`
@@ -62,38 +56,10 @@ public:
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap, VertexParameterizedMap vpmap)
   {
     Parameterization_summary unused_summary;
-    Parameterization_summary& summary = m_summary ? *m_summary : unused_summary;
-    summary = Parameterization_summary();
-    CGAL::Real_timer timer;
-    timer.start();
-
-    Method& method = static_cast<Method&>(*this);
-    Mesh_component<Triangle_mesh> component(mesh, bhd);
-    summary.error = component.error();
-    if (summary.error.code == OK)
-      summary.error.code = internal::place_border(method, mesh, bhd, component);
-    if (summary.error.code != OK)
-      return summary.error.code;
-    const Collapse_hierarchy_3 hierarchy(std::move(component.surface()), parameters::coarsest_size((std::numeric_limits<std::size_t>::max)()));
-    const Progressive_mesh_3 progressive_mesh(hierarchy);
-    const Level level(progressive_mesh, 0, internal::Loops::of<ConcurrencyTag>());
-    summary.seconds_hierarchy = timer.time();
-
-    Level::Uv uv;
-    summary.levels.emplace_back();
-    summary.levels.back().vertices = level.number_of_vertices();
-    summary.levels.back().faces = level.number_of_faces();
-    summary.error.code = method.parameterize_coarsest(level, uv);
-    if (summary.error.code == OK)
-      summary.error.code = method.refine(level, uv, summary.levels.back());
-    summary.seconds_parameterize = summary.levels.back().seconds = timer.time() - summary.seconds_hierarchy;
-    if (summary.error.code != OK)
-      return summary.error.code;
-
-    summary.energy = summary.levels.back().energy_end;
-    summary.converged = summary.levels.back().converged;
-    internal::write_map(component, hierarchy, uv, uvmap, vpmap);
-    return OK;
+    Method method = static_cast<Method&>(*this);
+    internal::Hierarchy_visitor_holder<Hierarchy_visitor_3> no_visitor{ Hierarchy_visitor_3() };
+    const internal::Nested_iteration_options one_level = { (std::numeric_limits<std::size_t>::max)() };
+    return internal::Nested_iteration<Method>(method, one_level, no_visitor, m_summary ? *m_summary : unused_summary).run(mesh, bhd, uvmap, vpmap);
   }
 
 protected:

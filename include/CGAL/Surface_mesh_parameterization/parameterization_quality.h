@@ -8,6 +8,11 @@
 
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Mapped_triangle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/overlapping_pairs.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -15,17 +20,20 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
-/// How good a parameterization is. `s1 >= s2` are the singular values of a triangle's map from space to the plane. All measures but the two counts are
+/// How good a parameterization is. `s1 >= s2` are the singular values of a triangle's map from space to the plane. All measures but the counts are
 /// infinite if a triangle is not positive.
 struct Parameterization_quality
 {
   std::size_t flips = 0;        ///< triangles that are not positive, by exact predicates: flipped, degenerate, or with a coordinate that is no number
   std::size_t degenerate = 0;   ///< those of them whose corners lie on a line
+  std::size_t overlaps = 0;     ///< pairs of triangles whose interiors meet, by exact predicates. Of a map that is folded a hundred times over itself only a part is counted
   double mips = 0;              ///< sum over the triangles of `s1/s2 + s2/s1`
   double mips_excess = 0;       ///< `mips` less 2 per triangle, its least value
   double symmetric_dirichlet = 0;   ///< mean over the surface's area of `s1^2 + s2^2 + 1/s1^2 + 1/s2^2`, after the best uniform scaling; at least 4
@@ -85,13 +93,72 @@ private:
   double m_area = 0, m_image_area = 0, m_dirichlet = 0, m_inverse_dirichlet = 0, m_angle = 0, m_inverse_determinant = 0;
 };
 
+// The border edges of a set of faces, and the places of their vertices.
+template <class TriangleMesh, class VertexUVMap>
+class Borders_of_faces
+{
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor     vertex_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor   halfedge_descriptor;
+
+public:
+  std::vector<Border_edge> edges;
+  std::vector<Point_2> uv;
+
+  template <class FaceRange>
+  Borders_of_faces(const TriangleMesh& mesh, const FaceRange& face_range, VertexUVMap uvmap)
+  {
+    const auto is_inside = get(CGAL::dynamic_face_property_t<bool>(), mesh);
+    for (const auto f : faces(mesh))
+      put(is_inside, f, false);
+    for (const auto f : face_range)
+      put(is_inside, f, true);
+
+    std::vector<halfedge_descriptor> halfedges;
+    std::vector<vertex_descriptor> border_vertices;
+    for (const auto f : face_range)
+      for (const halfedge_descriptor h : halfedges_around_face(halfedge(f, mesh), mesh)) {
+        const halfedge_descriptor o = opposite(h, mesh);
+        if (is_border(o, mesh) || !get(is_inside, face(o, mesh))) {
+          halfedges.push_back(h);
+          border_vertices.push_back(source(h, mesh));
+        }
+      }
+
+    std::sort(border_vertices.begin(), border_vertices.end());
+    border_vertices.erase(std::unique(border_vertices.begin(), border_vertices.end()), border_vertices.end());
+    const auto index = [&](vertex_descriptor v) { return Index(std::lower_bound(border_vertices.begin(), border_vertices.end(), v) - border_vertices.begin()); };
+    for (const vertex_descriptor v : border_vertices)
+      uv.emplace_back(CGAL::to_double(get(uvmap, v).x()), CGAL::to_double(get(uvmap, v).y()));
+    for (const halfedge_descriptor h : halfedges)
+      edges.push_back({ index(source(h, mesh)), index(target(h, mesh)) });
+  }
+};
+
+// The number of pairs of faces that overlap in the plane. Where there is no flip the borders tell mostly that there is none.
+template <class TriangleMesh, class FaceRange, class VertexUVMap>
+std::size_t number_of_overlapping_faces(const TriangleMesh& mesh, const FaceRange& face_range, VertexUVMap uvmap, bool has_flips)
+{
+  if (!has_flips) {
+    const Borders_of_faces<TriangleMesh, VertexUVMap> borders(mesh, face_range, uvmap);
+    if (are_borders_one_to_one(borders.edges, borders.uv))
+      return 0;
+  }
+  std::vector<Triangle_2> triangles;
+  for (const auto f : face_range) {
+    const Mapped_triangle t(f, mesh, uvmap);
+    if (t.is_finite())
+      triangles.push_back(t.uv);
+  }
+  return number_of_overlapping_pairs(std::move(triangles));
+}
+
 } // namespace internal
 
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
 /// measures the map of some faces.
 ///
-/// \param mesh a triangle mesh, a model of `FaceGraph` with an internal vertex point map
+/// \param mesh a triangle mesh, a model of `FaceListGraph` with an internal vertex point map
 /// \param face_range the faces to measure, at least one
 /// \param uvmap a readable property map from vertices to points of the plane
 template <class TriangleMesh, class FaceRange, class VertexUVMap>
@@ -100,7 +167,9 @@ Parameterization_quality parameterization_quality(const TriangleMesh& mesh, cons
   internal::Quality_sums sums;
   for (const auto f : face_range)
     sums.add(internal::Mapped_triangle(f, mesh, uvmap));
-  return sums.quality();
+  Parameterization_quality result = sums.quality();
+  result.overlaps = internal::number_of_overlapping_faces(mesh, face_range, uvmap, result.flips > 0);
+  return result;
 }
 
 /// \ingroup PkgHierarchicalParameterizationRef

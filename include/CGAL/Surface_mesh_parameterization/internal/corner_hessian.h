@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Distortion_derivatives_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rest_triangle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Scale_bounded_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 
 #include <Eigen/Core>
@@ -46,6 +47,21 @@ struct Jacobian_hessian
       result.set_gauss_newton(a * e_b, a * a * (4 * e.ff - 4 * e.fd + e.dd), zx, zy, wx, wy);
     else
       result.set_projected(e, a, b, zx, zy, wx, wy, lent);
+    return result;
+  }
+
+  // Each part of the energy has the Hessian that suits it.
+  template <class Energy>
+  static Jacobian_hessian of(const Scale_bounded_energy_2<Energy>&, double zx, double zy, double wx, double wy, double determinant, double lent)
+  {
+    typedef Scale_bounded_energy_2<Energy>   Sum;
+    Jacobian_hessian result = of(Energy(), zx, zy, wx, wy, determinant, lent);
+    const Jacobian_hessian bound = of(typename Sum::Bound(), zx, zy, wx, wy, determinant, lent);
+    for (int i = 0; i < 4; ++i) {
+      result.gradient[i] += Sum::part * bound.gradient[i];
+      for (int j = 0; j < 4; ++j)
+        result.hessian[i][j] += Sum::part * bound.hessian[i][j];
+    }
     return result;
   }
 
