@@ -58,6 +58,7 @@ bool read_options(int argc, char** argv, Options& options)
                                                  "(default 1e-6); others: when the relative residual is not greater (default 1e-8, of CGAL's 1e-10)")
     ("iterations", po::value(&options.iterations), "the most steps on a level: of Newton's method (default 100), or sweeps (default 10000); of CGAL's methods: the most steps of the linear solver (default 300)")
     ("weights", po::value(&weights), "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)")
+    ("globally-injective", po::bool_switch(&options.is_globally_injective), "mips, symmetric-dirichlet: keep the free border from running over itself")
     ("seed", po::value(&options.seed)->default_value(0), "of the random choices: the same seed gives the same result")
     ("threads", po::value(&options.threads)->default_value(0), "the most threads to use, if built with TBB; 0: as many as there are. The result is the same")
     ("quiet", po::bool_switch(&options.quiet), "print errors only");
@@ -90,6 +91,8 @@ bool read_options(int argc, char** argv, Options& options)
     options.iterations = options.method->iterations;
   if (!(options.tolerance >= 0))
     throw Usage_error{ "the tolerance must not be negative" };
+  if (options.is_globally_injective && !options.method->is_flip_free)
+    throw Usage_error{ "--globally-injective: " + method + " does not promise maps without flips" };
   if (options.threads < 0)
     throw Usage_error{ "the number of threads must not be negative" };
   if (!options.levels.empty() && !options.method->has_levels)
@@ -106,9 +109,9 @@ void print_summary(const Input& input, const SMP::Parameterization_summary& summ
   if (input.number_of_components > 1)
     std::cout << input.name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
   const std::string levels = summary.levels.empty() ? "" : std::to_string(summary.levels.size()) + " levels, ";
-  std::printf("%s: %zu triangles, %s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %.3f s\n",
+  std::printf("%s: %zu triangles, %s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %zu overlapping pairs, %.3f s\n",
               input.name.c_str(), input.faces.size(), levels.c_str(), summary.converged ? "converged" : "not converged",
-              quality.mips, quality.mips_excess, quality.symmetric_dirichlet, quality.flips, summary.seconds_hierarchy + summary.seconds_parameterize);
+              quality.mips, quality.mips_excess, quality.symmetric_dirichlet, quality.flips, quality.overlaps, summary.seconds_hierarchy + summary.seconds_parameterize);
 }
 
 // Reads, parameterizes, checks and writes one input; appends its line to the report.
@@ -149,7 +152,8 @@ Exit_status run(const std::string& file, const Options& options, std::string& re
   report += make_report(input, options.method->name, summary, seconds_read, timer.time() - seconds_before_writing, &quality).dump() + '\n';
   if (!options.quiet)
     print_summary(input, summary, quality);
-  return quality.flips == 0 || !options.method->is_flip_free ? WRITTEN : METHOD_FAILED;
+  const bool is_promise_kept = (quality.flips == 0 || !options.method->is_flip_free) && (quality.overlaps == 0 || !options.is_globally_injective);
+  return is_promise_kept ? WRITTEN : METHOD_FAILED;
 }
 
 } // namespace

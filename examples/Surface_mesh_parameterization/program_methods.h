@@ -51,7 +51,7 @@ struct Method_options
   SMP::Triangle_weight triangle_weight;
   unsigned int seed;
   std::string levels;       // a folder, or empty
-  bool flat, quiet;
+  bool flat, quiet, is_globally_injective;
 };
 
 // A method that --method can name. A new one is a row in methods().
@@ -118,7 +118,8 @@ SMP::Parameterization_summary minimize_distortion(Input& input, const Method_opt
 {
   return run_refinable(input, options, uvmap, [&](SMP::Parameterization_summary& summary) {
     return Method<Mesh, CGAL::Parallel_if_available_tag>(CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary))
-                                                         .triangle_weight(options.triangle_weight).number_of_iterations(options.iterations));
+                                                         .triangle_weight(options.triangle_weight)
+                                                         .globally_injective(options.is_globally_injective).number_of_iterations(options.iterations));
   });
 }
 

@@ -28,8 +28,6 @@ set(table "
 0 internal/Polygon_kernel_2.h
 0 internal/Rest_triangle.h
 0 internal/Mapped_triangle.h
-0 internal/border_crossings.h
-0 internal/overlapping_pairs.h
 0 internal/Relaxation_factor.h
 0 Uniform_edge_weights_3.h
 0 Chordal_edge_weights_3.h
@@ -38,6 +36,8 @@ set(table "
 1 internal/One_rings.h
 1 internal/Star.h
 1 internal/star_validity.h
+1 internal/border_crossings.h
+1 internal/overlapping_pairs.h
 1 internal/discrete_exponential_map.h
 1 Shape_preserving_edge_weights_3.h
 1 internal/Halfedge_collapse.h
@@ -65,6 +65,8 @@ set(table "
 3 internal/Level_energy.h
 3 internal/Vertex_relaxation.h
 3 internal/Border_guard.h
+3 internal/Border_barrier.h
+3 internal/separate_borders.h
 3 internal/V_cycle.h
 3 internal/Multigrid_preconditioner.h
 3 internal/Multigrid_linear_solver.h

@@ -11,7 +11,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Level_refiner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Scale_bounded_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/scale_to_area.h>
+#include <CGAL/Surface_mesh_parameterization/internal/separate_borders.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star_validity.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <utility>
@@ -73,6 +76,8 @@ public:
   /// \return `OK`
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
+    if (m_options.is_globally_injective && !internal::separate_borders(level, uv))
+      return ERROR_NO_1_TO_1_MAPPING;
     if constexpr (Energy::is_scale_invariant) {
       if (m_bounds_scale) {
         internal::Level_refiner<internal::Scale_bounded_energy_2<Energy>>(level, uv, m_options, summary).run();
@@ -80,7 +85,10 @@ public:
       } else
         internal::Level_refiner<Energy>(level, uv, m_options, summary).run();
       if (level.is_finest())
-        internal::scale_to_area(level, uv);
+        internal::scale_to_area(level, uv, [&](const Level::Uv& scaled) {
+          return internal::is_map_valid(level.rings(), scaled, level.loops()) &&
+                 !(m_options.is_globally_injective && internal::has_crossings(internal::border_edges(level.rings()), scaled));
+        });
     } else
       internal::Level_refiner<Energy>(level, uv, m_options, summary).run();
     return OK;

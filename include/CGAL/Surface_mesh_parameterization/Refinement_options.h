@@ -43,6 +43,9 @@ struct Refinement_options
   /// named parameter `triangle_weight`
   Triangle_weight triangle_weight = Triangle_weight::ONE;
 
+  /// named parameter `globally_injective`: whether the borders of the map must not meet, so that it is one-to-one as a whole. Without it a free border can run over itself
+  bool is_globally_injective = false;
+
   /// named parameter `random_seed`, of vertices chosen at random
   unsigned int random_seed = 0;
 
@@ -57,6 +60,7 @@ struct Refinement_options
     number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), number_of_iterations);
     number_of_local_steps = choose_parameter(get_parameter(np, internal_np::number_of_local_steps), number_of_local_steps);
     triangle_weight = choose_parameter(get_parameter(np, internal_np::triangle_weight), triangle_weight);
+    is_globally_injective = choose_parameter(get_parameter(np, internal_np::globally_injective), is_globally_injective);
     random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), random_seed);
   }
 };

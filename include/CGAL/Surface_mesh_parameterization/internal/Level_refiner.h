@@ -6,12 +6,14 @@
 
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Newton_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Vertex_relaxation.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <random>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -27,7 +29,11 @@ public:
   Level_refiner(const Level& level, Level::Uv& uv, const Refinement_options& options, Level_summary& summary, const Energy& energy = Energy())
     : m_level(level), m_uv(uv), m_options(options), m_summary(summary), m_energy(level, options.triangle_weight, energy),
       m_minimum(m_energy.minimum()), m_current(m_energy(uv))
-  { }
+  {
+    constexpr double relative_stiffness = 0.1;
+    if (options.is_globally_injective)
+      m_barrier = std::make_unique<Border_barrier>(level, relative_stiffness * m_energy.total_weight() / double(level.number_of_faces()));
+  }
 
   // Energies are reported as the sum over the triangles, or as the mean over the area if triangles are weighted so.
   void run()
@@ -68,7 +74,7 @@ private:
   void take_local_steps()
   {
     std::mt19937 random(m_options.random_seed);
-    Vertex_relaxation<Energy>(m_energy, 1).random_steps(m_uv, m_options.number_of_local_steps, random);
+    Vertex_relaxation<Energy>(m_energy, 1, m_barrier.get()).random_steps(m_uv, m_options.number_of_local_steps, random);
     m_summary.vertex_visits = m_options.number_of_local_steps;
     m_summary.iterations = (m_summary.vertex_visits + size() - 1) / size();
   }
@@ -77,7 +83,7 @@ private:
   void settle_new_vertices()
   {
     constexpr int sweeps = 3;
-    const Vertex_relaxation<Energy> relaxation(m_energy, 1);
+    const Vertex_relaxation<Energy> relaxation(m_energy, 1, m_barrier.get());
     for (int i = 0; i < sweeps && m_level.index() > 0; ++i) {
       lower_by(relaxation.sweep_group(m_level.index(), m_uv));
       m_summary.vertex_visits += size() - m_level.first_new_vertex();
@@ -91,7 +97,7 @@ private:
     const std::size_t most_sweeps = is_coarsest_of_many() ? (std::max)(m_options.number_of_iterations, most_sweeps_on_coarsest_level)
                                                            : m_options.number_of_iterations;
     const bool is_random = m_options.optimizer == Optimizer::RANDOM_VERTICES;
-    const Vertex_relaxation<Energy> relaxation(m_energy, is_random ? 1 : over_relaxation);
+    const Vertex_relaxation<Energy> relaxation(m_energy, is_random ? 1 : over_relaxation, m_barrier.get());
     std::mt19937 random(m_options.random_seed);
     while (m_summary.iterations < most_sweeps && !m_summary.converged) {
       const double before = m_current;
@@ -112,7 +118,7 @@ private:
     const std::size_t groups_above = m_level.hierarchy().number_of_levels() - 1 - m_level.index();
     const bool is_grid = groups_above % V_cycle::groups_per_grid == 0 || m_level.index() == 0;
 
-    const Vertex_relaxation<Energy> relaxation(m_energy, over_relaxation);
+    const Vertex_relaxation<Energy> relaxation(m_energy, over_relaxation, m_barrier.get());
     if (is_grid) {
       sweep_while_it_pays(relaxation);
       take_newton_steps(relaxation);
@@ -140,17 +146,20 @@ private:
     constexpr double coarse_tolerance = 3e-3, residual_tolerance = 0.07, short_step = 0.3, great_decrease = 0.01;
     const double tolerance = m_level.is_finest() ? m_options.tolerance : (std::max)(m_options.tolerance, coarse_tolerance);
 
-    Newton_multigrid<Energy> newton(m_energy);
+    Newton_multigrid<Energy> newton(m_energy, m_barrier.get());
     while (m_summary.iterations < m_options.number_of_iterations && !m_summary.converged) {
-      const double before = m_current;
       const auto step = newton.step(m_uv, m_current, residual_tolerance);
-      lower_by(step.decrease);
+      if (m_barrier)      // the step may have paid for a gap with energy
+        m_current = m_energy(m_uv);
+      else
+        lower_by(step.decrease);
       ++m_summary.iterations;
       m_summary.cycles += step.cycles;
+      const double before_sweep = m_current;
       // A few triangles that are about to vanish can hold up a step of the whole map, or are where its quadratic model fails: these are for relaxation.
-      if (step.length < short_step || !is_little(before - m_current, great_decrease))
+      if (step.length < short_step || !is_little(step.decrease, great_decrease))
         sweep(relaxation);
-      m_summary.converged = is_little(before - m_current, tolerance);
+      m_summary.converged = is_little(step.decrease + (before_sweep - m_current), tolerance);
     }
   }
 
@@ -162,6 +171,7 @@ private:
   const Refinement_options& m_options;
   Level_summary& m_summary;
   Level_energy<Energy> m_energy;
+  std::unique_ptr<Border_barrier> m_barrier;      // none unless the map has to be globally injective
   const double m_minimum;
   double m_current;       // the energy of m_uv
 };

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_MULTIGRID_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_MULTIGRID_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/Border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Border_guard.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/V_cycle.h>
@@ -28,14 +29,15 @@ class Newton_multigrid
 public:
   struct Step
   {
-    double decrease = 0;          // of the energy; 0 if no step was possible
+    double decrease = 0;          // of the energy, with the barrier's; 0 if no step was possible
     double predicted = 0;         // decrease of the quadratic model by the whole step
     double length = 0;            // 1 for the whole step
     std::size_t cycles = 0;       // V-cycles
   };
 
-  explicit Newton_multigrid(const Level_energy<Energy>& energy)
-    : m_energy(energy), m_level(energy.level()), m_border_guard(energy.level()), m_cycle(energy.level())
+  // `barrier`, if there is one, keeps the borders apart; its energy is minimized along with the level's.
+  explicit Newton_multigrid(const Level_energy<Energy>& energy, Border_barrier* barrier = nullptr)
+    : m_energy(energy), m_level(energy.level()), m_barrier(barrier), m_border_guard(energy.level()), m_cycle(energy.level())
   {
     const One_rings& rings = m_level.rings();
     m_cycle.matrix().set_pattern(rings.number_of_vertices(), rings.offsets(), rings.neighbors());
@@ -62,6 +64,10 @@ private:
   Step try_step(Level::Uv& uv, double energy, double tolerance)
   {
     Step result;
+    if (m_barrier) {
+      m_barrier->set_gaps(uv);
+      energy += (*m_barrier)(uv);
+    }
     assemble(uv);
     if (m_needs_setup)
       m_cycle.setup();
@@ -91,7 +97,16 @@ private:
       m_gradient[v] = Pair(0, 0);
       matrix.set_diagonal(v, stiffness * matrix.unscaled_diagonal_block(v));
     }
+    if (m_barrier)
+      m_barrier->derivatives(uv, [&](Index v, const Pair& gradient, const Block_matrix::Block& block) {
+        m_gradient[v] += gradient;
+        matrix.set_diagonal(v, matrix.unscaled_diagonal_block(v) + block);
+        m_needs_setup = true;
+      });
   }
+
+  // The energy that steps lower.
+  double objective(const Level::Uv& uv) const { return m_energy(uv) + (m_barrier ? (*m_barrier)(uv) : 0); }
 
   void assemble_row(const Level::Uv& uv, Index v, Block_matrix& matrix)
   {
@@ -206,13 +221,16 @@ private:
     constexpr int most_halvings = 12;
     constexpr double part_of_longest_step = 0.9, sufficient_decrease = 1e-4;
     double length = Energy::is_flip_free ? (std::min)(1., part_of_longest_step * longest_step(uv)) : 1;
+    if (m_barrier)
+      length = (std::min)(length, part_of_longest_step * m_barrier->longest_step(uv, m_direction));
     m_trial.resize(uv.size());
     for (int i = 0; i < most_halvings; ++i, length *= 0.5) {
       for_each_vertex([&](Index v) { m_trial[v] = uv[v] + Vector_2(length * m_direction[v][0], length * m_direction[v][1]); });
-      const double decrease = energy - m_energy(m_trial);
+      const double decrease = energy - objective(m_trial);
       if (!(decrease > -sufficient_decrease * length * slope))
         continue;
-      if (!Energy::is_flip_free || (!m_border_guard.turns_too_far(uv, m_trial) && is_map_valid(m_level.rings(), m_trial, m_level.loops()))) {
+      if (!Energy::is_flip_free || (!m_border_guard.turns_too_far(uv, m_trial) && is_map_valid(m_level.rings(), m_trial, m_level.loops()) &&
+                                    (!m_barrier || m_barrier->keeps_apart(m_trial)))) {
         uv.swap(m_trial);
         result.decrease = decrease;
         result.length = length;
@@ -225,6 +243,7 @@ private:
 
   const Level_energy<Energy>& m_energy;
   const Level& m_level;
+  Border_barrier* m_barrier;
   Border_guard m_border_guard;
   V_cycle m_cycle;
   bool m_needs_setup = true;

@@ -4,9 +4,11 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_VERTEX_RELAXATION_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_VERTEX_RELAXATION_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/Border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/relax_vertex.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -17,9 +19,9 @@ template <class Energy>
 class Vertex_relaxation
 {
 public:
-  // Steps are `relaxation_factor` times Newton's, as in successive over-relaxation; between 0 and 2.
-  Vertex_relaxation(const Level_energy<Energy>& energy, double relaxation_factor)
-    : m_energy(energy), m_level(energy.level()), m_relaxation_factor(relaxation_factor)
+  // Steps are `relaxation_factor` times Newton's, as in successive over-relaxation; between 0 and 2. `barrier`, if there is one, keeps the borders apart.
+  Vertex_relaxation(const Level_energy<Energy>& energy, double relaxation_factor, Border_barrier* barrier = nullptr)
+    : m_energy(energy), m_level(energy.level()), m_relaxation_factor(relaxation_factor), m_barrier(barrier)
   { }
 
   // Relaxes every vertex, group by group, and returns by how much the energy fell.
@@ -49,6 +51,8 @@ public:
       return relax_if(begin, end, false, star);
     }, [](double& sum, double d) { sum += d; });
     Star<Energy> star;
+    if (m_barrier)
+      m_barrier->set_reach(uv);
     return decrease + relax_if(first, last, true, star);
   }
 
@@ -58,8 +62,11 @@ public:
   {
     Star<Energy> star;
     double decrease = 0;
-    for (std::size_t i = 0; i < number_of_steps; ++i)
+    for (std::size_t i = 0; i < number_of_steps; ++i) {
+      if (m_barrier && i % m_level.number_of_vertices() == 0)
+        m_barrier->set_reach(uv);
       decrease += relax(Index((std::uint64_t(random()) * m_level.number_of_vertices()) >> 32), uv, star);
+    }
     return decrease;
   }
 
@@ -70,12 +77,18 @@ private:
     if (m_level.is_pinned(v))
       return 0;
     m_energy.gather(v, uv, star);
-    return relax_vertex(star, m_level.rings(), v, m_relaxation_factor, uv);
+    if (!m_barrier || !m_level.is_border(v))
+      return relax_vertex(star, m_level.rings(), v, m_relaxation_factor, uv);
+    const Point_2 start = uv[v];
+    const double decrease = relax_vertex(star, m_level.rings(), v, m_relaxation_factor, uv, m_barrier->reach(v));
+    m_barrier->reach(v) -= std::sqrt((uv[v] - start).squared_length());
+    return decrease;
   }
 
   const Level_energy<Energy>& m_energy;
   const Level& m_level;
   double m_relaxation_factor;
+  Border_barrier* m_barrier;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -4,12 +4,12 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_CROSSINGS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_CROSSINGS_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -20,6 +20,15 @@ struct Border_edge
 {
   Index source, target;
 };
+
+inline std::vector<Border_edge> border_edges(const One_rings& rings)
+{
+  std::vector<Border_edge> edges;
+  for (Index v = 0; v < rings.number_of_vertices(); ++v)
+    if (rings.is_border(v))
+      edges.push_back({ v, rings[v].front() });
+  return edges;
+}
 
 // Whether two border edges meet in the plane anywhere but in a vertex that they share.
 inline bool do_cross(const Border_edge& e, const Border_edge& f, const std::vector<Point_2>& uv)

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -38,9 +39,10 @@ inline bool has_room(const One_rings& rings, const std::vector<Point_2>& uv, Ind
 
 // One step of vertex relaxation (Hormann and Greiner 1999): moves v by a safeguarded Newton step inside the kernel of its star and returns
 // by how much the energy fell, 0 if v stayed. The step is `relaxation_factor` times Newton's; it is halved until the energy falls and the invariant holds by exact predicates.
-// Precondition: `star` is gathered from v, and the invariant holds.
+// It is no longer than `reach`. Precondition: `star` is gathered from v, and the invariant holds.
 template <class Energy>
-double relax_vertex(const Star<Energy>& star, const One_rings& rings, Index v, double relaxation_factor, std::vector<Point_2>& uv)
+double relax_vertex(const Star<Energy>& star, const One_rings& rings, Index v, double relaxation_factor, std::vector<Point_2>& uv,
+                    double reach = (std::numeric_limits<double>::infinity)())
 {
   constexpr int most_halvings = 8;
   constexpr double part_of_longest_step = 0.8, sufficient_decrease = 1e-4, least_relative_decrease = 1e-15;
@@ -52,7 +54,7 @@ double relax_vertex(const Star<Energy>& star, const One_rings& rings, Index v, d
   if (!(slope < -least_relative_decrease * d.value))    // converged, or not a number
     return 0;
 
-  double step = relaxation_factor;
+  double step = (std::min)(relaxation_factor, reach / std::sqrt(direction.squared_length()));
   for (int i = 0; i < most_halvings; ++i, step *= 0.5) {
     const Point_2 trial = start + step * direction;
     const auto energy = star.filtered_energy(trial);

@@ -11,9 +11,10 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Scales a valid map so that it has the area of the surface. Where rounding would break the invariant, the nearest power of two is taken
+// Scales a map so that it has the area of the surface. Where rounding would spoil it for `is_valid`, the nearest power of two is taken
 // instead, which is exact.
-inline void scale_to_area(const Level& level, Level::Uv& uv)
+template <class Is_valid>
+void scale_to_area(const Level& level, Level::Uv& uv, const Is_valid& is_valid)
 {
   double area = 0, image_area = 0;
   for (const Level::Triangle& t : level.triangles()) {
@@ -27,12 +28,17 @@ inline void scale_to_area(const Level& level, Level::Uv& uv)
   Level::Uv scaled = uv;
   for (Point_2& p : scaled)
     p = Point_2(scale * p.x(), scale * p.y());
-  if (!is_map_valid(level.rings(), scaled)) {
+  if (!is_valid(scaled)) {
     const double power_of_two = std::exp2(std::round(std::log2(scale)));
     for (std::size_t v = 0; v < uv.size(); ++v)
       scaled[v] = Point_2(power_of_two * uv[v].x(), power_of_two * uv[v].y());
   }
   uv.swap(scaled);
+}
+
+inline void scale_to_area(const Level& level, Level::Uv& uv)
+{
+  scale_to_area(level, uv, [&](const Level::Uv& scaled) { return is_map_valid(level.rings(), scaled, level.loops()); });
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
