@@ -44,7 +44,7 @@ struct Usage_error { std::string message; };
 bool read_options(int argc, char** argv, Options& options)
 {
   namespace po = boost::program_options;
-  std::string method, weights;
+  std::string method, weights, flips;
   po::options_description described("Options");
   described.add_options()
     ("help,h", "print this text")
@@ -58,6 +58,7 @@ bool read_options(int argc, char** argv, Options& options)
                                                  "(default 1e-6); others: when the relative residual is not greater (default 1e-8, of CGAL's 1e-10)")
     ("iterations", po::value(&options.iterations), "the most steps on a level: of Newton's method (default 100), or sweeps (default 10000); of CGAL's methods: the most steps of the linear solver (default 300)")
     ("weights", po::value(&weights), "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)")
+    ("flips", po::value(&flips)->default_value("fail"), "of methods that can flip triangles: fail (an error), repair or keep")
     ("globally-injective", po::bool_switch(&options.is_globally_injective), "mips, symmetric-dirichlet: keep the free border from running over itself")
     ("seed", po::value(&options.seed)->default_value(0), "of the random choices: the same seed gives the same result")
     ("threads", po::value(&options.threads)->default_value(0), "the most threads to use, if built with TBB; 0: as many as there are. The result is the same")
@@ -85,6 +86,9 @@ bool read_options(int argc, char** argv, Options& options)
   if (!weights.empty() && weights != "triangle" && weights != "area")
     throw Usage_error{ "unknown weights '" + weights + "'; there are: triangle, area" };
   options.triangle_weight = weights.empty() ? options.method->triangle_weight : weights == "area" ? SMP::Triangle_weight::AREA : SMP::Triangle_weight::ONE;
+  if (flips != "fail" && flips != "repair" && flips != "keep")
+    throw Usage_error{ "unknown way with flips '" + flips + "'; there are: fail, repair, keep" };
+  options.flip_policy = flips == "fail" ? SMP::Flip_policy::FAIL : flips == "repair" ? SMP::Flip_policy::REPAIR : SMP::Flip_policy::KEEP;
   if (!values.count("tolerance"))
     options.tolerance = options.method->tolerance;
   if (!values.count("iterations"))

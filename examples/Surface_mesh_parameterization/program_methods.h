@@ -24,6 +24,7 @@
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/Surface_mesh_parameterization/settle_flips.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -52,6 +53,7 @@ struct Method_options
   unsigned int seed;
   std::string levels;       // a folder, or empty
   bool flat, quiet, is_globally_injective;
+  SMP::Flip_policy flip_policy;
 };
 
 // A method that --method can name. A new one is a row in methods().
@@ -107,7 +109,7 @@ SMP::Parameterization_summary run_refinable(Input& input, const Method_options& 
     const std::vector<Mesh::Vertex_index> vertices = options.levels.empty() ? std::vector<Mesh::Vertex_index>()
       : SMP::Mesh_component<Mesh>(input.mesh, input.border).vertices_of_component();
     const SMP::Hierarchical_parameterizer_3<std::decay_t<decltype(method)>> hierarchical(
-      method, CGAL::parameters::summary(std::ref(summary)).random_seed(options.seed).visitor(Program_visitor(options, input.mesh, vertices)));
+      method, CGAL::parameters::flip_policy(options.flip_policy).summary(std::ref(summary)).random_seed(options.seed).visitor(Program_visitor(options, input.mesh, vertices)));
     SMP::parameterize(input.mesh, hierarchical, input.border, uvmap);
   }
   return summary;
@@ -130,13 +132,14 @@ SMP::Parameterization_summary minimize_edge_energy(Input& input, const Method_op
   typedef SMP::Edge_energy_parameterizer_3<Mesh, EdgeWeights, Border, CGAL::Parallel_if_available_tag>   Method;
   return run_refinable(input, options, uvmap, [&](SMP::Parameterization_summary& summary) {
     return Method(Border(), EdgeWeights(),
-                  CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary)).number_of_iterations(options.iterations));
+                  CGAL::parameters::tolerance(options.tolerance).flip_policy(options.flip_policy).summary(std::ref(summary))
+                  .number_of_iterations(options.iterations));
   });
 }
 
 // Runs a parameterizer as CGAL ships it.
 template <class Parameterizer>
-SMP::Parameterization_summary run_flat(Input& input, UV_map uvmap)
+SMP::Parameterization_summary run_flat(Input& input, SMP::Flip_policy flip_policy, UV_map uvmap)
 {
   SMP::Parameterization_summary summary;
   CGAL::Real_timer timer;
@@ -151,7 +154,10 @@ SMP::Parameterization_summary run_flat(Input& input, UV_map uvmap)
   for (const Mesh::Vertex_index v : component.vertices_of_component())
     put(index, v, n++);
   // Not by SMP::parameterize(), which copies: not all parameterizers can be copied.
-  summary.error.code = Parameterizer().parameterize(input.mesh, input.border, uvmap, index, is_parameterized);
+  SMP::Error_code code = Parameterizer().parameterize(input.mesh, input.border, uvmap, index, is_parameterized);
+  if (code == SMP::OK)
+    code = SMP::settle_flips(input.mesh, input.border, uvmap, flip_policy, CGAL::parameters::summary(std::ref(summary)));
+  summary.error.code = code;
   summary.converged = summary.error.code == SMP::OK;
   summary.seconds_parameterize = timer.time();
   return summary;
@@ -162,12 +168,12 @@ template <class Parameterizer>
 SMP::Parameterization_summary run_wrapped(Input& input, const Method_options& options, UV_map uvmap)
 {
   if (options.flat)
-    return run_flat<Parameterizer>(input, uvmap);
+    return run_flat<Parameterizer>(input, options.flip_policy, uvmap);
   SMP::Parameterization_summary summary;
   const std::vector<Mesh::Vertex_index> vertices = options.levels.empty() ? std::vector<Mesh::Vertex_index>()
     : SMP::Mesh_component<Mesh>(input.mesh, input.border).vertices_of_component();
   const SMP::Hierarchical_parameterizer_3<Parameterizer> hierarchical(
-    CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary)).number_of_iterations(options.iterations)
+    CGAL::parameters::tolerance(options.tolerance).flip_policy(options.flip_policy).summary(std::ref(summary)).number_of_iterations(options.iterations)
     .random_seed(options.seed).visitor(Program_visitor(options, input.mesh, vertices)));
   SMP::parameterize(input.mesh, hierarchical, input.border, uvmap);
   return summary;

@@ -9,6 +9,7 @@ set(table "
 0 MIPS_energy_2.h
 0 Symmetric_Dirichlet_energy_2.h
 0 internal/Scale_bounded_energy_2.h
+0 Flip_policy.h
 0 Triangle_weight.h
 0 parameters.h
 0 Refinement_options.h
@@ -80,6 +81,9 @@ set(table "
 3 internal/insert_new_vertices.h
 3 internal/scale_to_area.h
 3 internal/Tutte_embedding.h
+3 internal/Map_repair.h
+3 internal/settle_flips.h
+4 settle_flips.h
 4 internal/Nested_iteration.h
 4 Refinable_parameterizer_base_3.h
 4 Distortion_parameterizer_3.h

@@ -48,15 +48,13 @@ public:
   ///   method fails to lay out the coarsest level without a flip
   /// - `random_seed`: seed of the hierarchy; default 0
   /// - `visitor`: a model of `HierarchyVisitor_3`; default: none
+  /// - `flip_policy`: a `Flip_policy`: what becomes of a map with flips; default `FAIL`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as long as the parameterizer runs
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Nested_iteration_parameterizer_3(const Method& method = Method(), const NamedParameters& np = parameters::default_values())
     : m_method(method), m_visitor(internal::hierarchy_visitor_of(np)), m_summary(internal::summary_of(np))
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    m_options.coarsest_size = choose_parameter(get_parameter(np, internal_np::coarsest_size), m_options.coarsest_size);
-    m_options.seed = choose_parameter(get_parameter(np, internal_np::random_seed), m_options.seed);
+    m_options.set(np);
   }
 
   /// parameterizes the connected component of `mesh` that contains `bhd`.

@@ -68,6 +68,8 @@ struct Parameterization_summary
   bool stopped = false;                   ///< whether a visitor stopped the run
   double energy = 0;                      ///< the method's energy of the result: the sum over the triangles, or the mean over the area
   std::vector<Level_summary> levels;      ///< from the coarsest level to the finest
+  std::size_t flips = 0;                  ///< triangles that the method flipped, unless `Flip_policy` is `KEEP`. An error, or repaired
+  std::size_t moved_vertices = 0;         ///< vertices that the repair moved
   Linear_solver_summary linear_solver;    ///< of a method that solves linear systems by multigrid
   double seconds_hierarchy = 0;           ///< wall-clock time of reading the mesh and of building the hierarchy
   double seconds_parameterize = 0;        ///< wall-clock time from the coarsest level to the result

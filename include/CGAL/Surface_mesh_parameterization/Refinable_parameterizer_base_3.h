@@ -7,9 +7,11 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Nested_iteration.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/tags.h>
 
@@ -58,19 +60,22 @@ public:
     Parameterization_summary unused_summary;
     Method method = static_cast<Method&>(*this);
     internal::Hierarchy_visitor_holder<Hierarchy_visitor_3> no_visitor{ Hierarchy_visitor_3() };
-    const internal::Nested_iteration_options one_level = { (std::numeric_limits<std::size_t>::max)() };
+    internal::Nested_iteration_options one_level;
+    one_level.coarsest_size = (std::numeric_limits<std::size_t>::max)();
+    one_level.flip_policy = m_flip_policy;
     return internal::Nested_iteration<Method>(method, one_level, no_visitor, m_summary ? *m_summary : unused_summary).run(mesh, bhd, uvmap, vpmap);
   }
 
 protected:
-  /// takes the named parameter `summary`, a `std::reference_wrapper<Parameterization_summary>`, where `np` has one
+  /// takes the named parameters `summary`, a `std::reference_wrapper<Parameterization_summary>`, and `flip_policy`, where `np` has them
   template <class NamedParameters>
   explicit Refinable_parameterizer_base_3(const NamedParameters& np)
-    : m_summary(internal::summary_of(np))
+    : m_summary(internal::summary_of(np)), m_flip_policy(parameters::choose_parameter(parameters::get_parameter(np, internal_np::flip_policy), Flip_policy::FAIL))
   { }
 
 private:
   Parameterization_summary* m_summary;
+  Flip_policy m_flip_policy;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -6,13 +6,16 @@
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
+#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/insert_new_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/place_border.h>
+#include <CGAL/Surface_mesh_parameterization/internal/settle_flips.h>
 #include <CGAL/Surface_mesh_parameterization/internal/write_map.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -31,6 +34,18 @@ struct Nested_iteration_options
 {
   std::size_t coarsest_size = Collapse_hierarchy_3::default_coarsest_size;    // a flat run: as many as there are
   unsigned int seed = 0;
+  Flip_policy flip_policy = Flip_policy::FAIL;      // for what methods leave that do not keep triangles positive
+
+  // Takes from named parameters what they hold.
+  template <class NamedParameters>
+  void set(const NamedParameters& np)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    coarsest_size = choose_parameter(get_parameter(np, internal_np::coarsest_size), coarsest_size);
+    seed = choose_parameter(get_parameter(np, internal_np::random_seed), seed);
+    flip_policy = choose_parameter(get_parameter(np, internal_np::flip_policy), flip_policy);
+  }
 };
 
 // The hierarchical parametrization of Hormann, Greiner and Campagna (1999) of one component of a mesh by a model of RefinableParameterizer_3, and what is tried
@@ -53,7 +68,7 @@ public:
   {
     do
       attempt(mesh, bhd, uvmap, vpmap);
-    while (m_summary.error.code == ERROR_NO_1_TO_1_MAPPING && Method::is_flip_free && !m_summary.stopped && can_try_another_way());
+    while (m_summary.error.code == ERROR_NO_1_TO_1_MAPPING && !m_summary.stopped && can_try_another_way());
     return m_summary.error.code;
   }
 
@@ -88,6 +103,8 @@ private:
   bool can_try_another_way()
   {
     constexpr unsigned int most_seeds = 3;
+    if (!Method::is_flip_free || m_is_finished)
+      return false;
     if (!m_summary.levels.empty()) {
       ++m_options.seed;
       return ++m_number_of_seeds < most_seeds || leave_room(m_method, 0);
@@ -132,7 +149,21 @@ private:
     }
     m_summary.energy = m_summary.levels.back().energy_end;
     m_summary.converged = m_summary.levels.back().converged;
-    return OK;
+    m_is_finished = true;
+    return settle_flips(level.triangles(), level.rings(), [&] { return surface_of(level); }, m_options.flip_policy, uv, m_summary);
+  }
+
+  // The finest level as a surface, its vertices by rank.
+  static Triangulated_surface_3 surface_of(const Level& level)
+  {
+    Triangulated_surface_3 surface;
+    surface.triangles = level.triangles();
+    for (Index v = 0; v < level.number_of_vertices(); ++v) {
+      surface.points.push_back(level.point(v));
+      if (level.hierarchy().is_on_outer_border(v))
+        surface.outer_border.push_back(v);
+    }
+    return surface;
   }
 
   static Error_code insert(const Level& level, Level::Uv& uv)
@@ -161,6 +192,7 @@ private:
   Parameterization_summary& m_summary;
   std::size_t m_size_of_coarsest_level = 0;
   unsigned int m_number_of_seeds = 0;
+  bool m_is_finished = false;       // the method, with a map of the finest level
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -5,12 +5,14 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_REBOUND_PARAMETERIZER_3_H
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Component_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Mesh_unknowns.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Multigrid_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rebound_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rebound_run.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Solver_use.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -18,6 +20,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -63,10 +66,16 @@ public:
       is_locked = [&is_placed](std::size_t i) { return bool(is_placed[i]); };
     const auto session = std::make_shared<Multigrid_session>(run.hierarchy(), Mesh_unknowns(run.ranks(), is_locked), this->solver_options(),
                                                              Use::solves_in_pairs);
-    const Error_code code = run.parameterize(session, uv, [&] {
+    Error_code code = run.parameterize(session, uv, [&] {
       return this->make_parameterizer()->parameterize(mesh, bhd, Component_map<Index_map, User_point_2>{ run.index(), &uv }, run.index(),
                                                       Component_map<Index_map, char>{ run.index(), &is_placed }, std::forward<Others>(others)...);
     });
+    if (code == OK)
+      code = run.settle_flips(mesh, bhd, this->flip_policy(), uv);
+    typedef typename Flip_free_relative<Parameterizer>::type   Relative;
+    if constexpr (!std::is_void<Relative>::value)
+      if (code == OK && run.is_mostly_moved())
+        return Nested_iteration_parameterizer_3<Relative>(Relative(), parameters::summary(std::ref(run.summary()))).parameterize(mesh, bhd, uvmap, run.index(), vpmap);
     for (std::size_t i = 0; i < vertices.size() && code == OK; ++i) {
       put(uvmap, vertices[i], uv[i]);
       put(vpmap, vertices[i], bool(is_placed[i]));

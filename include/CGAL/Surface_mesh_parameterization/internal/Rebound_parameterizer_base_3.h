@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_REBOUND_PARAMETERIZER_BASE_3_H
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
@@ -30,6 +31,7 @@ public:
   // The arguments are those of `Parameterizer`'s constructor, less the solver; named parameters may follow them:
   // - `coarsest_size`, `random_seed`: of the hierarchy, see Collapse_hierarchy_3
   // - `tolerance`, `number_of_iterations`: of the solver, see Multigrid_solver_traits
+  // - `flip_policy`: what becomes of a map with flips
   // - `visitor`: a model of HierarchyVisitor_3, whose hierarchy_built() is called
   // - `summary`: a std::reference_wrapper<Parameterization_summary> that receives what the run did
   Rebound_parameterizer_base_3() : Rebound_parameterizer_base_3(parameters::default_values()) { }
@@ -62,6 +64,7 @@ protected:
   }
 
   const Multigrid_linear_solver::Options& solver_options() const { return m_options; }
+  Flip_policy flip_policy() const { return m_flip_policy; }
 
 private:
   template <class Tuple, std::size_t... positions>
@@ -76,6 +79,7 @@ private:
     m_build = [np](Triangulated_surface_3 surface) { return Collapse_hierarchy_3(std::move(surface), np); };
     m_options = linear_solver_options_of(np);
     m_visitor = hierarchy_visitor_of(np);
+    m_flip_policy = parameters::choose_parameter(parameters::get_parameter(np, internal_np::flip_policy), m_flip_policy);
     m_summary = summary_of(np);
   }
 
@@ -83,6 +87,7 @@ private:
   std::function<Collapse_hierarchy_3(Triangulated_surface_3)> m_build;
   Multigrid_linear_solver::Options m_options;
   std::shared_ptr<Any_hierarchy_visitor> m_visitor;
+  Flip_policy m_flip_policy = Flip_policy::FAIL;
   Parameterization_summary* m_summary = nullptr;
 };
 

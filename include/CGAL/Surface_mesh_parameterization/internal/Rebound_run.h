@@ -6,12 +6,15 @@
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Multigrid_session.h>
+#include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/settle_flips.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/properties.h>
@@ -50,6 +53,7 @@ public:
     if (error() != OK)
       return;
     m_vertices = component.vertices_of_component();
+    m_triangles = component.surface().triangles;
     for (std::size_t i = 0; i < m_vertices.size(); ++i)
       put(m_index, m_vertices[i], int(i));
     m_hierarchy = std::make_shared<const Collapse_hierarchy_3>(build(std::move(component.surface())));
@@ -92,9 +96,27 @@ public:
     return code;
   }
 
-private:
+  // Does with the flips of a map of `mesh` what the policy says.
+  template <class Point>
+  Error_code settle_flips(const TriangleMesh& mesh, halfedge_descriptor bhd, Flip_policy policy, std::vector<Point>& uv)
+  {
+    std::vector<Point_2> map;
+    for (const Point& p : uv)
+      map.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+    const auto make_surface = [&] { return std::move(Mesh_component<TriangleMesh>(mesh, bhd).surface()); };
+    summary().error.code = internal::settle_flips(m_triangles, One_rings(uv.size(), m_triangles), make_surface, policy, map, summary());
+    if (summary().moved_vertices > 0)
+      for (std::size_t i = 0; i < uv.size(); ++i)
+        uv[i] = Point(map[i].x(), map[i].y());
+    return error();
+  }
+
+  // Whether so many vertices were moved by a repair that little is left of the map.
+  bool is_mostly_moved() { return summary().moved_vertices > m_vertices.size() / 10; }
+
   Parameterization_summary& summary() { return m_users_summary ? *m_users_summary : m_own_summary; }
 
+private:
   template <class Point>
   static bool are_finite(const std::vector<Point>& points)
   {
@@ -106,6 +128,7 @@ private:
 
   CGAL::Real_timer m_timer;
   std::vector<vertex_descriptor> m_vertices;
+  std::vector<Index_triangle> m_triangles;
   Index_map m_index;
   std::shared_ptr<const Collapse_hierarchy_3> m_hierarchy;
   Parameterization_summary* m_users_summary;

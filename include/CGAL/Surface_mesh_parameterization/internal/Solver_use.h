@@ -4,6 +4,8 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_SOLVER_USE_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_SOLVER_USE_H
 
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+
 namespace CGAL::Surface_mesh_parameterization {
 
 template <class, class, class> class Barycentric_mapping_parameterizer_3;
@@ -34,6 +36,19 @@ template <class M, class B, class S> struct Solver_use<Discrete_authalic_paramet
 template <class M, class B, class S> struct Solver_use<Discrete_conformal_map_parameterizer_3<M, B, S>> : Solves_in_pairs { };
 template <class M, class B, class S> struct Solver_use<Iterative_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs { };
 template <class M, class B, class S> struct Solver_use<Mean_value_coordinates_parameterizer_3<M, B, S>> : Solves_in_pairs { };
+
+// The method without flips that minimizes the same kind of distortion as a parameterizer with a free border; void if there is none.
+template <class Parameterizer>
+struct Flip_free_relative
+{
+  typedef void   type;
+};
+
+template <class M, class B, class S>
+struct Flip_free_relative<LSCM_parameterizer_3<M, B, S>>
+{
+  typedef MIPS_parameterizer_3<M>   type;
+};
 
 template <class M, class B, class S>
 struct Solver_use<LSCM_parameterizer_3<M, B, S>>

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -38,6 +39,19 @@ public:
   Vertex_inserter(const One_rings& rings, std::vector<Point_2>& uv, const std::vector<bool>& is_placed)
     : m_rings(rings), m_uv(uv), m_is_placed(is_placed)
   { }
+
+  // Puts the given place into uv[v] if it is valid, and returns whether it is.
+  bool insert_at(Index v, const Point_2& place)
+  {
+    if (!std::isfinite(place.x()) || !std::isfinite(place.y()))
+      return false;
+    const Point_2 before = std::exchange(m_uv[v], place);
+    m_inserted = v;
+    const bool result = is_star_valid(m_rings, m_uv, *this, v);
+    if (!result)
+      m_uv[v] = before;
+    return result;
+  }
 
   // Puts the best place into uv[v]. Returns whether one was found. `corners` are the rest shapes around v.
   bool insert(Index v, const Rest_corner* corners, const Index_triangle& parent, const std::array<double, 3>& coordinates)

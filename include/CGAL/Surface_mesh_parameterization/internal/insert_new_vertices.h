@@ -14,8 +14,9 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Inserts the new vertices of a level (Hormann, Greiner, Campagna 1999, step 2b) into a flip-free map of the next coarser level and keeps
-// it flip-free. Returns the first vertex for which no place was found, `no_index` if there is none.
-inline Index insert_new_vertices(const Level& level, Level::Uv& uv)
+// it flip-free. A vertex goes to its place in `wanted`, if that is given and there is no flip then.
+// Returns the first vertex for which no place was found, `no_index` if there is none.
+inline Index insert_new_vertices(const Level& level, Level::Uv& uv, const Level::Uv* wanted = nullptr)
 {
   const Collapse_hierarchy_3& hierarchy = level.hierarchy();
   const Index first_new = Index(level.first_new_vertex()), end = Index(level.number_of_vertices());
@@ -31,7 +32,8 @@ inline Index insert_new_vertices(const Level& level, Level::Uv& uv)
 
   const auto make_inserter = [&] { return Vertex_inserter(level.rings(), uv, is_placed); };
   const auto insert = [&](Index v, Vertex_inserter& inserter) {
-    return inserter.insert(v, level.rest_corners(v), hierarchy.parent_triangle(v), hierarchy.barycentric_coordinates(v));
+    return (wanted && inserter.insert_at(v, (*wanted)[v])) ||
+           inserter.insert(v, level.rest_corners(v), hierarchy.parent_triangle(v), hierarchy.barycentric_coordinates(v));
   };
   const Index failed = level.loops().reduce(first_new, end, no_index, make_inserter, [&](Index block_begin, Index block_end, Vertex_inserter& inserter) {
     for (Index v = block_begin; v < block_end; ++v)

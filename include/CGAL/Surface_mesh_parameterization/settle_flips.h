@@ -1,0 +1,70 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_SETTLE_FLIPS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_SETTLE_FLIPS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/settle_flips.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationMethods
+///
+/// looks for flips in a map that any parameterizer has made, by exact predicates, and does with them what `policy` says.
+///
+/// A repaired map is the same but for vertices that cannot be where they were, and as few as the method finds: it goes to the finest level of a hierarchy on which
+/// the map has no flip, and puts the vertices back from there, each to its place where its triangles are positive then, or near it.
+///
+/// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
+/// \param bhd a halfedge on the outer border of the component that has the map
+/// \param uvmap a read-write property map from vertices to points of the plane; untouched on an error
+/// \param policy what to do
+/// \param np
+/// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives the error, the number of flips and that of the vertices that were moved
+///
+/// \return `OK`; an error of `Mesh_component`; `ERROR_NO_1_TO_1_MAPPING` if there are flips and the policy is `FAIL`, or if they could not be repaired
+template <class TriangleMesh, class VertexUVMap, class NamedParameters = parameters::Default_named_parameters>
+Error_code settle_flips(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap, Flip_policy policy,
+                        const NamedParameters& np = parameters::default_values())
+{
+  typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
+
+  Parameterization_summary unused_summary;
+  Parameterization_summary* const users_summary = internal::summary_of(np);
+  Parameterization_summary& summary = users_summary ? *users_summary : unused_summary;
+  summary = Parameterization_summary();
+
+  Mesh_component<TriangleMesh> component(mesh, bhd);
+  summary.error = component.error();
+  if (summary.error.code != OK)
+    return summary.error.code;
+  std::vector<internal::Point_2> uv;
+  for (const auto v : component.vertices_of_component())
+    uv.emplace_back(CGAL::to_double(get(uvmap, v).x()), CGAL::to_double(get(uvmap, v).y()));
+
+  const auto& triangles = component.surface().triangles;
+  summary.error.code = internal::settle_flips(triangles, internal::One_rings(uv.size(), triangles), [&] { return component.surface(); }, policy, uv, summary);
+  if (summary.error.code == OK && summary.moved_vertices > 0)
+    for (std::size_t i = 0; i < uv.size(); ++i)
+      put(uvmap, component.vertices_of_component()[i], User_point_2(uv[i].x(), uv[i].y()));
+  return summary.error.code;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_SETTLE_FLIPS_H
