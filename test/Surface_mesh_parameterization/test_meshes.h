@@ -173,16 +173,15 @@ inline Flat_mesh annulus(Index n)
   return m;
 }
 
-// The part of the unit sphere within `angle` of its pole, vertex 0.
-inline Flat_mesh cap(Index rings, Index sectors, double angle)
+// Rings of vertices around a pole, vertex 0, which is place(0, 0); at(r, phi) for ring r of `rings`, at the angle phi.
+template <class Place>
+Flat_mesh rings_around_pole(Index rings, Index sectors, const Place& place)
 {
   Flat_mesh m;
-  m.points.emplace_back(0, 0, 1);
+  m.points.push_back(place(0, 0));
   for (Index r = 1; r <= rings; ++r)
-    for (Index s = 0; s < sectors; ++s) {
-      const double theta = angle * r / rings, phi = 2 * CGAL_PI * (s + 0.5 * (r % 2)) / sectors;
-      m.points.emplace_back(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
-    }
+    for (Index s = 0; s < sectors; ++s)
+      m.points.push_back(place(r, 2 * CGAL_PI * (s + 0.5 * (r % 2)) / sectors));
   const auto at = [&](Index r, Index s) { return 1 + (r - 1) * sectors + s % sectors; };
   for (Index s = 0; s < sectors; ++s)
     m.triangles.push_back({ 0, at(1, s), at(1, s + 1) });
@@ -192,6 +191,35 @@ inline Flat_mesh cap(Index rings, Index sectors, double angle)
       m.triangles.push_back({ at(r, s), at(r + 1, s + shift), at(r, s + 1) });
       m.triangles.push_back({ at(r, s + 1), at(r + 1, s + shift), at(r + 1, s + shift + 1) });
     }
+  return m;
+}
+
+// The part of the unit sphere within `angle` of its pole.
+inline Flat_mesh cap(Index rings, Index sectors, double angle)
+{
+  return rings_around_pole(rings, sectors, [=](Index r, double phi) {
+    const double theta = angle * r / rings;
+    return Point_3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+  });
+}
+
+// A tube of diameter 2, closed at one end.
+inline Flat_mesh tube(Index rings, Index sectors, double length)
+{
+  return rings_around_pole(rings, sectors, [=](Index r, double phi) {
+    return r == 0 ? Point_3(0, 0, 0) : Point_3(std::cos(phi), std::sin(phi), -length * (r - 1) / (rings - 1));
+  });
+}
+
+// A flat ramp around an axis, so many turns: its isometric image is a ring that overlaps itself after one turn.
+inline Flat_mesh ramp(Index n, double turns)
+{
+  constexpr Index across = 4;
+  Flat_mesh m = grid(n, across, flat);
+  for (Point_3& p : m.points) {     // both coordinates are at most 1, the second one across / n
+    const double radius = 2 + p.y() * n / across, phi = -2 * CGAL_PI * turns * p.x();
+    p = Point_3(radius * std::cos(phi), radius * std::sin(phi), 0.3 * p.x());
+  }
   return m;
 }
 
