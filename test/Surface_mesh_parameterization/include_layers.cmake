@@ -52,6 +52,7 @@ set(table "
 2 internal/pin_fixed_vertices.h
 2 internal/place_border.h
 2 internal/write_map.h
+2 internal/Hierarchy_interpolation.h
 2 internal/Pruned_prolongation.h
 2 internal/Galerkin_product.h
 2 internal/Grid_transfer.h
