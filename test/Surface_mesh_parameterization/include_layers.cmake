@@ -14,6 +14,7 @@ set(table "
 0 Parameterization_summary.h
 0 internal/flat_types.h
 0 internal/Loops.h
+0 internal/prefetch.h
 0 internal/Sparse_rows.h
 0 internal/Sparse_matrix.h
 0 internal/Constraint_elimination.h
