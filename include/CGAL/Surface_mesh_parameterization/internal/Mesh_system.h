@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>

@@ -30,9 +30,9 @@ public:
   typedef Eigen_vector<double>   Vector;
 
   // `solves_in_pairs`: the caller solves twice with every matrix before it looks at a solution, and calls finish() at the end.
-  Multigrid_session(std::shared_ptr<const Hierarchy_interpolation> hierarchy, Mesh_unknowns unknowns, const Multigrid_linear_solver::Options& options,
+  Multigrid_session(std::shared_ptr<const Hierarchy_interpolation> interpolation, Mesh_unknowns unknowns, const Multigrid_linear_solver::Options& options,
                     bool solves_in_pairs = false)
-    : m_hierarchy(std::move(hierarchy)), m_unknowns(std::move(unknowns)), m_options(options), m_solves_in_pairs(solves_in_pairs)
+    : m_interpolation(std::move(interpolation)), m_unknowns(std::move(unknowns)), m_options(options), m_solves_in_pairs(solves_in_pairs)
   { }
 
   virtual ~Multigrid_session() = default;
@@ -52,7 +52,7 @@ public:
       return false;
     CGAL::Real_timer timer;
     timer.start();
-    m_solver = std::make_unique<Multigrid_linear_solver>(*m_hierarchy, std::move(rows), std::move(unknowns), tied_vertices);
+    m_solver = std::make_unique<Multigrid_linear_solver>(*m_interpolation, std::move(rows), std::move(unknowns), tied_vertices);
     ++m_summary.setups;
     m_summary.seconds_setup += timer.time();
     return true;
@@ -131,7 +131,7 @@ private:
     return result.is_solved;
   }
 
-  std::shared_ptr<const Hierarchy_interpolation> m_hierarchy;
+  std::shared_ptr<const Hierarchy_interpolation> m_interpolation;
   Mesh_unknowns m_unknowns;
   Multigrid_linear_solver::Options m_options;
   bool m_solves_in_pairs;
