@@ -165,8 +165,11 @@ Solution solve_by_multigrid(const Problem& problem)
   std::optional<SMP::Mesh_component<Mesh>> component;
   solution.seconds_component = seconds_of([&] { component.emplace(problem.mesh, border); });
   check(component->error().code);
-  std::shared_ptr<const SMP::Collapse_hierarchy_3> hierarchy;
-  solution.seconds_hierarchy = seconds_of([&] { hierarchy = std::make_shared<SMP::Collapse_hierarchy_3>(std::move(component->surface())); });
+  std::shared_ptr<const SMP::internal::Hierarchy_interpolation> hierarchy;
+  solution.seconds_hierarchy = seconds_of([&] {
+    hierarchy = std::make_shared<SMP::internal::Hierarchy_interpolation>(SMP::Collapse_hierarchy_3(std::move(component->surface())));
+  });
+  component.reset();
 
   std::vector<SMP::internal::Index> ranks(hierarchy->number_of_vertices());
   for (std::size_t rank = 0; rank < ranks.size(); ++rank)

@@ -16,6 +16,7 @@ set(table "
 0 Parameterization_summary.h
 0 internal/flat_types.h
 0 internal/Loops.h
+0 internal/prefetch.h
 0 internal/Sparse_rows.h
 0 internal/Sparse_matrix.h
 0 internal/Constraint_elimination.h
@@ -56,6 +57,7 @@ set(table "
 2 internal/pin_fixed_vertices.h
 2 internal/place_border.h
 2 internal/write_map.h
+2 internal/Hierarchy_interpolation.h
 2 internal/Pruned_prolongation.h
 2 internal/Galerkin_product.h
 2 internal/Grid_transfer.h

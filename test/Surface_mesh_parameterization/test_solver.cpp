@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Grid_transfer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Incomplete_LU.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Krylov_methods.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Multigrid_preconditioner.h>
@@ -44,6 +45,7 @@ using namespace test_meshes;
 namespace parameters = CGAL::parameters;
 
 using SMP::internal::Grid_transfer;
+using SMP::internal::Hierarchy_interpolation;
 using SMP::internal::Incomplete_LU;
 using SMP::internal::Loops;
 using SMP::internal::Mesh_unknown;
@@ -293,7 +295,7 @@ TEST(Incomplete_LU, relaxation_adds_the_solution_for_the_residual)
   EXPECT_NEAR((iteration - (Eigen::MatrixXd::Identity(36, 36) - smoother * a)).norm(), 0, 1e-12);
 }
 
-// ---- Grid_transfer, Multigrid_preconditioner ----
+// ---- Hierarchy_interpolation, Grid_transfer, Multigrid_preconditioner ----
 
 Collapse_hierarchy_3 hierarchy_of(const Flat_mesh& m) { return Collapse_hierarchy_3(surface(m), parameters::coarsest_size(20)); }
 
@@ -318,6 +320,31 @@ Eigen::MatrixXd prolongation_of(const Grid_transfer& transfer, std::size_t fine_
     transfer.add_prolongation(coarse, x);
     return x;
   });
+}
+
+// The solver works with the interpolation alone: it must put every vertex where the hierarchy does, to single precision.
+TEST(Hierarchy_interpolation, has_the_levels_and_the_prolongation_of_its_hierarchy)
+{
+  const Collapse_hierarchy_3 hierarchy = hierarchy_of(delaunay_patch(300, 5, wavy));
+  const Hierarchy_interpolation interpolation(hierarchy);
+  ASSERT_GT(hierarchy.number_of_levels(), 4u);
+  ASSERT_EQ(interpolation.number_of_levels(), hierarchy.number_of_levels());
+  for (std::size_t level = 0; level < hierarchy.number_of_levels(); ++level)
+    EXPECT_EQ(interpolation.number_of_vertices(level), hierarchy.number_of_vertices(level));
+  EXPECT_EQ(interpolation.number_of_vertices(), hierarchy.number_of_vertices());
+  for (Index v = 0; v < hierarchy.number_of_vertices(); ++v) {
+    EXPECT_EQ(interpolation.input_vertex(v), hierarchy.input_vertex(v));
+    if (v < hierarchy.number_of_vertices(0))
+      continue;
+    EXPECT_EQ(interpolation.parent_triangle(v), hierarchy.parent_triangle(v));
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_NEAR(interpolation.barycentric_coordinates(v)[k], hierarchy.barycentric_coordinates(v)[k], 1e-6);
+      EXPECT_GE(interpolation.barycentric_coordinates(v)[k], 0);
+      sum += interpolation.barycentric_coordinates(v)[k];
+    }
+    EXPECT_NEAR(sum, 1, 1e-6);
+  }
 }
 
 TEST(Grid_transfer, restriction_is_the_transpose_and_the_Galerkin_product_as_defined)

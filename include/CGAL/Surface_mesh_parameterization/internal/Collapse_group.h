@@ -8,6 +8,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/discrete_exponential_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/prefetch.h>
+
+#include <boost/config.hpp>
 
 #include <algorithm>
 #include <array>
@@ -45,9 +48,9 @@ public:
     m_collapses.clear();
 
     shuffle_vertices(n, random);
-    for (Index v : m_order) {
-      if (m_collapses.size() + fewest_vertices >= n)
-        break;
+    for (std::size_t i = 0; i < n && m_collapses.size() + fewest_vertices < n; ++i) {
+      prefetch_vertices_after(i, points);
+      const Index v = m_order[i];
       if (!m_is_locked[v] && !is_pinned[v])
         try_collapse(v, points);
     }
@@ -68,6 +71,25 @@ private:
       m_order[i] = Index(i);
     for (std::size_t i = n; i > 1; --i)
       std::swap(m_order[i - 1], m_order[std::size_t((std::uint64_t(random()) * i) >> 32)]);
+  }
+
+  // In random order, nearly everything about a vertex would have to be waited for: that is asked for step by step while the vertices before it are tried.
+  BOOST_FORCEINLINE void prefetch_vertices_after(std::size_t i, const std::vector<Point_3>& points) const
+  {
+    constexpr std::size_t vertex_ahead = 12, ring_ahead = 6, ring_points_ahead = 3;
+    if (i + vertex_ahead >= m_order.size())
+      return;
+    const Index vertex = m_order[i + vertex_ahead];
+    prefetch(&m_is_locked[vertex]);
+    prefetch(&points[vertex]);
+    prefetch(m_rings.offsets() + vertex);
+    if (const Index v = m_order[i + ring_ahead]; !m_is_locked[v])
+      prefetch(m_rings[v].begin());
+    if (const Index v = m_order[i + ring_points_ahead]; !m_is_locked[v])
+      for (Index w : m_rings[v]) {
+        prefetch(&points[w]);
+        prefetch(m_rings.offsets() + w);
+      }
   }
 
   void try_collapse(Index v, const std::vector<Point_3>& points)

@@ -4,8 +4,8 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CONSTRAINED_SESSION_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CONSTRAINED_SESSION_H
 
-#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Constraint_elimination.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Mesh_unknowns.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Multigrid_linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Multigrid_session.h>
@@ -25,8 +25,8 @@ class Constrained_session : public Multigrid_session
 {
 public:
   // `ranks` holds the ranks of the vertices in their order in the system.
-  Constrained_session(std::shared_ptr<const Collapse_hierarchy_3> hierarchy, std::vector<Index> ranks, const Multigrid_linear_solver::Options& options)
-    : Multigrid_session(std::move(hierarchy), Mesh_unknowns(ranks, [this](std::size_t i) { return !m_is_free[i]; }), options), m_ranks(std::move(ranks))
+  Constrained_session(std::shared_ptr<const Hierarchy_interpolation> interpolation, std::vector<Index> ranks, const Multigrid_linear_solver::Options& options)
+    : Multigrid_session(std::move(interpolation), Mesh_unknowns(ranks, [this](std::size_t i) { return !m_is_free[i]; }), options), m_ranks(std::move(ranks))
   { }
 
   // The multipliers, for which nobody asks, become 0.

@@ -44,15 +44,16 @@ public:
   // Whether the matrix has a factorization.
   bool is_ready() const { return m_is_ready; }
 
-  template <int columns>
-  void solve(const Value_vector<double, columns>& b, Value_vector<double, columns>& x) const
+  // `b[i]` tells what the right sides have in row i; x has the size of the system.
+  template <class Right_sides, int columns>
+  void solve(const Right_sides& b, Value_vector<double, columns>& x) const
   {
     typedef Eigen::Matrix<double, Eigen::Dynamic, columns>   Dense;
-    Dense right_side(b.size(), columns);
-    for (std::size_t i = 0; i < b.size(); ++i)
+    Dense right_side(x.size(), columns);
+    for (std::size_t i = 0; i < x.size(); ++i)
       right_side.row(i) = b[i].matrix().transpose();
     const Dense solution = m_solver.solve(right_side);
-    for (std::size_t i = 0; i < b.size(); ++i)
+    for (std::size_t i = 0; i < x.size(); ++i)
       x[i] = solution.row(i).transpose().array();
   }
 

@@ -88,40 +88,39 @@ public:
   template <class Real, class Matrix>
   Sparse_rows<Real> galerkin_product(const Matrix& a) const
   {
+    struct Sum { double value; Index row; };      // of a column in the row that is being made, if it has met it
+    constexpr std::size_t expected_row_size = 16;
     const Index n = Index(m_coarse_unknowns.size());
     const auto [first, transpose] = transposed_rows();
     Sparse_rows<Real> result;
     result.first.reserve(n + 1);
     result.first.push_back(0);
-    std::vector<Index> position(n, no_index);
-    std::vector<std::pair<Index, double>> sums;
-    const auto add = [&, this](Index i, double value) {
-      for (int k = 0; k < Pruned_prolongation::row_size; ++k) {
-        if (m_rows[i].weights[k] == 0)
-          continue;
-        Index& p = position[m_rows[i].columns[k]];
-        if (p == no_index) {
-          p = Index(sums.size());
-          sums.push_back({ m_rows[i].columns[k], 0. });
-        }
-        sums[p].second += m_rows[i].weights[k] * value;
-      }
-    };
+    result.columns.reserve(expected_row_size * n);
+    result.values.reserve(expected_row_size * n);
+    std::vector<Sum> sums(n, Sum{ 0, no_index });
     for (Index c = 0; c < n; ++c) {
-      sums.clear();
+      const auto add = [&](Index i, double value) {
+        const Row& row = m_rows[i];
+        for (int k = 0; k < Pruned_prolongation::row_size; ++k) {
+          if (row.weights[k] == 0)
+            continue;
+          Sum& sum = sums[row.columns[k]];
+          if (sum.row != c) {
+            sum = { 0, c };
+            result.columns.push_back(row.columns[k]);
+          }
+          sum.value += row.weights[k] * value;
+        }
+      };
       for (Index t = first[c]; t < first[c + 1]; ++t) {
         const Index i = transpose[t].first;
         const double weight = transpose[t].second;
         add(i, weight * a.diagonal(i));
         a.for_each_entry(i, [&](Index column, Real value) { add(column, weight * value); });
       }
-      for (const auto& sum : sums)
-        position[sum.first] = no_index;
-      std::sort(sums.begin(), sums.end());
-      for (const auto& [column, sum] : sums) {
-        result.columns.push_back(column);
-        result.values.push_back(Real(sum));
-      }
+      std::sort(result.columns.begin() + result.first.back(), result.columns.end());
+      for (std::size_t k = result.first.back(); k < result.columns.size(); ++k)
+        result.values.push_back(Real(sums[result.columns[k]].value));
       result.first.push_back(Index(result.columns.size()));
     }
     return result;

@@ -49,6 +49,7 @@ public:
       m_fixed_vertices(std::move(surface.fixed_vertices)), m_scale_exponent(surface.scale_exponent),
       m_points(m_input_points), m_is_pinned(m_input_is_pinned), m_triangles(std::move(surface.triangles))
   {
+    m_records.reserve(m_points.size());
     m_last_triangles.resize(m_triangles.size());
     m_vertex.resize(m_points.size());
     for (std::size_t v = 0; v < m_vertex.size(); ++v)
@@ -174,9 +175,12 @@ private:
   // Turns the records, finest group first, into arrays by rank, coarsest group first.
   Hierarchy_data number_by_removal()
   {
+    m_group = Collapse_group();
     release(m_points);
+    release(m_fan_of_group);
     for (std::size_t i = 0; i < m_triangles.size(); ++i)
       m_last_triangles[m_face[i]] = { m_vertex[m_triangles[i][0]], m_vertex[m_triangles[i][1]], m_vertex[m_triangles[i][2]] };
+    release(m_triangles);
 
     Hierarchy_data data;
     data.scale_exponent = m_scale_exponent;

@@ -4,15 +4,14 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_SYSTEM_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_SYSTEM_H
 
-#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Grid_transfer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Krylov_methods.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -21,7 +20,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A square linear system whose unknowns sit at the vertices of a hierarchy, made ready for an iteration.
+// A square linear system whose unknowns sit at the vertices of a hierarchy, made ready for an iteration. Its functions take right sides as anything whose
+// operator[](i) tells what they have in row i.
 //
 // An unknown whose row holds nothing but the diagonal is *fixed*: its value is known at once, and the free ones only are unknowns of the grids, where such a
 // row would spoil the Galerkin operators. The rows of a matrix that is not symmetric are scaled to unit diagonal: those of mean value weights, for
@@ -32,12 +32,12 @@ public:
   typedef Sparse_rows<double>   Rows;
 
   // `unknowns[i]` tells where unknown i sits.
-  Mesh_system(const Collapse_hierarchy_3& hierarchy, std::shared_ptr<const Rows> rows, std::vector<Mesh_unknown> unknowns)
-    : m_hierarchy(hierarchy), m_rows(std::move(rows)), m_unknowns(std::move(unknowns))
+  Mesh_system(const Hierarchy_interpolation& hierarchy, std::shared_ptr<const Rows> rows, const std::vector<Mesh_unknown>& unknowns)
+    : m_rows(std::move(rows))
   {
     read_diagonal();
     m_is_symmetric = has_symmetric_free_part();
-    collect_free_unknowns();
+    collect_free_unknowns(hierarchy, unknowns);
   }
 
   Index size() const { return m_rows->number_of_rows(); }
@@ -51,15 +51,6 @@ public:
 
   // The free unknowns, in the order of the hierarchy's input, which suits the cache.
   const std::vector<Index>& free_unknowns() const { return m_free; }
-
-  std::vector<Mesh_unknown> free_mesh_unknowns() const
-  {
-    std::vector<Mesh_unknown> result;
-    result.reserve(m_free.size());
-    for (const Index i : m_free)
-      result.push_back(m_unknowns[i]);
-    return result;
-  }
 
   // The rows and columns of the free unknowns in that order, times free_part_scale(), which makes them about as large as 1. Entries that are mere rounding
   // are left out.
@@ -100,8 +91,8 @@ public:
   typename Vector::value_type row_times(Index i, const Vector& x) const { return row_scale(i) * m_rows->row_times(i, x); }
 
   // The residual of the free unknowns in scaled rows, 0 for the fixed ones.
-  template <class Vector>
-  void compute_residual(const Vector& b, const Vector& x, Vector& r) const
+  template <class Right_sides, class Vector>
+  void compute_residual(const Right_sides& b, const Vector& x, Vector& r) const
   {
     m_loops.for_each(0, size(), [&](Index i) {
       if (m_is_fixed[i])
@@ -122,8 +113,8 @@ public:
   }
 
   // The norm of the residual, relative to that of the terms that make it up; NaN if x is not finite.
-  template <class Vector>
-  double backward_error(const Vector& b, const Vector& x) const
+  template <class Right_sides, class Vector>
+  double backward_error(const Right_sides& b, const Vector& x) const
   {
     typedef typename Vector::value_type   Value;
     Value errors = Value::Zero(), sizes = Value::Zero();
@@ -140,35 +131,14 @@ public:
     return std::sqrt(quotient(errors, sizes).sum());    // not the maximum, which may pass over a NaN
   }
 
-  template <class Vector>
-  void set_fixed_unknowns(const Vector& b, Vector& x) const
+  // The fixed unknowns, and 0 for the free ones.
+  template <class Right_sides, class Vector>
+  void set_to_fixed_unknowns(const Right_sides& b, Vector& x) const
   {
+    x.assign(size(), Vector::value_type::Zero());
     for (Index i = 0; i < size(); ++i)
       if (m_is_fixed[i])
         x[i] = b[i] * m_inverse_diagonal[i];
-  }
-
-  // Gives the free unknowns values that continue those of the fixed ones: at every vertex the combination of its parent triangle.
-  template <class Vector>
-  void extend_fixed_unknowns(Vector& x) const
-  {
-    std::size_t components = 1;
-    for (const Mesh_unknown& u : m_unknowns)
-      components = (std::max)(components, std::size_t(u.component) + 1);
-    std::vector<Index> unknown_at(components * m_hierarchy.number_of_vertices(), no_index);
-    for (std::size_t i = 0; i < m_unknowns.size(); ++i)
-      unknown_at[components * m_unknowns[i].vertex + m_unknowns[i].component] = Index(i);
-    for (std::size_t v = m_hierarchy.number_of_vertices(0); v < m_hierarchy.number_of_vertices(); ++v)
-      for (std::size_t c = 0; c < components; ++c) {
-        const Index i = unknown_at[components * v + c];
-        if (i == no_index || m_is_fixed[i])
-          continue;
-        const Collapse_hierarchy_3::Triangle& parent = m_hierarchy.parent_triangle(Index(v));
-        const std::array<double, 3> coordinates = m_hierarchy.barycentric_coordinates(Index(v));
-        for (int k = 0; k < 3; ++k)
-          if (const Index j = unknown_at[components * parent[k] + c]; j != no_index)
-            x[i] += coordinates[k] * x[j];
-      }
   }
 
 private:
@@ -210,7 +180,7 @@ private:
     return true;
   }
 
-  void collect_free_unknowns()
+  void collect_free_unknowns(const Hierarchy_interpolation& hierarchy, const std::vector<Mesh_unknown>& unknowns)
   {
     double greatest = 0;
     for (Index i = 0; i < size(); ++i)
@@ -219,16 +189,14 @@ private:
         greatest = (std::max)(greatest, std::abs(row_scale(i) / m_inverse_diagonal[i]));
       }
     m_free_part_scale = greatest > 0 ? 1 / greatest : 1;
-    const auto place = [&](Index i) { return std::make_pair(m_hierarchy.input_vertex(m_unknowns[i].vertex), m_unknowns[i].component); };
+    const auto place = [&](Index i) { return std::make_pair(hierarchy.input_vertex(unknowns[i].vertex), unknowns[i].component); };
     const auto is_before = [&](Index i, Index j) { return place(i) < place(j); };
     if (!std::is_sorted(m_free.begin(), m_free.end(), is_before))
       std::sort(m_free.begin(), m_free.end(), is_before);
   }
 
-  const Collapse_hierarchy_3& m_hierarchy;
   Loops m_loops;
   std::shared_ptr<const Rows> m_rows;
-  std::vector<Mesh_unknown> m_unknowns;
   std::vector<double> m_inverse_diagonal;
   std::vector<bool> m_is_fixed;
   std::vector<Index> m_free;

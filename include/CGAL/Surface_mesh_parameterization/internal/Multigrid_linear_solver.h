@@ -4,8 +4,8 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MULTIGRID_LINEAR_SOLVER_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MULTIGRID_LINEAR_SOLVER_H
 
-#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Direct_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Krylov_methods.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Mesh_system.h>
@@ -28,12 +28,19 @@ class Multigrid_linear_solver
 {
 public:
   // `unknowns[i]` tells where unknown i sits. At `tied_vertices` there is none, since the values of others give theirs.
-  Multigrid_linear_solver(std::shared_ptr<const Collapse_hierarchy_3> hierarchy, std::shared_ptr<const Sparse_rows<double>> rows,
-                          std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices = {})
-    : m_hierarchy(std::move(hierarchy)), m_system(*m_hierarchy, std::move(rows), std::move(unknowns))
+  Multigrid_linear_solver(const Hierarchy_interpolation& hierarchy, std::shared_ptr<const Sparse_rows<double>> rows, std::vector<Mesh_unknown> unknowns,
+                          const std::vector<Index>& tied_vertices = {})
+    : m_system(hierarchy, std::move(rows), unknowns)
   {
-    if (m_system.is_regular() && !m_system.free_unknowns().empty())
-      m_multigrid = std::make_unique<Multigrid>(*m_hierarchy, m_system.free_mesh_unknowns(), m_system.free_part<Real>(), tied_vertices);
+    const std::vector<Index>& free_unknowns = m_system.free_unknowns();
+    if (!m_system.is_regular() || free_unknowns.empty())
+      return;
+    std::vector<Mesh_unknown> grid_unknowns;
+    grid_unknowns.reserve(free_unknowns.size());
+    for (const Index i : free_unknowns)
+      grid_unknowns.push_back(unknowns[i]);
+    std::vector<Mesh_unknown>().swap(unknowns);
+    m_multigrid = std::make_unique<Multigrid>(hierarchy, grid_unknowns, m_system.free_part<Real>(), tied_vertices);
   }
 
   const std::shared_ptr<const Sparse_rows<double>>& rows() const { return m_system.rows(); }
@@ -52,42 +59,22 @@ public:
     double residual = 0;          // the relative one, computed at the end; the greatest of the right sides
   };
 
-  template <int columns>
-  Result solve(const Value_vector<double, columns>& b, Value_vector<double, columns>& x, const Options& options)
+  // `b[i]` tells what the right sides have in row i.
+  template <int columns, class Right_sides>
+  Result solve(const Right_sides& b, Value_vector<double, columns>& x, const Options& options)
   {
-    typedef Value_vector<double, columns>    Vector;
-    Result result;
-    x.assign(b.size(), Values<double, columns>::Zero());
-    m_system.set_fixed_unknowns(b, x);
-    Vector r(b.size());
+    m_system.set_to_fixed_unknowns(b, x);
+    Value_vector<double, columns> r(x.size());
     m_system.compute_residual(b, x, r);
-    const auto start = m_system.norm(r);
+    const Values<double, columns> start = m_system.norm(r);
 
-    if (m_multigrid && m_multigrid->is_ready()) {
-      Iteration<columns> iteration(*this, options.tolerance * start);
-      m_system.extend_fixed_unknowns(x);
-      m_system.compute_residual(b, x, r);
-      const Vector extended_values = x;
-      iteration.full_multigrid(r, x);
-      m_system.compute_residual(b, x, r);
-      if (!(m_system.norm(r) <= start).all())
-        x = extended_values;
-      result.iterations = iterate(iteration, b, x, r, options.most_iterations);
-      result.residual = quotient(m_system.norm(r), start).maxCoeff();
-      result.is_solved = result.residual <= options.tolerance && iteration.is_solved(r);     // the residual may pass over a NaN, the norms over infinity
-    } else if (m_system.is_regular() && m_system.free_unknowns().empty())
+    Result result;
+    if (m_multigrid && m_multigrid->is_ready())
+      result = iterate(b, x, r, start, options);
+    else if (m_system.is_regular() && m_system.free_unknowns().empty())
       result.is_solved = m_system.backward_error(b, x) <= worst_backward_error;
-    if (!result.is_solved) {
-      result.is_direct = true;
-      if (!m_direct_solver)
-        m_direct_solver = std::make_unique<Direct_solver>(*m_system.rows());
-      if (m_direct_solver->is_ready()) {
-        m_direct_solver->solve(b, x);
-        m_system.compute_residual(b, x, r);
-        result.residual = quotient(m_system.norm(r), start).maxCoeff();
-        result.is_solved = m_system.backward_error(b, x) <= worst_backward_error;
-      }
-    }
+    if (!result.is_solved)
+      solve_directly(b, x, r, start, result);
     return result;
   }
 
@@ -173,23 +160,45 @@ private:
     int m_idle_steps = 0;         // since the excess was halved
   };
 
-  // Improves x and computes its residual r. Returns the number of iterations.
-  template <class Iteration, class Vector>
-  std::size_t iterate(Iteration& iteration, const Vector& b, Vector& x, Vector& r, std::size_t most_iterations) const
+  // Changes x, where the free unknowns are 0, and its residual r, whose norms are `start`.
+  template <class Right_sides, class Vector, class Value>
+  Result iterate(const Right_sides& b, Vector& x, Vector& r, const Value& start, const Options& options) const
   {
     // Rounding lets the residual that an iteration carries along drift away from the true one: then it starts again from there.
     constexpr int most_starts = 3;
-    std::size_t iterations = 0;
+    Iteration<Value::RowsAtCompileTime> iteration(*this, options.tolerance * start);
+    iteration.full_multigrid(r, x);
     m_system.compute_residual(b, x, r);
-    for (int i = 0; i < most_starts && iterations < most_iterations && !iteration.is_solved(r); ++i) {
-      const std::size_t left = most_iterations - iterations;
-      iterations += m_system.is_symmetric() ? conjugate_gradients(iteration, x, r, left) : stabilized_biconjugate_gradients(iteration, x, r, left);
+    if (!(m_system.norm(r) <= start).all()) {
+      m_system.set_to_fixed_unknowns(b, x);
       m_system.compute_residual(b, x, r);
     }
-    return iterations;
+    Result result;
+    for (int i = 0; i < most_starts && result.iterations < options.most_iterations && !iteration.is_solved(r); ++i) {
+      const std::size_t left = options.most_iterations - result.iterations;
+      result.iterations += m_system.is_symmetric() ? conjugate_gradients(iteration, x, r, left) : stabilized_biconjugate_gradients(iteration, x, r, left);
+      m_system.compute_residual(b, x, r);
+    }
+    result.residual = quotient(m_system.norm(r), start).maxCoeff();
+    result.is_solved = result.residual <= options.tolerance && iteration.is_solved(r);     // the residual may pass over a NaN, the norms over infinity
+    return result;
   }
 
-  std::shared_ptr<const Collapse_hierarchy_3> m_hierarchy;
+  // Writes x, its residual r, and what `result` tells of them.
+  template <class Right_sides, class Vector, class Value>
+  void solve_directly(const Right_sides& b, Vector& x, Vector& r, const Value& start, Result& result)
+  {
+    result.is_direct = true;
+    if (!m_direct_solver)
+      m_direct_solver = std::make_unique<Direct_solver>(*m_system.rows());
+    if (!m_direct_solver->is_ready())
+      return;
+    m_direct_solver->solve(b, x);
+    m_system.compute_residual(b, x, r);
+    result.residual = quotient(m_system.norm(r), start).maxCoeff();
+    result.is_solved = m_system.backward_error(b, x) <= worst_backward_error;
+  }
+
   Mesh_system m_system;
   std::unique_ptr<Multigrid> m_multigrid;
   std::unique_ptr<Direct_solver> m_direct_solver;     // made when it is needed

@@ -4,8 +4,8 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MULTIGRID_PRECONDITIONER_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MULTIGRID_PRECONDITIONER_H
 
-#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Grid_transfer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Incomplete_LU.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Pruned_prolongation.h>
@@ -32,7 +32,7 @@ public:
 
   // `matrix` has a row, with ascending columns, for each of `unknowns`. These are best in the order of the hierarchy's input, for the cache.
   // `tied_vertices` have none, but may have some on coarser grids, see Grid_transfer.
-  Multigrid_preconditioner(const Collapse_hierarchy_3& hierarchy, const std::vector<Mesh_unknown>& unknowns, Sparse_rows<Real> matrix,
+  Multigrid_preconditioner(const Hierarchy_interpolation& hierarchy, const std::vector<Mesh_unknown>& unknowns, Sparse_rows<Real> matrix,
                            const std::vector<Index>& tied_vertices = {})
   {
     std::size_t fine = hierarchy.number_of_levels() - 1;
@@ -84,12 +84,10 @@ public:
   void full_cycle(Space<columns>& space) const
   {
     typedef Value_vector<Real, columns>   Vector;
-    std::vector<Vector> right_side;
-    right_side.push_back(space.right_side[0]);
-    for (std::size_t g = 0; g + 1 < m_grids.size(); ++g) {
-      right_side.emplace_back(m_grids[g + 1].size());
+    std::vector<Vector>& right_side = space.scratch;      // of a grid, until there is a cycle on it
+    right_side[0] = space.right_side[0];
+    for (std::size_t g = 0; g + 1 < m_grids.size(); ++g)
       m_transfers[g].restrict([&](Index i) { return right_side[g][i]; }, right_side[g + 1]);
-    }
 
     std::size_t g = m_grids.size() - 1;
     Vector coarse(m_grids[g].size());

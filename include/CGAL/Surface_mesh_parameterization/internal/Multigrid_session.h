@@ -4,8 +4,8 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MULTIGRID_SESSION_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MULTIGRID_SESSION_H
 
-#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Mesh_unknowns.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Multigrid_linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Sparse_matrix.h>
@@ -23,16 +23,16 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// What the copies of a Multigrid_solver_traits share: the hierarchy, and the solver that was set up last.
+// What the copies of a Multigrid_solver_traits share: the interpolation, and the solver that was set up last.
 class Multigrid_session
 {
 public:
   typedef Eigen_vector<double>   Vector;
 
   // `solves_in_pairs`: the caller solves twice with every matrix before it looks at a solution, and calls finish() at the end.
-  Multigrid_session(std::shared_ptr<const Collapse_hierarchy_3> hierarchy, Mesh_unknowns unknowns, const Multigrid_linear_solver::Options& options,
+  Multigrid_session(std::shared_ptr<const Hierarchy_interpolation> interpolation, Mesh_unknowns unknowns, const Multigrid_linear_solver::Options& options,
                     bool solves_in_pairs = false)
-    : m_hierarchy(std::move(hierarchy)), m_unknowns(std::move(unknowns)), m_options(options), m_solves_in_pairs(solves_in_pairs)
+    : m_interpolation(std::move(interpolation)), m_unknowns(std::move(unknowns)), m_options(options), m_solves_in_pairs(solves_in_pairs)
   { }
 
   virtual ~Multigrid_session() = default;
@@ -52,7 +52,7 @@ public:
       return false;
     CGAL::Real_timer timer;
     timer.start();
-    m_solver = std::make_unique<Multigrid_linear_solver>(m_hierarchy, std::move(rows), std::move(unknowns), tied_vertices);
+    m_solver = std::make_unique<Multigrid_linear_solver>(*m_interpolation, std::move(rows), std::move(unknowns), tied_vertices);
     ++m_summary.setups;
     m_summary.seconds_setup += timer.time();
     return true;
@@ -92,19 +92,31 @@ private:
     return true;
   }
 
+  // Right sides as one vector of their values.
+  template <int columns>
+  struct Side_by_side
+  {
+    const std::array<const Vector::EigenType*, columns>& right_sides;
+
+    Values<double, columns> operator[](Index i) const
+    {
+      Values<double, columns> values;
+      for (int c = 0; c < columns; ++c)
+        values[c] = (*right_sides[c])[i];
+      return values;
+    }
+  };
+
   template <int columns>
   bool solve(const std::array<const Vector::EigenType*, columns>& right_sides, const std::array<Vector*, columns>& solutions)
   {
     CGAL::Real_timer timer;
     timer.start();
-    const std::size_t n = m_solver->rows()->number_of_rows();
+    const Index n = m_solver->rows()->number_of_rows();
     if (std::any_of(right_sides.begin(), right_sides.end(), [n](const Vector::EigenType* b) { return std::size_t(b->size()) != n; }))
       return false;
-    Value_vector<double, columns> b(n), x;
-    for (std::size_t i = 0; i < n; ++i)
-      for (int c = 0; c < columns; ++c)
-        b[i][c] = (*right_sides[c])[i];
-    const Multigrid_linear_solver::Result result = m_solver->solve<columns>(b, x, m_options);
+    Value_vector<double, columns> x;
+    const Multigrid_linear_solver::Result result = m_solver->solve(Side_by_side<columns>{ right_sides }, x, m_options);
     m_summary.right_sides += columns;
     m_summary.iterations = (std::max)(m_summary.iterations, result.iterations);
     m_summary.residual = (std::max)(m_summary.residual, result.residual);
@@ -112,14 +124,14 @@ private:
     if (result.is_solved)
       for (int c = 0; c < columns; ++c) {
         solutions[c]->resize(n);
-        for (std::size_t i = 0; i < n; ++i)
+        for (Index i = 0; i < n; ++i)
           (*solutions[c])[i] = x[i][c];
       }
     m_summary.seconds_solve += timer.time();
     return result.is_solved;
   }
 
-  std::shared_ptr<const Collapse_hierarchy_3> m_hierarchy;
+  std::shared_ptr<const Hierarchy_interpolation> m_interpolation;
   Mesh_unknowns m_unknowns;
   Multigrid_linear_solver::Options m_options;
   bool m_solves_in_pairs;

@@ -4,7 +4,6 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PRUNED_PROLONGATION_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PRUNED_PROLONGATION_H
 
-#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 
@@ -31,7 +30,9 @@ public:
 
   struct Entry { Index row; float weight; };  // of the transpose
 
-  Pruned_prolongation(const Collapse_hierarchy_3& hierarchy, std::size_t coarse, std::size_t fine, const Loops& loops)
+  // `hierarchy`: a Collapse_hierarchy_3 or its Hierarchy_interpolation
+  template <class Hierarchy>
+  Pruned_prolongation(const Hierarchy& hierarchy, std::size_t coarse, std::size_t fine, const Loops& loops)
     : m_coarse_size(hierarchy.number_of_vertices(coarse))
   {
     typedef std::vector<std::pair<Index, double>> Entries;
@@ -56,10 +57,11 @@ public:
   const Entry* column_end(Index v) const { return m_entries.data() + m_first[v + 1]; }
 
 private:
-  Row composed_row(const Collapse_hierarchy_3& hierarchy, Index v, std::vector<std::pair<Index, double>>& entries) const
+  template <class Hierarchy>
+  Row composed_row(const Hierarchy& hierarchy, Index v, std::vector<std::pair<Index, double>>& entries) const
   {
     entries.clear();
-    const Collapse_hierarchy_3::Triangle& parent = hierarchy.parent_triangle(v);
+    const Index_triangle& parent = hierarchy.parent_triangle(v);
     const std::array<double, 3> coordinates = hierarchy.barycentric_coordinates(v);
     for (int i = 0; i < 3; ++i) {
       const Row& parent_row = row(parent[i]);

@@ -46,7 +46,7 @@ public:
     if (run.error() != OK)
       return run.error();
     std::vector<User_point_2> uv(run.vertices().size());
-    const auto session = std::make_shared<Constrained_session>(run.hierarchy(), run.ranks(), this->solver_options());
+    const auto session = std::make_shared<Constrained_session>(run.interpolation(), run.ranks(), this->solver_options());
     const Error_code code = run.parameterize(session, uv, [&]() -> Error_code {
       if (num_vertices(mesh) != uv.size())
         return ERROR_NO_TOPOLOGICAL_DISC;

@@ -64,7 +64,7 @@ public:
     std::function<bool(std::size_t)> is_locked;
     if (Use::locks_placed_vertices)
       is_locked = [&is_placed](std::size_t i) { return bool(is_placed[i]); };
-    const auto session = std::make_shared<Multigrid_session>(run.hierarchy(), Mesh_unknowns(run.ranks(), is_locked), this->solver_options(),
+    const auto session = std::make_shared<Multigrid_session>(run.interpolation(), Mesh_unknowns(run.ranks(), is_locked), this->solver_options(),
                                                              Use::solves_in_pairs);
     Error_code code = run.parameterize(session, uv, [&] {
       return this->make_parameterizer()->parameterize(mesh, bhd, Component_map<Index_map, User_point_2>{ run.index(), &uv }, run.index(),

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Multigrid_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
@@ -56,12 +57,14 @@ public:
     m_triangles = component.surface().triangles;
     for (std::size_t i = 0; i < m_vertices.size(); ++i)
       put(m_index, m_vertices[i], int(i));
-    m_hierarchy = std::make_shared<const Collapse_hierarchy_3>(build(std::move(component.surface())));
+    const Collapse_hierarchy_3 hierarchy = build(std::move(component.surface()));
     this->summary().seconds_hierarchy = m_timer.time();
-    if (!visitor.hierarchy_built(*m_hierarchy)) {
+    if (!visitor.hierarchy_built(hierarchy)) {
       this->summary().stopped = true;
       this->summary().error.code = ERROR_NO_1_TO_1_MAPPING;
+      return;
     }
+    m_interpolation = std::make_shared<const Hierarchy_interpolation>(hierarchy);
   }
 
   Error_code error() const { return (m_users_summary ? *m_users_summary : m_own_summary).error.code; }
@@ -70,14 +73,15 @@ public:
   const std::vector<vertex_descriptor>& vertices() const { return m_vertices; }
   const Index_map& index() const { return m_index; }
 
-  const std::shared_ptr<const Collapse_hierarchy_3>& hierarchy() const { return m_hierarchy; }
+  // What is kept of the hierarchy, which is needed no more once the visitor has seen it.
+  const std::shared_ptr<const Hierarchy_interpolation>& interpolation() const { return m_interpolation; }
 
   // The ranks of the vertices, in their order.
   std::vector<Index> ranks() const
   {
-    std::vector<Index> result(m_hierarchy->number_of_vertices());
+    std::vector<Index> result(m_interpolation->number_of_vertices());
     for (Index rank = 0; rank < result.size(); ++rank)
-      result[m_hierarchy->input_vertex(rank)] = rank;
+      result[m_interpolation->input_vertex(rank)] = rank;
     return result;
   }
 
@@ -130,7 +134,7 @@ private:
   std::vector<vertex_descriptor> m_vertices;
   std::vector<Index_triangle> m_triangles;
   Index_map m_index;
-  std::shared_ptr<const Collapse_hierarchy_3> m_hierarchy;
+  std::shared_ptr<const Hierarchy_interpolation> m_interpolation;
   Parameterization_summary* m_users_summary;
   Parameterization_summary m_own_summary;
 };
