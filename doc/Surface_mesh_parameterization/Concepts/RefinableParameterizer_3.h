@@ -42,6 +42,12 @@ public:
   place_border(const Triangle_mesh& mesh, boost::graph_traits<Triangle_mesh>::halfedge_descriptor bhd,
                VertexUVMap uvmap, VertexIndexMap vimap, VertexParameterizedMap vpmap);
 
+  /// optional, of a flip-free method: makes the method leave more room for vertices of finer levels from now on. Called when doubles left no room for
+  /// one of them in several hierarchies; nested iteration then starts once more.
+  ///
+  /// \return whether it can
+  bool leave_room();
+
   /// makes the first map, of the coarsest level, from nothing.
   ///
   /// \param level the coarsest level, about a hundred vertices; the whole input when the method runs flat

@@ -29,8 +29,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// Minimizes the energy of CGAL's `ARAP_parameterizer_3`, see `As_rigid_as_possible_energy_2`, with a free border: the greater `lambda`, the better
 /// lengths are kept at the expense of angles. As in CGAL, triangles of the result may be flipped where that costs less, and `lambda` is in the units of
 /// the mesh: it weighs against squares of lengths. A `lambda` that is too small for the units makes the map shrink, at last to a point, because that costs
-/// least. For `lambda` 0, where no scale is better than another, two vertices on the border are held far from each other. Unlike CGAL the method does
-/// not try to repair flips.
+/// least. For `lambda` 0, where no scale is better than another, two vertices on the border are held far from each other. Flips are treated
+/// as the named parameter `flip_policy` says.
 ///
 /// The energy has many local minima, and once a map is folded it does not unfold. So the levels below the finest, or Tutte's map where the method runs
 /// alone, are made flip-free and free of strong distortion by the symmetric Dirichlet energy. On the finest level Newton's method with multigrid starts
@@ -56,6 +56,7 @@ public:
   /// \param np
   /// - `lambda`: what a change of scale costs; at least 0, and may be infinite; default 1000, as in CGAL
   /// - `tolerance`, `number_of_iterations` and the other named parameters of `Refinement_options`, less `triangle_weight`
+  /// - `flip_policy`: a `Flip_policy`: what becomes of the flips of a flat run; default `FAIL`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit As_rigid_as_possible_parameterizer_3(const NamedParameters& np = parameters::default_values())

@@ -27,8 +27,14 @@ namespace CGAL::Surface_mesh_parameterization {
 /// of the result is flipped or degenerate, and no vertex is surrounded more than once, by exact predicates. Holes stay holes. Where the energy does not
 /// depend on scale, the result has the surface's area.
 ///
-/// Alone it starts from Tutte's map onto a circle; with `Hierarchical_parameterizer_3` from a coarse level's result, which is faster by orders
-/// of magnitude on large meshes and converges where Tutte's map collapses.
+/// A free border may run over itself, unless the named parameter `globally_injective` is true: then a barrier (Smith and Schaefer 2015) joins the energy where borders come
+/// near each other, and none meets itself or another one, by exact predicates.
+///
+/// Alone it starts from Tutte's map onto a circle, or, where that flips in doubles, from the result on a level that is coarse enough; with
+/// `Hierarchical_parameterizer_3` always from a coarse level's result, which is faster by orders of magnitude on large meshes.
+///
+/// Where the least energy would need scales that differ by more than doubles can hold, so that no hierarchy leads to the finest level, a small part of the
+/// symmetric Dirichlet energy is added, and the result counts as not converged.
 ///
 /// A triangle lower than 1e-6 of its longest edge counts as being of that height. Vertices that a hierarchy pins are not held in place.
 ///
@@ -73,7 +79,7 @@ public:
   }
 
   /// improves a flip-free map of a level and keeps it flip-free.
-  /// \return `OK`
+  /// \return `OK`, or `ERROR_NO_1_TO_1_MAPPING` if borders must not meet and could not be separated
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     if (m_options.is_globally_injective && !internal::separate_borders(level, uv))

@@ -65,6 +65,7 @@ public:
   /// - `tolerance`: the finest level has converged when its *relative residual* is not greater. The residual is the root of the sum of the squared distances of the vertices
   ///   from the means of their neighbors, relative to that of the map that has all vertices but those of the border in one point; default 1e-8
   /// - `number_of_iterations`: the most sweeps on a level; default 10000
+  /// - `flip_policy`: a `Flip_policy`: what becomes of the flips of a flat run; default `FAIL`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Edge_energy_parameterizer_3(const Border_parameterizer& border_parameterizer = Border_parameterizer(), const Edge_weights& weights = Edge_weights(),

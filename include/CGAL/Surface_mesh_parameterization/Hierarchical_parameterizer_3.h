@@ -77,6 +77,8 @@ struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 /// (`Multigrid_solver_traits`, `Rebind_solver`). The constructor takes what that parameterizer's constructor takes, but for the solver, and then named parameters:
 /// - `tolerance`, `number_of_iterations`: of the solver, see `Multigrid_solver_traits`
 /// - `coarsest_size`, `random_seed`: of the hierarchy, see `Collapse_hierarchy_3`
+/// - `flip_policy`: a `Flip_policy`: what becomes of a map with flips; default `FAIL`. Where a repair had to move more than a tenth of the vertices of LSCM's map,
+///   the map of `MIPS_parameterizer_3` takes its place
 /// - `visitor`: a model of `HierarchyVisitor_3`, of which `hierarchy_built()` is called
 /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as long as the parameterizer runs
 ///
@@ -84,7 +86,7 @@ struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 /// constructor takes what CGAL's takes, but for the solver: `(lambda)` or `(border_parameterizer, lambda, iterations, tolerance)`, and then the named parameters of
 /// that method and of `Nested_iteration_parameterizer_3`. The border parameterizer is not used.
 ///
-/// CGAL's `Orbifold_Tutte_parameterizer_3` keeps its own call, `parameterize(mesh, bhd, cmap, uvmap, vimap)`.
+/// CGAL's `Orbifold_Tutte_parameterizer_3` keeps its own call, `parameterize(mesh, bhd, cmap, uvmap, vimap)`, and its flips.
 ///
 /// On an error the user's maps are untouched. Any other type is refused when it is compiled.
 ///
