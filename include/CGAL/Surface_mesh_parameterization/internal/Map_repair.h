@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/insert_new_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/relax_vertex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star_validity.h>
@@ -100,8 +101,6 @@ private:
         m_wanted[v] = Point_2(nan, nan);
       }
   }
-
-  static bool is_finite(const Point_2& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
 
   Point_2 to_own_units(const Point_2& p) const { return scaled(p, m_exponent); }
   Point_2 from_own_units(const Point_2& p) const { return scaled(p, -m_exponent); }

@@ -43,7 +43,7 @@ public:
   // Puts the given place into uv[v] if it is valid, and returns whether it is.
   bool insert_at(Index v, const Point_2& place)
   {
-    if (!std::isfinite(place.x()) || !std::isfinite(place.y()))
+    if (!is_finite(place))
       return false;
     const Point_2 before = std::exchange(m_uv[v], place);
     m_inserted = v;

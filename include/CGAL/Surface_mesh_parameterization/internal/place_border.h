@@ -80,7 +80,7 @@ Error_code place_border(Method& method, const TriangleMesh& mesh, typename boost
         continue;
       const auto& place = get(maps.place, v);
       const Point_2 scaled(std::ldexp(CGAL::to_double(place.x()), surface.scale_exponent), std::ldexp(CGAL::to_double(place.y()), surface.scale_exponent));
-      if (!std::isfinite(scaled.x()) || !std::isfinite(scaled.y()))
+      if (!is_finite(scaled))
         return ERROR_WRONG_PARAMETER;
       surface.fixed_vertices.push_back({ Index(i), scaled });
     }

@@ -12,11 +12,11 @@
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Map_repair.h>
 #include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star_validity.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -26,7 +26,6 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Whether a map has no flips, or its mirror image has none.
 inline bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const Loops& loops = Loops())
 {
-  const auto is_finite = [](const Point_2& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); };
   if (!std::all_of(uv.begin(), uv.end(), is_finite))
     return false;
   if (is_map_valid(rings, uv, loops))
@@ -37,11 +36,13 @@ inline bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv,
   return is_map_valid(rings, mirrored, loops);
 }
 
-// The triangles that are turned the other way than most, or are degenerate.
+// The triangles that are turned the other way than most, are degenerate, or have a coordinate that is no number.
 inline std::size_t number_of_flips(const std::vector<Index_triangle>& triangles, const std::vector<Point_2>& uv)
 {
   std::size_t left = 0, right = 0;
   for (const Index_triangle& t : triangles) {
+    if (!is_finite(uv[t[0]]) || !is_finite(uv[t[1]]) || !is_finite(uv[t[2]]))
+      continue;
     const Orientation turn = orientation(uv[t[0]], uv[t[1]], uv[t[2]]);
     left += turn == LEFT_TURN;
     right += turn == RIGHT_TURN;
