@@ -124,6 +124,14 @@ private:
   const char* m_end;                     // there is a zero
 };
 
+// A word of the file as it can be shown: not what control characters, or a million letters, make of a line.
+inline std::string quoted(std::string_view word)
+{
+  std::string text(word.substr(0, 20));
+  std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < 32 || c > 126; }, '?');
+  return "'" + text + "'";
+}
+
 inline bool is_little_endian()
 {
   const unsigned short one = 1;

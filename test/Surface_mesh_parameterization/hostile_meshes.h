@@ -129,6 +129,17 @@ inline Mesh polygon(const std::vector<Point>& points)
   return m;
 }
 
+// Not convex.
+inline Mesh star_polygon(long n)
+{
+  std::vector<Point> points;
+  for (long i = 0; i < n; ++i) {
+    const double angle = 2 * pi * double(i) / double(n), radius = i % 2 ? 1 : 0.8;
+    points.push_back({ radius * std::cos(angle), radius * std::sin(angle), 0 });
+  }
+  return polygon(points);
+}
+
 inline Mesh triangle() { return polygon({ { 0, 0, 0 }, { 1, 0, 0.5 }, { 0.2, 0.7, 0 } }); }
 
 inline Mesh tetrahedron()

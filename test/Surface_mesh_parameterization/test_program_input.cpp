@@ -220,12 +220,12 @@ const Row ply_files[] = {
   { "huge_count.ply", [] { return replaced(binary_PLY(patch()), "vertex 49", "vertex 4000000000"); }, bad_input, unreadable, "too short for 4000000000 elements" },
   { "huge_count_of_nothing.ply", as_is("ply\nformat ascii 1.0\nelement nothing 4000000000\nend_header\n"), bad_input, unreadable, "too short" },
   { "huge_list.ply", as_is("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
-                           "property list uint int vertex_indices\nend_header\n" + tiny_ply_points + "4000000000 0 1 2\n"), bad_input, unreadable, "face 0" },
+                           "property list uint int vertex_indices\nend_header\n" + tiny_ply_points + "4000000000 0 1 2\n"), bad_input, unreadable, "'face' 0" },
   { "huge_list_binary.ply", [] { return replaced(PLY_header(polygon({ { } }), "binary_little_endian", "double", "uint int"), "vertex 1", "vertex 0") + std::string(20, '\xff'); },
-    bad_input, unreadable, "face 0" },
+    bad_input, unreadable, "'face' 0" },
   { "negative_list.ply", [] { return replaced(replaced(PLY(triangle()), "\n3 0 1 2", "\n-3 0 1 2"), "uchar", "char"); }, bad_input, no_triangle, "face 0 has 0 corners" },
-  { "truncated.ply", [] { return cut_at(PLY(patch()), 0.9); }, bad_input, unreadable, "face" },
-  { "truncated_binary_vertices.ply", [] { return cut_at(binary_PLY(patch()), 0.4); }, bad_input, unreadable, "vertex" },
+  { "truncated.ply", [] { return cut_at(PLY(patch()), 0.9); }, bad_input, unreadable, "'face'" },
+  { "truncated_binary_vertices.ply", [] { return cut_at(binary_PLY(patch()), 0.4); }, bad_input, unreadable, "'vertex'" },
   { "truncated_binary_faces.ply", [] { return cut_at(binary_PLY(patch(), true), 0.9); }, bad_input, unreadable, "face" },
   { "nan.ply", [] { return PLY(with_coordinate(patch(), 7, NaN)); }, bad_input, no_number, "vertex 7" },
   { "nan_binary.ply", [] { return binary_PLY(with_coordinate(patch(), 7, NaN)); }, bad_input, no_number, "vertex 7" },
@@ -233,8 +233,8 @@ const Row ply_files[] = {
   { "index_n.ply", [] { return PLY(with_index(patch(), 71, 49)); }, bad_input, unreadable, "face 71 refers to vertex 49" },
   { "index_n_binary.ply", [] { return binary_PLY(with_index(patch(), 71, 49)); }, bad_input, unreadable, "face 71 refers to vertex 49" },
   { "index_minus_1_binary.ply", [] { return binary_PLY(with_index(patch(), 0, -1)); }, bad_input, unreadable, "face 0 refers to vertex -1" },
-  { "half_index.ply", [] { return replaced(PLY(triangle()), "3 0 1 2", "3 0 1.5 2"); }, bad_input, unreadable, "face 0" },
-  { "index_nan.ply", [] { return replaced(PLY(triangle()), "3 0 1 2", "3 0 nan 2"); }, bad_input, unreadable, "face 0" },
+  { "half_index.ply", [] { return replaced(PLY(triangle()), "3 0 1 2", "3 0 1.5 2"); }, bad_input, unreadable, "'face' 0" },
+  { "index_nan.ply", [] { return replaced(PLY(triangle()), "3 0 1 2", "3 0 nan 2"); }, bad_input, unreadable, "'face' 0" },
   { "noise.ply", [] { return PLY_header(patch(), "binary_little_endian") + noise(5000); }, bad_input, unreadable, "face" } };
 
 const Row stl_files[] = {
@@ -281,6 +281,9 @@ const Row no_surfaces[] = {
 const Row surfaces[] = {
   { "quads.off", [] { return OFF(quads()); }, good, ok, "", "--triangulate" },
   { "polygon.off", [] { return OFF(polygon(l_shape)); }, good, ok, "", "--triangulate" },
+  { "polygon_of_100_corners.off", [] { return OFF(star_polygon(100)); }, good, any, "", "--triangulate" },
+  { "polygon_of_1001_corners.off", [] { return OFF(star_polygon(1001)); }, bad_input, no_triangle, "face 0 has more than 1000 corners", "--triangulate" },
+  { "corner_on_an_edge.off", [] { return OFF(polygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 1, 0 }, { 3, 0, 0 }, { 4, 0, 0 } })); }, good, any, "", "--triangulate" },
   { "polygon_on_a_line.off", [] { return OFF(polygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 } })); },
     bad_input, no_triangle, "face 0 cannot be triangulated", "--triangulate" },
   { "polygon_at_a_point.off", [] { return OFF(polygon(std::vector<Point>(5, Point{ 1, 1, 1 }))); }, bad_input, no_triangle, "face 0 cannot be triangulated", "--triangulate" },
