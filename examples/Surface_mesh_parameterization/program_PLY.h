@@ -77,14 +77,14 @@ private:
     m_file.skip_line_end();
     for (const Element& element : m_elements)
       if (element.is_vertex() ? !element.has(X) || !element.has(Y) || !element.has(Z) : element.is_face() && !element.has(CORNERS))
-        throw Input_error{ "the element " + quoted(element.name) + " has no " + (element.is_vertex() ? "x, y and z" : "list 'vertex_indices'") };
+        throw Input_error{ "the element " + word_text(element.name) + " has no " + (element.is_vertex() ? "x, y and z" : "list 'vertex_indices'") };
   }
 
   void read_format()
   {
     const std::string_view format = m_file.word();
     if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
-      m_file.fail("the format " + quoted(format) + " is unknown");
+      m_file.fail("the format " + word_text(format) + " is unknown");
     m_format = format == "ascii" ? TEXT : format == "binary_little_endian" ? LITTLE_ENDIAN_FORMAT : BIG_ENDIAN_FORMAT;
   }
 
@@ -94,11 +94,11 @@ private:
     element.name = std::string(m_file.word());
     long long count;
     if (!m_file.read(count) || count < 0)
-      m_file.fail("the number of elements " + quoted(element.name) + " expected");
+      m_file.fail("the number of elements " + word_text(element.name) + " expected");
     // Every element takes some bytes, so that a count that cannot be true costs no time.
     element.count = std::size_t(count);
     if (element.count > m_file.remaining())
-      throw Input_error{ "is too short for " + std::to_string(count) + " elements " + quoted(element.name) };
+      throw Input_error{ "is too short for " + std::to_string(count) + " elements " + word_text(element.name) };
     m_elements.push_back(element);
   }
 
@@ -123,7 +123,7 @@ private:
     for (int type = INT8; type < NONE; ++type)
       if (name == types[type].name || name == types[type].other_name)
         return Type(type);
-    m_file.fail("the type " + quoted(name) + " is unknown");
+    m_file.fail("the type " + word_text(name) + " is unknown");
   }
 
   void read_element(const Element& element)
@@ -141,7 +141,7 @@ private:
             corners.push_back(std::size_t(static_cast<long long>(value)));
         }
         if (!is_read)
-          throw Input_error{ "ends within, or has no number in, " + quoted(element.name) + " " + std::to_string(i) };
+          throw Input_error{ "ends within, or has no number in, " + word_text(element.name) + " " + std::to_string(i) };
         if (property.role <= Z)
           coordinates[property.role] = value;
       }

@@ -91,10 +91,10 @@ inline Polygon_soup read_soup(const std::string& file)
 inline void triangulate(Mesh& mesh)
 {
   CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
-  mesh.collect_garbage();
-  for (const Mesh::Face_index f : mesh.faces())
+  for (const Mesh::Face_index f : mesh.faces())       // a face that is left has its number still
     if (!CGAL::is_triangle(mesh.halfedge(f), mesh))
       throw Input_error{ face_text(f) + " cannot be triangulated", SMP::ERROR_NON_TRIANGULAR_MESH };
+  mesh.collect_garbage();
 }
 
 // Reads the file as it is: vertices that coincide stay apart, but in STL. With `is_triangulated`, polygons are cut into triangles.

@@ -125,7 +125,7 @@ private:
 };
 
 // A word of the file as it can be shown: not what control characters, or a million letters, make of a line.
-inline std::string quoted(std::string_view word)
+inline std::string word_text(std::string_view word)
 {
   std::string text(word.substr(0, 20));
   std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < 32 || c > 126; }, '?');
