@@ -11,14 +11,12 @@
 #include "program_STL.h"
 #include "program_scanner.h"
 #include "program_soup.h"
+#include "program_triangulate.h"
 
-// The constrained triangulation of a face in CGAL 5 writes out of bounds where a corner lies on an edge; its other way, like that of a hole, does not.
-#define CGAL_TRIANGULATE_FACES_DO_NOT_USE_CDT2
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <cctype>
@@ -88,29 +86,22 @@ inline Polygon_soup read_soup(const std::string& file)
   throw Input_error{ "is not named .off, .obj, .ply or .stl" };
 }
 
-inline void triangulate(Mesh& mesh)
-{
-  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
-  for (const Mesh::Face_index f : mesh.faces())       // a face that is left has its number still
-    if (!CGAL::is_triangle(mesh.halfedge(f), mesh))
-      throw Input_error{ face_text(f) + " cannot be triangulated", SMP::ERROR_NON_TRIANGULAR_MESH };
-  mesh.collect_garbage();
-}
-
 // Reads the file as it is: vertices that coincide stay apart, but in STL. With `is_triangulated`, polygons are cut into triangles.
 inline Mesh read_mesh(const std::string& file, bool is_triangulated)
 {
-  const Polygon_soup soup = read_soup(file);
+  Polygon_soup soup = read_soup(file);
   if (soup.polygons.empty())
     throw Input_error{ "has no faces", SMP::ERROR_EMPTY_MESH };
   check_indices(soup);
   check_coordinates(soup);
   check_corners(soup, is_triangulated);
   Manifold_check{ soup };
+  if (is_triangulated) {
+    triangulate(soup);
+    Manifold_check{ soup };                // two polygons may have got the same diagonal
+  }
   Mesh mesh;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
-  if (is_triangulated)
-    triangulate(mesh);
   return mesh;
 }
 

@@ -57,15 +57,12 @@ inline void check_coordinates(const Polygon_soup& soup)
 
 inline void check_corners(const Polygon_soup& soup, bool may_have_polygons)
 {
-  constexpr std::size_t most_corners = 1000;      // triangulating a face takes the third power of its corners
   Polygon_soup::Polygon sorted;
   for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
     sorted = soup.polygons[f];
     if (sorted.size() < 3 || (sorted.size() > 3 && !may_have_polygons))
       throw Input_error{ face_text(f) + " has " + std::to_string(sorted.size()) + " corners instead of three" + (sorted.size() < 3 ? "" : "; --triangulate cuts such faces into triangles"),
                          SMP::ERROR_NON_TRIANGULAR_MESH };
-    if (sorted.size() > most_corners)
-      throw Input_error{ face_text(f) + " has more than " + std::to_string(most_corners) + " corners", SMP::ERROR_NON_TRIANGULAR_MESH };
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end())
