@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_parameterization/IO/write_SVG.h>
 
 #include <CGAL/Real_timer.h>
+#include <CGAL/assertions_behaviour.h>
+#include <CGAL/exceptions.h>
 
 #include <boost/program_options.hpp>
 
@@ -19,10 +21,12 @@
 #endif
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -36,6 +40,7 @@ struct Options : Method_options
   const Program_method* method;
   std::string output, picture, report;
   int threads;
+  bool triangulate;
 };
 
 struct Usage_error { std::string message; };
@@ -53,6 +58,7 @@ bool read_options(int argc, char** argv, Options& options)
     ("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion")
     ("report", po::value(&options.report), "write figures as JSON, one line per input")
     ("levels", po::value(&options.levels), "write every level of the hierarchy as OBJ into this folder")
+    ("triangulate", po::bool_switch(&options.triangulate), "cut faces of more than three corners into triangles")
     ("flat", po::bool_switch(&options.flat), "run the method without the hierarchy; those of CGAL as they are shipped")
     ("tolerance", po::value(&options.tolerance), "mips, symmetric-dirichlet, arap: converged when a step lowers the energy by less than this part of its excess over the minimum "
                                                  "(default 1e-6); others: when the relative residual is not greater (default 1e-8, of CGAL's 1e-10)")
@@ -77,7 +83,7 @@ bool read_options(int argc, char** argv, Options& options)
                  "Lays triangulated surfaces (OFF, OBJ, PLY or STL) in the plane, coarse to fine.\n"
                  "Without INPUT: a built-in face of 1042 vertices.\n\nMethods:\n  "
               << list_of_methods("\n  ", [](const Program_method& m) { return m.name + ": " + m.description + (m.is_flip_free ? "; no triangle flips" : ""); }) << "\n\n" << described << "\n"
-                 "Exit status: 0 maps written, 1 wrong usage, 2 an input is no surface to parameterize, 3 a method failed.\n";
+                 "Exit status: 0 maps written, 1 wrong usage, 2 an input cannot be read or is no surface to parameterize, 3 a method failed or a file cannot be written.\n";
     return false;
   }
   options.method = find_method(method);
@@ -103,47 +109,31 @@ bool read_options(int argc, char** argv, Options& options)
     throw Usage_error{ "--levels: " + method + " parameterizes the finest level only" };
   if (options.inputs.size() > 1 && !(options.output.empty() && options.picture.empty() && options.levels.empty()))
     throw Usage_error{ "--output, --picture and --levels take one input" };
+  if (std::find(options.inputs.begin(), options.inputs.end(), "") != options.inputs.end())
+    throw Usage_error{ "the name of an input is empty" };
   if (options.inputs.empty())
     options.inputs.emplace_back();
   return true;
 }
 
-void print_summary(const Input& input, const SMP::Parameterization_summary& summary, const SMP::Parameterization_quality& quality)
+void print_summary(const Run_record& run)
 {
+  const Input& input = run.input;
   if (input.number_of_components > 1)
-    std::cout << input.name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
-  const std::string levels = summary.levels.empty() ? "" : std::to_string(summary.levels.size()) + " levels, ";
+    std::cerr << input.name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
+  const std::string levels = run.summary.levels.empty() ? "" : std::to_string(run.summary.levels.size()) + " levels, ";
   std::printf("%s: %zu triangles, %s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %zu overlapping pairs, %.3f s\n",
-              input.name.c_str(), input.faces.size(), levels.c_str(), summary.converged ? "converged" : "not converged",
-              quality.mips, quality.mips_excess, quality.symmetric_dirichlet, quality.flips, quality.overlaps, summary.seconds_hierarchy + summary.seconds_parameterize);
+              input.name.c_str(), input.faces.size(), levels.c_str(), run.summary.converged ? "converged" : "not converged",
+              run.quality->mips, run.quality->mips_excess, run.quality->symmetric_dirichlet, run.quality->flips,
+              run.quality->overlaps, run.summary.seconds_hierarchy + run.summary.seconds_parameterize);
 }
 
-// Reads, parameterizes, checks and writes one input; appends its line to the report.
-Exit_status run(const std::string& file, const Options& options, std::string& report)
+// What a method, or its map, fails with.
+struct Method_error { std::string message; SMP::Error_code code; };
+
+void write_map(Run_record& run, const Options& options, UV_map uvmap)
 {
-  CGAL::Real_timer timer;
-  timer.start();
-  Input input;
-  try {
-    input = read_input(file);
-  } catch (const Input_error& error) {
-    std::cerr << file << ": " << error.message << '\n';
-    return BAD_INPUT;
-  }
-  const double seconds_read = timer.time();
-
-  if (!options.levels.empty())
-    std::filesystem::create_directories(options.levels);
-  const UV_map uvmap = input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
-  const SMP::Parameterization_summary summary = options.method->run(input, options, uvmap);
-  if (summary.error.code != SMP::OK) {
-    std::cerr << input.name << ": " << error_message(summary.error) << '\n';
-    report += make_report(input, options.method->name, summary, seconds_read, 0, nullptr).dump() + '\n';
-    return summary.error.code == SMP::ERROR_NO_1_TO_1_MAPPING || summary.error.code == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM ? METHOD_FAILED : BAD_INPUT;
-  }
-
-  const SMP::Parameterization_quality quality = SMP::parameterization_quality(input.mesh, input.faces, uvmap);
-  const double seconds_before_writing = timer.time();
+  Input& input = run.input;
   if (!options.output.empty()) {
     auto is_parameterized = input.mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_parameterized", false).first;
     for (const Mesh::Face_index f : input.faces)
@@ -153,17 +143,79 @@ Exit_status run(const std::string& file, const Options& options, std::string& re
   }
   if (!options.picture.empty())
     write_file(options.picture, [&](std::ostream& out) { SMP::IO::write_SVG(out, input.mesh, input.faces, uvmap); });
-  report += make_report(input, options.method->name, summary, seconds_read, timer.time() - seconds_before_writing, &quality).dump() + '\n';
-  if (!options.quiet)
-    print_summary(input, summary, quality);
-  const bool is_promise_kept = (quality.flips == 0 || !options.method->is_flip_free) && (quality.overlaps == 0 || !options.is_globally_injective);
-  return is_promise_kept ? WRITTEN : METHOD_FAILED;
+}
+
+// Reads, parameterizes, checks and writes one input.
+void run_input(const std::string& file, const Options& options, Run_record& run)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  Input& input = run.input;
+  read_input(file, options.triangulate, input);
+  run.seconds_read = timer.time();
+
+  if (!options.levels.empty())
+    std::filesystem::create_directories(options.levels);
+  const UV_map uvmap = input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+  run.summary = options.method->run(input, options, uvmap);
+  if (run.summary.error.code == SMP::ERROR_NO_1_TO_1_MAPPING && run.summary.flips > 0)
+    throw Method_error{ "the map has " + std::to_string(run.summary.flips) + " triangles flipped; --flips repair or keep", SMP::ERROR_NO_1_TO_1_MAPPING };
+  if (run.summary.error.code != SMP::OK)
+    throw Method_error{ error_message(run.summary.error), run.summary.error.code };
+  const SMP::Parameterization_quality quality = SMP::parameterization_quality(input.mesh, input.faces, uvmap);
+  if (quality.flips > 0 && options.method->is_flip_free)
+    throw Method_error{ "no map without flips was found: " + std::to_string(quality.flips) + " triangles are not positive", SMP::ERROR_NO_1_TO_1_MAPPING };
+  if (quality.overlaps > 0 && options.is_globally_injective)
+    throw Method_error{ "no map without overlaps was found: " + std::to_string(quality.overlaps) + " pairs of triangles overlap", SMP::ERROR_NO_1_TO_1_MAPPING };
+
+  const double seconds_before_writing = timer.time();
+  write_map(run, options, uvmap);
+  run.seconds_write = timer.time() - seconds_before_writing;
+  run.quality = quality;
+  run.status = run.summary.converged ? "ok" : "not_converged";
+}
+
+// Runs one input; appends its line to the report.
+Exit_status run(const std::string& file, const Options& options, std::string& report)
+{
+  Run_record run;
+  run.input.name = file.empty() ? "face" : file;
+  const auto fail = [&](Exit_status exit_status, const std::string& status, const std::string& message) {
+    run.status = status;
+    run.error = message;
+    std::cerr << run.input.name << ": " << message << '\n';
+    return exit_status;
+  };
+
+  Exit_status exit_status = WRITTEN;
+  try {
+    run_input(file, options, run);
+    if (!options.quiet)
+      print_summary(run);
+  } catch (const Input_error& error) {
+    exit_status = fail(BAD_INPUT, error.code == SMP::OK ? "unreadable" : error_name(error.code), error.message);
+  } catch (const Method_error& error) {
+    const bool is_input_good = error.code == SMP::ERROR_NO_1_TO_1_MAPPING || error.code == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM
+                               || error.code == SMP::ERROR_NON_CONVEX_BORDER;
+    exit_status = fail(is_input_good ? METHOD_FAILED : BAD_INPUT, error_name(error.code), error.message);
+  } catch (const CGAL::Failure_exception& error) {
+    exit_status = fail(METHOD_FAILED, "failed", "an assertion of CGAL failed: " + error.expression() + " in " + error.filename() + ", line " + std::to_string(error.line_number()));
+  } catch (const std::bad_alloc&) {
+    exit_status = fail(METHOD_FAILED, "failed", "not enough memory");
+  } catch (const std::exception& error) {
+    exit_status = fail(METHOD_FAILED, "failed", error.what());
+  }
+  report += make_report(run, options.method->name).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+  return exit_status;
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
+  // A failed assertion of CGAL is an exception, told in one line as every error; a file that may not grow further is a failed write, not the end.
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) { });
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     Options options;
     if (!read_options(argc, argv, options))

@@ -5,24 +5,30 @@
 #define PROGRAM_INPUT_H
 
 #include "face_mesh.h"
+#include "program_OBJ.h"
+#include "program_OFF.h"
+#include "program_PLY.h"
+#include "program_STL.h"
+#include "program_scanner.h"
+#include "program_soup.h"
+#include "program_triangulate.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <fstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel   Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>                    Mesh;
+typedef CGAL::Surface_mesh<Kernel::Point_3>   Mesh;
 
 // A mesh, and the part of it that is parameterized: its largest component.
 struct Input
@@ -35,48 +41,81 @@ struct Input
   std::size_t number_of_components = 0;
 };
 
-// Something that is wrong with the input, to be told to the user.
-struct Input_error { std::string message; };
-
 inline bool has_suffix(const std::string& text, const std::string& suffix)
 {
   return text.size() >= suffix.size() && std::equal(suffix.rbegin(), suffix.rend(), text.rbegin(),
                                                     [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
-// Reads OFF, OBJ, PLY or STL as it is: vertices that coincide stay apart, except in STL, which has no other way to join triangles.
-inline Mesh read_mesh(const std::string& file)
+inline std::string read_content(const std::string& file)
 {
-  namespace PMP = CGAL::Polygon_mesh_processing;
-  std::vector<Kernel::Point_3> points;
-  std::vector<std::vector<std::size_t>> polygons;
-  if (!std::ifstream(file))
+  namespace fs = std::filesystem;
+  std::error_code unused_error;
+  const fs::file_type type = fs::status(file, unused_error).type();
+  if (type == fs::file_type::not_found)
+    throw Input_error{ "does not exist" };
+  if (type != fs::file_type::regular && type != fs::file_type::fifo)
+    throw Input_error{ "is no file that can be read" };
+  std::ifstream in(file, std::ios::binary);
+  std::string content;
+  char block[1 << 16];
+  while (in.read(block, sizeof block), in.gcount() > 0)
+    content.append(block, std::size_t(in.gcount()));
+  if (!in.is_open() || in.bad())
     throw Input_error{ "cannot be opened" };
-  if (!CGAL::IO::read_polygon_soup(file, points, polygons))
-    throw Input_error{ "cannot be read as OFF, OBJ, PLY or STL" };
+  if (content.empty())
+    throw Input_error{ "is empty", SMP::ERROR_EMPTY_MESH };
+  return content;
+}
 
-  for (std::size_t i = 0; i < polygons.size(); ++i) {
-    if (polygons[i].size() != 3)
-      throw Input_error{ "face " + std::to_string(i) + " has " + std::to_string(polygons[i].size()) + " corners; only triangles can be parameterized" };
-    for (const std::size_t v : polygons[i])
-      if (v >= points.size())
-        throw Input_error{ "face " + std::to_string(i) + " refers to a vertex that does not exist" };
+// Not by CGAL::IO::read_polygon_soup(): its readers believe the counts and types that a file states, which costs all memory or a crash, and cannot tell
+// which face or vertex is wrong.
+inline Polygon_soup read_soup(const std::string& file)
+{
+  const bool is_OFF = has_suffix(file, ".off"), is_OBJ = has_suffix(file, ".obj"), is_PLY = has_suffix(file, ".ply"), is_STL = has_suffix(file, ".stl");
+  const std::string content = read_content(file);
+  File_scanner scanner(content);
+  if (is_OFF)
+    return OFF_reader(scanner).read();
+  if (is_OBJ)
+    return read_OBJ(scanner);
+  if (is_PLY)
+    return PLY_reader(scanner).read();
+  if (is_STL)
+    return STL_reader(scanner).read();
+  throw Input_error{ "is not named .off, .obj, .ply or .stl" };
+}
+
+// Reads the file as it is: vertices that coincide stay apart, but in STL. With `is_triangulated`, polygons are cut into triangles.
+inline Mesh read_mesh(const std::string& file, bool is_triangulated)
+{
+  Polygon_soup soup = read_soup(file);
+  if (soup.polygons.empty())
+    throw Input_error{ "has no faces", SMP::ERROR_EMPTY_MESH };
+  check_indices(soup);
+  check_coordinates(soup);
+  check_corners(soup, is_triangulated);
+  Manifold_check{ soup };
+  if (is_triangulated) {
+    triangulate(soup);
+    Manifold_check{ soup };                // two polygons may have got the same diagonal
   }
-  if (has_suffix(file, ".stl"))
-    PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
-  if (!PMP::is_polygon_soup_a_polygon_mesh(polygons))
-    throw Input_error{ "is no surface: an edge has more than two triangles or two of opposite orientation, or several fans meet at a vertex" };
   Mesh mesh;
-  PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
   return mesh;
+}
+
+// Unlike that of CGAL, it neither over- nor underflows.
+inline double edge_length(const Mesh& mesh, Mesh::Halfedge_index h)
+{
+  const Kernel::Vector_3 d = mesh.point(mesh.target(h)) - mesh.point(mesh.source(h));
+  return std::hypot(d.x(), d.y(), d.z());
 }
 
 // Finds the component with the most faces and its borders.
 inline void choose_component(Input& input)
 {
   const Mesh& mesh = input.mesh;
-  if (mesh.number_of_faces() == 0)
-    throw Input_error{ "has no faces" };
   auto component_of = input.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component").first;
   input.number_of_components = CGAL::Polygon_mesh_processing::connected_components(mesh, component_of);
 
@@ -97,7 +136,7 @@ inline void choose_component(Input& input)
     double length = 0;
     for (const Mesh::Halfedge_index g : CGAL::halfedges_around_face(h, mesh)) {
       is_visited[g] = true;
-      length += CGAL::Polygon_mesh_processing::edge_length(g, mesh);
+      length += edge_length(mesh, g);
     }
     if (!(length <= greatest_length)) {
       greatest_length = length;
@@ -105,20 +144,18 @@ inline void choose_component(Input& input)
     }
   }
   if (input.number_of_borders == 0)
-    throw Input_error{ "is closed: a surface needs a border to be laid out; cut it open first" };
+    throw Input_error{ "is closed: a surface needs a border to be laid out; cut it open first, by leaving out a face or by doubling the vertices along a path of edges",
+                       SMP::ERROR_NO_TOPOLOGICAL_DISC };
 }
 
-// The named file, or the built-in face.
-inline Input read_input(const std::string& file)
+// The named file, or the built-in face if there is no name. Throws an Input_error.
+inline void read_input(const std::string& file, bool is_triangulated, Input& input)
 {
-  Input input;
-  input.name = file.empty() ? "face" : file;
   if (file.empty())
     make_face(input.mesh);
   else
-    input.mesh = read_mesh(file);
+    input.mesh = read_mesh(file, is_triangulated);
   choose_component(input);
-  return input;
 }
 
 #endif // PROGRAM_INPUT_H

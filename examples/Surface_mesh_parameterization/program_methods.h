@@ -23,7 +23,6 @@
 #include <CGAL/Surface_mesh_parameterization/Shape_preserving_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
-#include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/settle_flips.h>
 
 #include <CGAL/Real_timer.h>
@@ -97,14 +96,26 @@ struct Program_visitor : SMP::Hierarchy_visitor_3
   }
 };
 
+// Not by CGAL's parameterize(), which copies, what not all parameterizers can, and whose preconditions refuse a mesh with isolated vertices.
+template <class Parameterizer>
+SMP::Error_code parameterize_flat(Input& input, Parameterizer& parameterizer, UV_map uvmap, const std::vector<Mesh::Vertex_index>& vertices_of_component)
+{
+  const auto index = get(CGAL::dynamic_vertex_property_t<int>(), input.mesh);
+  const auto is_parameterized = get(CGAL::dynamic_vertex_property_t<bool>(), input.mesh);
+  int n = 0;
+  for (const Mesh::Vertex_index v : vertices_of_component)
+    put(index, v, n++);
+  return parameterizer.parameterize(input.mesh, input.border, uvmap, index, is_parameterized);
+}
+
 // Runs a refinable method, flat or coarse to fine. `make_method(summary)` makes it so that a flat run fills that summary.
 template <class Make_method>
 SMP::Parameterization_summary run_refinable(Input& input, const Method_options& options, UV_map uvmap, const Make_method& make_method)
 {
   SMP::Parameterization_summary summary;
-  const auto method = make_method(summary);
+  auto method = make_method(summary);
   if (options.flat)
-    SMP::parameterize(input.mesh, method, input.border, uvmap);
+    parameterize_flat(input, method, uvmap, {});      // the method reads the component itself
   else {
     const std::vector<Mesh::Vertex_index> vertices = options.levels.empty() ? std::vector<Mesh::Vertex_index>()
       : SMP::Mesh_component<Mesh>(input.mesh, input.border).vertices_of_component();
@@ -148,13 +159,8 @@ SMP::Parameterization_summary run_flat(Input& input, SMP::Flip_policy flip_polic
   summary.error = component.error();
   if (summary.error.code != SMP::OK)
     return summary;
-  const auto index = get(CGAL::dynamic_vertex_property_t<int>(), input.mesh);
-  const auto is_parameterized = get(CGAL::dynamic_vertex_property_t<bool>(), input.mesh);
-  int n = 0;
-  for (const Mesh::Vertex_index v : component.vertices_of_component())
-    put(index, v, n++);
-  // Not by SMP::parameterize(), which copies: not all parameterizers can be copied.
-  SMP::Error_code code = Parameterizer().parameterize(input.mesh, input.border, uvmap, index, is_parameterized);
+  Parameterizer parameterizer;
+  SMP::Error_code code = parameterize_flat(input, parameterizer, uvmap, component.vertices_of_component());
   if (code == SMP::OK)
     code = SMP::settle_flips(input.mesh, input.border, uvmap, flip_policy, CGAL::parameters::summary(std::ref(summary)));
   summary.error.code = code;

@@ -18,31 +18,51 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <ostream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
 
-namespace SMP = CGAL::Surface_mesh_parameterization;
+// What there is to report of one input.
+struct Run_record
+{
+  Input input;
+  SMP::Parameterization_summary summary;
+  std::optional<SMP::Parameterization_quality> quality;     // of a map that was written
+  double seconds_read = 0, seconds_write = 0;
+  std::string status, error;                                // for the report; no error: an empty text
+};
 
 // Writes a file as a whole or not at all: under another name first, unless the path is no regular file (a pipe, a device).
 template <class Write>
 void write_file(const std::string& path, const Write& write)
 {
   namespace fs = std::filesystem;
-  const bool is_special = fs::exists(path) && !fs::is_regular_file(path);
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  const bool is_special = fs::exists(status) && !fs::is_regular_file(status);
   const std::string temporary = is_special ? path : path + ".part";
   std::ofstream out(temporary, std::ios::binary);
-  write(out);
-  out.close();
-  std::error_code error;
-  if (out && !is_special)
-    fs::rename(temporary, path, error);
-  if (!out || error) {
+  if (out) {
+    try {
+      write(out);
+    } catch (...) {
+      out.setstate(std::ios::badbit);
+    }
+    out.close();
+    if (out && is_special)
+      return;
+    if (out) {
+      fs::rename(temporary, path, error);
+      if (!error)
+        return;
+    }
     if (!is_special)
       fs::remove(temporary, error);
-    throw std::runtime_error(path + ": cannot be written");
   }
+  throw std::runtime_error(path + ": cannot be written");
 }
 
 // One level as OBJ: its vertices where the input has them, its triangles, and its map (up to scale).
@@ -80,12 +100,15 @@ inline std::string error_message(const SMP::Parameterization_error& error)
 {
   std::string message;
   switch (error.code) {
+    case SMP::ERROR_EMPTY_MESH: message = "the mesh has no faces"; break;
     case SMP::ERROR_NON_TRIANGULAR_MESH: message = "not all faces are triangles"; break;
     case SMP::ERROR_NO_TOPOLOGICAL_DISC: message = error.place == SMP::Parameterization_error::VERTEX ? "several fans of triangles meet at a vertex"
                                                                                                         : "the surface has a handle; cut it open first"; break;
-    case SMP::ERROR_WRONG_PARAMETER: message = "a coordinate is not a finite number"; break;
+    case SMP::ERROR_WRONG_PARAMETER: message = error.place == SMP::Parameterization_error::VERTEX ? "a coordinate is not a finite number"
+                                                                                                    : "a place on the border of the map is not finite"; break;
     case SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM: message = "a linear system could not be solved"; break;
     case SMP::ERROR_BORDER_TOO_SHORT: message = "the border has no length"; break;
+    case SMP::ERROR_NON_CONVEX_BORDER: message = "the border of the map crosses itself"; break;
     case SMP::ERROR_NO_1_TO_1_MAPPING: message = "no map without flips was found"; break;
     default: message = error_name(error.code);
   }
@@ -102,26 +125,27 @@ inline std::size_t peak_memory_bytes()
 }
 
 // The report of one input. What is not finite, or was not measured, is null.
-inline nlohmann::ordered_json make_report(const Input& input, const std::string& method, const SMP::Parameterization_summary& summary,
-                                          double seconds_read, double seconds_write, const SMP::Parameterization_quality* quality)
+inline nlohmann::ordered_json make_report(const Run_record& run, const std::string& method)
 {
+  const SMP::Parameterization_summary& summary = run.summary;
   nlohmann::ordered_json report = {
-    { "input", input.name }, { "vertices", input.mesh.number_of_vertices() }, { "faces", input.mesh.number_of_faces() },
-    { "borders", input.number_of_borders }, { "method", method },
-    { "status", summary.error.code == SMP::OK && !summary.converged ? "not_converged" : error_name(summary.error.code) },
+    { "input", run.input.name }, { "vertices", run.input.mesh.number_of_vertices() }, { "faces", run.input.mesh.number_of_faces() },
+    { "borders", run.input.number_of_borders }, { "method", method }, { "status", run.status }, { "error", nullptr },
     { "levels", nlohmann::ordered_json::array() },
-    { "seconds", { { "read", seconds_read }, { "hierarchy", summary.seconds_hierarchy },
-                   { "parameterize", summary.seconds_parameterize }, { "write", seconds_write } } },
+    { "seconds", { { "read", run.seconds_read }, { "hierarchy", summary.seconds_hierarchy },
+                   { "parameterize", summary.seconds_parameterize }, { "write", run.seconds_write } } },
     { "linear_solver", nullptr },
     { "peak_memory_bytes", peak_memory_bytes() },
     { "quality", nullptr } };
+  if (!run.error.empty())
+    report["error"] = run.error;
   for (const SMP::Level_summary& level : summary.levels)
     report["levels"].push_back({ { "vertices", level.vertices }, { "faces", level.faces }, { "energy_start", level.energy_start },
                                  { "energy_end", level.energy_end }, { "iterations", level.iterations }, { "seconds", level.seconds } });
   if (const SMP::Linear_solver_summary& solver = summary.linear_solver; solver.right_sides > 0)
     report["linear_solver"] = { { "iterations", solver.iterations }, { "residual", solver.residual }, { "direct_solutions", solver.direct_solutions },
                                 { "seconds", solver.seconds_setup + solver.seconds_solve } };
-  if (quality)
+  if (const auto& quality = run.quality)
     report["quality"] = { { "flips", quality->flips }, { "degenerate", quality->degenerate }, { "overlaps", quality->overlaps },
                           { "mips", quality->mips }, { "mips_excess", quality->mips_excess },
                           { "symmetric_dirichlet", quality->symmetric_dirichlet }, { "l2_stretch", quality->l2_stretch },

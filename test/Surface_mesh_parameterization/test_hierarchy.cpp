@@ -634,6 +634,18 @@ TEST(Mesh_component, two_umbrellas_at_a_vertex)
   EXPECT_TRUE(is_error(error_of(mesh), ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX, first));
 }
 
+TEST(Mesh_component, touches_another_one_at_a_vertex)
+{
+  Flat_mesh m = grid(3, 3, wavy);
+  const Index shared = Index(m.points.size()) - 1;
+  m.points.insert(m.points.end(), { Point_3(2, 1, 0), Point_3(2, 2, 0) });
+  m.triangles.push_back({ shared, shared + 1, shared + 2 });
+  const Surface_mesh mesh = make<Surface_mesh>(m);
+  for (const auto h : halfedges(mesh))
+    if (mesh.is_border(h))
+      EXPECT_TRUE(is_error(error_of(mesh, h), ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX, shared));
+}
+
 // Whether the descriptors are, in some order, those from `first` on.
 template <class Descriptor>
 bool are_consecutive(const std::vector<Descriptor>& descriptors, std::size_t first)

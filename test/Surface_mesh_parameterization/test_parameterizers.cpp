@@ -333,6 +333,8 @@ void expect_error(Mapped_mesh& mapped, Surface_mesh::Halfedge_index bhd, Error_c
   };
   check(MIPS(parameters::summary(std::ref(summary))).parameterize(mapped.mesh, bhd, mapped.uvmap, vimap, vpmap));
   check(Hierarchical_MIPS(MIPS(), parameters::summary(std::ref(summary))).parameterize(mapped.mesh, bhd, mapped.uvmap, vimap, vpmap));
+  // Not CGAL's function, which follows a null halfedge.
+  check(SMP::parameterize(mapped.mesh, Hierarchical_MIPS(MIPS(), parameters::summary(std::ref(summary))), bhd, mapped.uvmap));
 }
 
 TEST(Errors, leave_the_maps_untouched)

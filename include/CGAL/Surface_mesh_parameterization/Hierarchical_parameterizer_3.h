@@ -6,12 +6,15 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rebound_as_rigid_as_possible_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rebound_orbifold_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rebound_parameterizer_3.h>
+
+#include <CGAL/boost/graph/properties.h>
 
 #include <type_traits>
 #include <utility>
@@ -112,6 +115,23 @@ class Hierarchical_parameterizer_3
 public:
   using Base::Base;
 };
+
+/// \ingroup PkgHierarchicalParameterizationRef
+///
+/// parameterizes the connected component of `mesh` that contains `bhd`: what CGAL's `parameterize()` does, but without its preconditions. A mesh with
+/// isolated vertices is one to parameterize, and what is no surface, as a closed mesh with a null halfedge, gets an error, whether assertions are checked or not.
+///
+/// \param mesh a triangulated surface
+/// \param parameterizer the parameterizer
+/// \param bhd a halfedge on the outer border of `mesh`
+/// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
+///
+/// \return what the parameterizer returns
+template <class TriangleMesh, class Parameterizer, class Halfedge, class VertexUVMap>
+Error_code parameterize(TriangleMesh& mesh, Hierarchical_parameterizer_3<Parameterizer> parameterizer, Halfedge bhd, VertexUVMap uvmap)
+{
+  return parameterizer.parameterize(mesh, bhd, uvmap, get(CGAL::dynamic_vertex_property_t<int>(), mesh), get(CGAL::dynamic_vertex_property_t<bool>(), mesh));
+}
 
 } // namespace CGAL::Surface_mesh_parameterization
 

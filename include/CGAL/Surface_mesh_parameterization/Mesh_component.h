@@ -61,7 +61,7 @@ public:
   /// - `ERROR_EMPTY_MESH`: the mesh has no face;
   /// - `ERROR_WRONG_PARAMETER`: `bhd` is not a border halfedge, or a point has a coordinate that is not finite;
   /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
-  /// - `ERROR_NO_TOPOLOGICAL_DISC`: two umbrellas meet at a vertex, or the surface has a handle.
+  /// - `ERROR_NO_TOPOLOGICAL_DISC`: two umbrellas meet at a vertex, be it that of another component, or the surface has a handle.
   const Parameterization_error& error() const { return m_error; }
 
   /// the input's vertices; the position in this array is the vertex's index in the others
@@ -84,7 +84,7 @@ private:
 
   bool read_component(const TriangleMesh& mesh, halfedge_descriptor bhd)
   {
-    collect_faces(mesh, face(opposite(bhd, mesh), mesh));
+    const std::vector<halfedge_descriptor> border = collect_faces(mesh, face(opposite(bhd, mesh), mesh));
     for (face_descriptor f : m_faces)
       if (!is_triangle(halfedge(f, mesh), mesh))
         return fail(ERROR_NON_TRIANGULAR_MESH, Parameterization_error::FACE, number_of(f, faces(mesh)));
@@ -93,6 +93,10 @@ private:
     for (vertex_descriptor v : vertices(mesh))
       put(index_of, v, internal::no_index);
     number_vertices(mesh, index_of);
+    // Where another component touches this one at a vertex, the mesh may lead from one border to the other.
+    for (halfedge_descriptor h : border)
+      if (get(index_of, target(next(h, mesh), mesh)) == internal::no_index)
+        return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX, number_of(target(h, mesh), vertices(mesh)));
     if (!read_points(mesh))
       return false;
     read_triangles(mesh, index_of);
@@ -101,9 +105,10 @@ private:
     return true;
   }
 
-  // Breadth first from one face.
-  void collect_faces(const TriangleMesh& mesh, face_descriptor start)
+  // Breadth first from one face. Returns the halfedges on all borders.
+  std::vector<halfedge_descriptor> collect_faces(const TriangleMesh& mesh, face_descriptor start)
   {
+    std::vector<halfedge_descriptor> border;
     const auto is_reached = get(CGAL::dynamic_face_property_t<bool>(), mesh);
     for (face_descriptor f : faces(mesh))
       put(is_reached, f, false);
@@ -112,11 +117,14 @@ private:
     for (std::size_t i = 0; i < m_faces.size(); ++i)
       for (halfedge_descriptor h : halfedges_around_face(halfedge(m_faces[i], mesh), mesh)) {
         const face_descriptor neighbor = face(opposite(h, mesh), mesh);
-        if (neighbor != Graph_traits::null_face() && !get(is_reached, neighbor)) {
+        if (neighbor == Graph_traits::null_face())
+          border.push_back(opposite(h, mesh));
+        else if (!get(is_reached, neighbor)) {
           put(is_reached, neighbor, true);
           m_faces.push_back(neighbor);
         }
       }
+    return border;
   }
 
   // In the order in which the faces meet them.

@@ -1,0 +1,149 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROGRAM_OFF_H
+#define PROGRAM_OFF_H
+
+#include "program_scanner.h"
+#include "program_soup.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+// Reads Geomview's OFF, text or binary: [ST][C][N][4]OFF. Of a vertex, texture coordinates, color and normal are skipped, of a face the color.
+class OFF_reader
+{
+public:
+  explicit OFF_reader(File_scanner& file) : m_file(file) { }
+
+  Polygon_soup read()
+  {
+    read_keyword();
+    read_counts();
+    Polygon_soup soup;
+    for (std::size_t v = 0; v < m_number_of_vertices; ++v)
+      soup.points.push_back(read_vertex(v));
+    for (std::size_t f = 0; f < m_number_of_faces; ++f)
+      soup.polygons.push_back(read_face(f));
+    return soup;
+  }
+
+private:
+  void read_keyword()
+  {
+    m_file.skip_comments();
+    std::string_view keyword = m_file.word();
+    const auto has_prefix = [&](std::string_view prefix) {
+      if (keyword.substr(0, prefix.size()) != prefix)
+        return false;
+      keyword.remove_prefix(prefix.size());
+      return true;
+    };
+    if (has_prefix("ST"))
+      m_skipped_numbers += 2;
+    if (has_prefix("C"))
+      m_skipped_numbers += 4;
+    if (has_prefix("N"))
+      m_skipped_numbers += 3;
+    m_is_homogeneous = has_prefix("4");
+    if (keyword != "OFF")
+      m_file.fail("'OFF' expected");
+    File_scanner ahead = m_file;
+    m_is_binary = ahead.word() == "BINARY";
+    if (m_is_binary) {
+      m_file = ahead;
+      m_file.skip_line_end();
+    }
+  }
+
+  // Every vertex and every face takes some bytes, so a count that cannot be true costs no memory.
+  void read_counts()
+  {
+    long long vertices = -1, faces = -1;
+    if (m_is_binary) {
+      std::int32_t counts[3] = { -1, -1, -1 };     // that of the edges is not used
+      for (std::int32_t& count : counts)
+        m_file.read_binary(count, is_little_endian());
+      vertices = counts[0];
+      faces = counts[1];
+    } else {
+      m_file.skip_comments();
+      if (m_file.read(vertices)) {
+        m_file.skip_comments();
+        m_file.read(faces);
+      }
+      m_file.skip_line();
+    }
+    if (vertices < 0 || faces < 0)
+      m_file.fail("the numbers of vertices and faces expected");
+    m_number_of_vertices = std::size_t(vertices);
+    m_number_of_faces = std::size_t(faces);
+    if (m_number_of_vertices > m_file.remaining() || m_number_of_faces > m_file.remaining())
+      throw Input_error{ "is too short for " + std::to_string(vertices) + " vertices and " + std::to_string(faces) + " faces" };
+  }
+
+  Kernel::Point_3 read_vertex(std::size_t v)
+  {
+    double coordinates[4] = { 0, 0, 0, 1 };
+    bool is_read = true;
+    if (!m_is_binary)
+      m_file.skip_comments();
+    for (int i = 0; i < (m_is_homogeneous ? 4 : 3); ++i)
+      is_read = is_read && (m_is_binary ? read_float(coordinates[i]) : m_file.read(coordinates[i]));
+    if (m_is_binary)
+      is_read = is_read && m_file.skip_bytes(4 * m_skipped_numbers);
+    else
+      m_file.skip_line();
+    if (!is_read)
+      throw Input_error{ "the coordinates of " + vertex_text(v) + " cannot be read" };
+    return Kernel::Point_3(coordinates[0] / coordinates[3], coordinates[1] / coordinates[3], coordinates[2] / coordinates[3]);
+  }
+
+  Polygon_soup::Polygon read_face(std::size_t f)
+  {
+    long long size = -1;
+    if (!m_is_binary)
+      m_file.skip_comments();
+    bool is_read = read_index(size) && size >= 0;
+    Polygon_soup::Polygon polygon;
+    for (long long i = 0, v; is_read && i < size; ++i)
+      if ((is_read = read_index(v)))
+        polygon.push_back(std::size_t(v));
+    if (is_read && m_is_binary) {
+      long long number_of_colors;
+      is_read = read_index(number_of_colors) && number_of_colors >= 0 && m_file.skip_bytes(4 * std::size_t(number_of_colors));
+    }
+    if (!m_is_binary)
+      m_file.skip_line();
+    if (!is_read)
+      throw Input_error{ "the vertices of " + face_text(f) + " cannot be read" };
+    return polygon;
+  }
+
+  // A binary file is big endian.
+  bool read_float(double& number)
+  {
+    float value;
+    const bool is_read = m_file.read_binary(value, is_little_endian());
+    number = is_read ? value : 0;
+    return is_read;
+  }
+
+  bool read_index(long long& index)
+  {
+    if (!m_is_binary)
+      return m_file.read(index);
+    std::int32_t value = -1;
+    const bool is_read = m_file.read_binary(value, is_little_endian());
+    index = value;
+    return is_read;
+  }
+
+  File_scanner& m_file;
+  bool m_is_binary = false, m_is_homogeneous = false;
+  std::size_t m_skipped_numbers = 0, m_number_of_vertices = 0, m_number_of_faces = 0;
+};
+
+#endif // PROGRAM_OFF_H

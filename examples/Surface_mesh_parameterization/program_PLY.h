@@ -1,0 +1,193 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROGRAM_PLY_H
+#define PROGRAM_PLY_H
+
+#include "program_scanner.h"
+#include "program_soup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Reads PLY, text or binary: x, y and z of the element "vertex" and the list "vertex_indices" or "vertex_index" of the element "face", of any types.
+class PLY_reader
+{
+public:
+  explicit PLY_reader(File_scanner& file) : m_file(file) { }
+
+  Polygon_soup read()
+  {
+    read_header();
+    for (const Element& element : m_elements)
+      read_element(element);
+    return m_soup;
+  }
+
+private:
+  enum Format { TEXT, LITTLE_ENDIAN_FORMAT, BIG_ENDIAN_FORMAT };
+  enum Type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64, NONE };
+  enum Role { X, Y, Z, CORNERS, UNUSED };          // what a property is read for
+
+  struct Property
+  {
+    Type type, size_type;                          // the size's type: NONE if this is no list
+    Role role;
+  };
+
+  struct Element
+  {
+    std::string name;
+    std::size_t count;
+    std::vector<Property> properties;
+
+    bool is_vertex() const { return name == "vertex" || name == "vertices"; }
+    bool is_face() const { return name == "face" || name == "faces"; }
+    bool has(Role role) const
+    {
+      return std::any_of(properties.begin(), properties.end(), [&](const Property& p) { return p.role == role; });
+    }
+  };
+
+  void read_header()
+  {
+    if (m_file.word() != "ply")
+      m_file.fail("'ply' expected");
+    for (;;) {
+      m_file.skip_line();
+      m_file.skip_spaces();
+      const std::string_view keyword = m_file.word();
+      if (keyword == "format")
+        read_format();
+      else if (keyword == "element")
+        add_element();
+      else if (keyword == "property" && !m_elements.empty())
+        add_property(m_elements.back());
+      else if (keyword == "end_header")
+        break;
+      else if (keyword != "comment" && keyword != "obj_info")
+        m_file.fail("the header of a PLY file expected");
+    }
+    m_file.skip_blanks();
+    m_file.skip_line_end();
+    for (const Element& element : m_elements)
+      if (element.is_vertex() ? !element.has(X) || !element.has(Y) || !element.has(Z) : element.is_face() && !element.has(CORNERS))
+        throw Input_error{ "the element " + word_text(element.name) + " has no " + (element.is_vertex() ? "x, y and z" : "list 'vertex_indices'") };
+  }
+
+  void read_format()
+  {
+    const std::string_view format = m_file.word();
+    if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
+      m_file.fail("the format " + word_text(format) + " is unknown");
+    m_format = format == "ascii" ? TEXT : format == "binary_little_endian" ? LITTLE_ENDIAN_FORMAT : BIG_ENDIAN_FORMAT;
+  }
+
+  void add_element()
+  {
+    Element element;
+    element.name = std::string(m_file.word());
+    long long count;
+    if (!m_file.read(count) || count < 0)
+      m_file.fail("the number of elements " + word_text(element.name) + " expected");
+    // Every element takes some bytes, so that a count that cannot be true costs no time.
+    element.count = std::size_t(count);
+    if (element.count > m_file.remaining())
+      throw Input_error{ "is too short for " + std::to_string(count) + " elements " + word_text(element.name) };
+    m_elements.push_back(element);
+  }
+
+  void add_property(Element& element)
+  {
+    Property property;
+    std::string_view type = m_file.word();
+    const bool is_list = type == "list";
+    property.size_type = is_list ? read_type(m_file.word()) : NONE;
+    property.type = read_type(is_list ? m_file.word() : type);
+    const std::string_view name = m_file.word();
+    property.role = is_list ? (element.is_face() && (name == "vertex_indices" || name == "vertex_index") ? CORNERS : UNUSED)
+                            : !element.is_vertex() ? UNUSED : name == "x" ? X : name == "y" ? Y : name == "z" ? Z : UNUSED;
+    element.properties.push_back(property);
+  }
+
+  Type read_type(std::string_view name) const
+  {
+    static const struct { std::string_view name, other_name; } types[] = {
+      { "char", "int8" }, { "uchar", "uint8" }, { "short", "int16" }, { "ushort", "uint16" },
+      { "int", "int32" }, { "uint", "uint32" }, { "float", "float32" }, { "double", "float64" } };
+    for (int type = INT8; type < NONE; ++type)
+      if (name == types[type].name || name == types[type].other_name)
+        return Type(type);
+    m_file.fail("the type " + word_text(name) + " is unknown");
+  }
+
+  void read_element(const Element& element)
+  {
+    for (std::size_t i = 0; i < element.count; ++i) {
+      double coordinates[3] = { 0, 0, 0 };
+      Polygon_soup::Polygon corners;
+      for (const Property& property : element.properties) {
+        double value = 1;
+        bool is_read = property.size_type == NONE || (read_number(property.size_type, value) && is_index(value));
+        // No room is made for the size that is promised, which may be more than the file holds.
+        for (double n = value; is_read && n > 0; --n) {
+          is_read = read_number(property.type, value) && (property.role != CORNERS || is_index(value));
+          if (is_read && property.role == CORNERS)
+            corners.push_back(std::size_t(static_cast<long long>(value)));
+        }
+        if (!is_read)
+          throw Input_error{ "ends within, or has no number in, " + word_text(element.name) + " " + std::to_string(i) };
+        if (property.role <= Z)
+          coordinates[property.role] = value;
+      }
+      if (element.is_vertex())
+        m_soup.points.emplace_back(coordinates[0], coordinates[1], coordinates[2]);
+      else if (element.is_face())
+        m_soup.polygons.push_back(corners);
+    }
+  }
+
+  // Whether it can be converted to an integer.
+  static bool is_index(double value) { return std::abs(value) <= 1e15 && value == std::floor(value); }
+
+  // Every type's values are doubles.
+  bool read_number(Type type, double& value)
+  {
+    if (m_format == TEXT) {
+      m_file.skip_spaces();
+      return m_file.read(value);
+    }
+    switch (type) {
+      case INT8: return read_binary<std::int8_t>(value);
+      case UINT8: return read_binary<std::uint8_t>(value);
+      case INT16: return read_binary<std::int16_t>(value);
+      case UINT16: return read_binary<std::uint16_t>(value);
+      case INT32: return read_binary<std::int32_t>(value);
+      case UINT32: return read_binary<std::uint32_t>(value);
+      case FLOAT32: return read_binary<float>(value);
+      default: return read_binary<double>(value);
+    }
+  }
+
+  template <class T>
+  bool read_binary(double& value)
+  {
+    T number;
+    if (!m_file.read_binary(number, (m_format == LITTLE_ENDIAN_FORMAT) != is_little_endian()))
+      return false;
+    value = double(number);
+    return true;
+  }
+
+  File_scanner& m_file;
+  Format m_format = TEXT;
+  std::vector<Element> m_elements;
+  Polygon_soup m_soup;
+};
+
+#endif // PROGRAM_PLY_H

@@ -1,0 +1,143 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROGRAM_SCANNER_H
+#define PROGRAM_SCANNER_H
+
+#include "program_soup.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+// A place in a file that is held in memory. Nothing is read beyond the end, whatever the file promises; a count can be compared with what remains.
+class File_scanner
+{
+public:
+  // The content must outlive the scanner and its copies.
+  explicit File_scanner(const std::string& content) : m_begin(content.data()), m_at(m_begin), m_end(m_begin + content.size()) { }
+
+  std::size_t remaining() const { return std::size_t(m_end - m_at); }
+  bool is_at_end() const { return m_at == m_end; }
+
+  // ---- text; a line may end in any of \n, \r\n and \r ----
+
+  static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+  static bool is_space(char c) { return is_blank(c) || is_line_end(c); }
+
+  void skip_blanks() { m_at = std::find_if_not(m_at, m_end, is_blank); }
+  void skip_spaces() { m_at = std::find_if_not(m_at, m_end, is_space); }
+  void skip_word() { m_at = std::find_if(m_at, m_end, is_space); }
+  void skip_line() { m_at = std::find_if(m_at, m_end, is_line_end); }
+
+  // To the first line that has more than blanks and a comment.
+  void skip_comments()
+  {
+    for (skip_spaces(); m_at != m_end && *m_at == '#'; skip_spaces())
+      skip_line();
+  }
+
+  // What is left of the line up to the next blank; empty at its end.
+  std::string_view word()
+  {
+    skip_blanks();
+    const char* const begin = m_at;
+    skip_word();
+    return { begin, std::size_t(m_at - begin) };
+  }
+
+  // The next number of the line. Returns whether there was one; if not, nothing is read.
+  bool read(double& number)
+  {
+    skip_blanks();
+    if (m_at == m_end || is_line_end(*m_at))
+      return false;
+    char* end;
+    number = std::strtod(m_at, &end);    // ends at the zero behind the content
+    return end != m_at && accept(end);
+  }
+
+  bool read(long long& number)
+  {
+    skip_blanks();
+    const auto [end, error] = std::from_chars(m_at, m_end, number);
+    return error == std::errc() && accept(end);
+  }
+
+  // ---- binary ----
+
+  // Returns whether there were as many bytes left.
+  template <class T>
+  bool read_binary(T& value, bool is_reversed)
+  {
+    if (remaining() < sizeof(T))
+      return false;
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, m_at, sizeof(T));
+    if (is_reversed)
+      std::reverse(bytes, bytes + sizeof(T));
+    std::memcpy(&value, bytes, sizeof(T));
+    m_at += sizeof(T);
+    return true;
+  }
+
+  bool skip_bytes(std::size_t n)
+  {
+    if (remaining() < n)
+      return false;
+    m_at += n;
+    return true;
+  }
+
+  // Over the end of one line, as it stands between a header and binary data.
+  void skip_line_end()
+  {
+    if (m_at != m_end && *m_at == '\r')
+      ++m_at;
+    if (m_at != m_end && *m_at == '\n')
+      ++m_at;
+  }
+
+  [[noreturn]] void fail(const std::string& message) const
+  {
+    throw Input_error{ "line " + std::to_string(1 + std::count(m_begin, m_at, '\n')) + ": " + message };
+  }
+
+private:
+  // A number ends where the line or the word does, or at the slash between the indices of an OBJ file.
+  bool accept(const char* end)
+  {
+    if (end != m_end && !is_space(*end) && *end != '/' && *end != '#')
+      return false;
+    m_at = end;
+    return true;
+  }
+
+  const char* m_begin;
+  const char* m_at;
+  const char* m_end;                     // there is a zero
+};
+
+// A word of the file as it can be shown: not what control characters, or a million letters, make of a line.
+inline std::string word_text(std::string_view word)
+{
+  std::string text(word.substr(0, 20));
+  std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < 32 || c > 126; }, '?');
+  return "'" + text + "'";
+}
+
+inline bool is_little_endian()
+{
+  const unsigned short one = 1;
+  unsigned char first;
+  std::memcpy(&first, &one, 1);
+  return first == 1;
+}
+
+#endif // PROGRAM_SCANNER_H
