@@ -349,12 +349,9 @@ const std::vector<Hard_mesh> hard_meshes = {
   { "sieve", [] { return cells(17, 17, [](long i, long j) { return i % 2 == 0 || j % 2 == 0; }); } },
   { "crumpled", [] { return crumpled(16, 3); } },
   { "crumpled_100", [] { return crumpled(10, 100); } },
+  { "tube_60", [] { return tube(8, 60); } },      // along which the scale of a conformal map falls by the factor exp(2) with every diameter
+  { "tube_200", [] { return tube(6, 200); } },
   { "peak", [] { return revolution(12, 15, [](long j) { return std::make_pair(1 - double(j) / 15., 1e6 * double(j)); }); } } };
-
-// The scale of a conformal map falls by the factor exp(2) with every diameter.
-const std::vector<Hard_mesh> meshes_without_mips_map = {
-  { "tube_60", [] { return tube(8, 60); } },
-  { "tube_200", [] { return tube(6, 200); } } };
 
 class Hard_input : public Program_input { };
 
@@ -367,6 +364,8 @@ TEST_P(Hard_input, has_a_map_without_flips)
   EXPECT_EQ(content_of(m_folder / "stderr.txt"), "");
   EXPECT_EQ(field(report, "flips"), "0");
   EXPECT_EQ(field(report, "degenerate"), "0");
+  if (row.arguments.find("globally-injective") != std::string::npos)
+    EXPECT_EQ(field(report, "overlaps"), "0");
 }
 
 std::vector<Row> hard_rows(const std::vector<Hard_mesh>& meshes, const std::string& method)
@@ -379,28 +378,7 @@ std::vector<Row> hard_rows(const std::vector<Hard_mesh>& meshes, const std::stri
 
 INSTANTIATE_TEST_SUITE_P(mips, Hard_input, testing::ValuesIn(hard_rows(hard_meshes, "mips")), test_name);
 INSTANTIATE_TEST_SUITE_P(symmetric_dirichlet, Hard_input, testing::ValuesIn(hard_rows(hard_meshes, "symmetric-dirichlet")), test_name);
-INSTANTIATE_TEST_SUITE_P(symmetric_dirichlet_long, Hard_input, testing::ValuesIn(hard_rows(meshes_without_mips_map, "symmetric-dirichlet")), test_name);
-
-// Not solved yet: a run may end with an error, told in one line, but neither with a flip nor in any other way.
-class Unsolved_input : public Program_input { };
-
-TEST_P(Unsolved_input, has_a_map_without_flips_or_an_error)
-{
-  const Row& row = GetParam();
-  std::ofstream(m_folder / row.name, std::ios::binary) << row.content();
-  const int exit_status = run(row.name + " --quiet --output map.obj --report report.json " + row.arguments);
-  const std::string error = content_of(m_folder / "stderr.txt"), report = content_of(m_folder / "report.json");
-  if (exit_status == good) {
-    EXPECT_EQ(field(report, "flips"), "0");
-    return;
-  }
-  EXPECT_EQ(exit_status, failed);
-  EXPECT_EQ(error, row.name + ": no map without flips was found\n");
-  EXPECT_EQ(field(report, "status"), "\"ERROR_NO_1_TO_1_MAPPING\"");
-  EXPECT_FALSE(fs::exists(m_folder / "map.obj"));
-}
-
-INSTANTIATE_TEST_SUITE_P(mips, Unsolved_input, testing::ValuesIn(hard_rows(meshes_without_mips_map, "mips")), test_name);
+INSTANTIATE_TEST_SUITE_P(globally_injective, Hard_input, testing::ValuesIn(hard_rows(hard_meshes, "symmetric-dirichlet --globally-injective")), test_name);
 
 // ---- files that cannot be read or written ----
 
