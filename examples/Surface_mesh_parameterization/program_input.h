@@ -68,28 +68,25 @@ inline std::string read_content(const std::string& file)
   return content;
 }
 
-// Not by CGAL::IO::read_polygon_soup(): its readers believe the counts and types that a file states, which costs all memory or a crash, and cannot tell
-// which face or vertex is wrong.
-inline Polygon_soup read_soup(const std::string& file)
+// Reads what a file of that name holds. Not by CGAL::IO::read_polygon_soup(): its readers believe the counts and types that a file states, which costs all
+// memory or a crash, and cannot tell which face or vertex is wrong.
+inline Polygon_soup read_soup(const std::string& name, const std::string& content)
 {
-  const bool is_OFF = has_suffix(file, ".off"), is_OBJ = has_suffix(file, ".obj"), is_PLY = has_suffix(file, ".ply"), is_STL = has_suffix(file, ".stl");
-  const std::string content = read_content(file);
   File_scanner scanner(content);
-  if (is_OFF)
+  if (has_suffix(name, ".off"))
     return OFF_reader(scanner).read();
-  if (is_OBJ)
+  if (has_suffix(name, ".obj"))
     return read_OBJ(scanner);
-  if (is_PLY)
+  if (has_suffix(name, ".ply"))
     return PLY_reader(scanner).read();
-  if (is_STL)
+  if (has_suffix(name, ".stl"))
     return STL_reader(scanner).read();
   throw Input_error{ "is not named .off, .obj, .ply or .stl" };
 }
 
-// Reads the file as it is: vertices that coincide stay apart, but in STL. With `is_triangulated`, polygons are cut into triangles.
-inline Mesh read_mesh(const std::string& file, bool is_triangulated)
+// Makes the mesh as it is: vertices that coincide stay apart, but in STL. With `is_triangulated`, polygons are cut into triangles.
+inline Mesh make_mesh(Polygon_soup soup, bool is_triangulated)
 {
-  Polygon_soup soup = read_soup(file);
   if (soup.polygons.empty())
     throw Input_error{ "has no faces", SMP::ERROR_EMPTY_MESH };
   check_indices(soup);
@@ -154,7 +151,7 @@ inline void read_input(const std::string& file, bool is_triangulated, Input& inp
   if (file.empty())
     make_face(input.mesh);
   else
-    input.mesh = read_mesh(file, is_triangulated);
+    input.mesh = make_mesh(read_soup(file, read_content(file)), is_triangulated);
   choose_component(input);
 }
 

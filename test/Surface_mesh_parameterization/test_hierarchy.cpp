@@ -642,8 +642,9 @@ TEST(Mesh_component, touches_another_one_at_a_vertex)
   m.triangles.push_back({ shared, shared + 1, shared + 2 });
   const Surface_mesh mesh = make<Surface_mesh>(m);
   for (const auto h : halfedges(mesh))
-    if (mesh.is_border(h))
+    if (mesh.is_border(h)) {
       EXPECT_TRUE(is_error(error_of(mesh, h), ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX, shared));
+    }
 }
 
 // Whether the descriptors are, in some order, those from `first` on.

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Halfedge_collapse.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Mapped_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Polygon_kernel_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Scale_bounded_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Vertex_inserter.h>
 #include <CGAL/Surface_mesh_parameterization/internal/discrete_exponential_map.h>

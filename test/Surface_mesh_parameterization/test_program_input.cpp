@@ -364,8 +364,9 @@ TEST_P(Hard_input, has_a_map_without_flips)
   EXPECT_EQ(content_of(m_folder / "stderr.txt"), "");
   EXPECT_EQ(field(report, "flips"), "0");
   EXPECT_EQ(field(report, "degenerate"), "0");
-  if (row.arguments.find("globally-injective") != std::string::npos)
+  if (row.arguments.find("globally-injective") != std::string::npos) {
     EXPECT_EQ(field(report, "overlaps"), "0");
+  }
 }
 
 std::vector<Row> hard_rows(const std::vector<Hard_mesh>& meshes, const std::string& method)
