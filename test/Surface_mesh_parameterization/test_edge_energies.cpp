@@ -240,7 +240,7 @@ std::vector<Flat_mesh> disks() { return { grid(16, 12, wavy), hemisphere(), deep
 
 // Flat, with all defaults but one.
 template <class Method>
-Method keeping_flips() { return Method({}, {}, parameters::flip_policy(Flip_policy::KEEP)); }
+Method keeping_flips() { return Method({}, typename Method::Edge_weights(), parameters::flip_policy(Flip_policy::KEEP)); }
 
 // ---- the method: one check for all weights ----
 

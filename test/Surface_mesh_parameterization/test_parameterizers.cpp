@@ -527,9 +527,13 @@ class Flat_run : public Refinable_parameterizer_base_3<Flat_run<Method>, typenam
   typedef Refinable_parameterizer_base_3<Flat_run<Method>, typename Method::Triangle_mesh>   Base;
 
 public:
-  typedef typename Method::Triangle_mesh   Triangle_mesh;
+  typedef typename Method::Triangle_mesh     Triangle_mesh;
+  typedef typename Method::Concurrency_tag   Concurrency_tag;
+  static constexpr bool is_flip_free = Method::is_flip_free;
 
-  Flat_run(const Method& method, Parameterization_summary& summary) : Base(parameters::summary(std::ref(summary))), Method(method) { }
+  Flat_run(const Method& method, Parameterization_summary& summary)
+    : Base(parameters::flip_policy(Flip_policy::KEEP).summary(std::ref(summary))), Method(method)
+  { }
 };
 
 class Method_archetype
@@ -669,7 +673,7 @@ TEST(Archetypes, fix_vertices)
         const Border_method_archetype method(log, result);
         Parameterization_summary s;
         EXPECT_EQ(is_flat ? mapped.parameterize(Flat_run<Border_method_archetype>(method, s))
-                          : mapped.parameterize(Hierarchical_parameterizer_3<Border_method_archetype>(method, parameters::coarsest_size(12).summary(std::ref(s)))),
+                          : mapped.parameterize(Hierarchical_parameterizer_3<Border_method_archetype>(method, parameters::coarsest_size(12).flip_policy(Flip_policy::KEEP).summary(std::ref(s)))),
                   result);
         EXPECT_EQ(s.error.code, result);
         EXPECT_EQ(log.borders, 1);
