@@ -92,12 +92,11 @@ public:
         internal::Level_refiner<Energy>(level, uv, m_options, summary).run();
       if (level.is_finest())
         internal::scale_to_area(level, uv, [&](const Level::Uv& scaled) {
-          return internal::is_map_valid(level.rings(), scaled, level.loops()) &&
-                 !(m_options.is_globally_injective && internal::has_crossings(internal::border_edges(level.rings()), scaled));
+          return internal::is_map_valid(level.rings(), scaled, level.loops()) && keeps_borders_apart(level, scaled);
         });
     } else
       internal::Level_refiner<Energy>(level, uv, m_options, summary).run();
-    return OK;
+    return keeps_borders_apart(level, uv) ? OK : ERROR_NO_1_TO_1_MAPPING;
   }
 
   /// bounds the scale of the map from now on, at an energy that is not quite the least.
@@ -105,6 +104,12 @@ public:
   bool leave_room() { return Energy::is_scale_invariant && !std::exchange(m_bounds_scale, true); }
 
 private:
+  // Where that is asked for.
+  bool keeps_borders_apart(const Level& level, const Level::Uv& uv) const
+  {
+    return !m_options.is_globally_injective || !internal::has_crossings(internal::border_edges(level.rings()), uv);
+  }
+
   Refinement_options m_options;
   bool m_bounds_scale = false;
 };

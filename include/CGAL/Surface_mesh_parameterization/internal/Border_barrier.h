@@ -146,16 +146,17 @@ private:
       f(e.source, shortest[e.source]);
   }
 
-  // Calls f for all pairs of a border vertex and an edge that does not end there, and is not nearest at a neighbor, at least for those within the vertex's range.
+  // Calls f for all pairs of a border vertex and an edge that does not end there, and is not nearest at a neighbor, at least for those no farther apart than
+  // the range of the vertex and the greater one of the edge's ends together.
   template <class Function>
   void for_each_close_pair(const Level::Uv& uv, const std::vector<double>& range, const Function& f) const
   {
+    const auto widened = [](const CGAL::Bbox_2& box, double r) { return CGAL::Bbox_2(box.xmin() - r, box.ymin() - r, box.xmax() + r, box.ymax() + r); };
     std::vector<Box> vertices, edges;
     for (std::size_t i = 0; i < m_edges.size(); ++i) {
-      const Point_2& p = uv[m_edges[i].source];
-      const double r = range[m_edges[i].source];
-      vertices.emplace_back(CGAL::Bbox_2(p.x() - r, p.y() - r, p.x() + r, p.y() + r), i);
-      edges.emplace_back(p.bbox() + uv[m_edges[i].target].bbox(), i);
+      const Index v = m_edges[i].source, w = m_edges[i].target;
+      vertices.emplace_back(widened(uv[v].bbox(), range[v]), i);
+      edges.emplace_back(widened(uv[v].bbox() + uv[w].bbox(), (std::max)(range[v], range[w])), i);
     }
     CGAL::box_intersection_d(vertices.begin(), vertices.end(), edges.begin(), edges.end(), [&](const Box& a, const Box& b) {
       const Border_edge& at_vertex = m_edges[a.info()];
