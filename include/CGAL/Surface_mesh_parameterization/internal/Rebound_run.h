@@ -104,6 +104,8 @@ public:
   template <class Point>
   Error_code settle_flips(const TriangleMesh& mesh, halfedge_descriptor bhd, Flip_policy policy, std::vector<Point>& uv)
   {
+    if (policy == Flip_policy::KEEP)
+      return error();
     std::vector<Point_2> map;
     for (const Point& p : uv)
       map.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));

@@ -84,7 +84,7 @@ inline bool are_borders_one_to_one(const std::vector<Border_edge>& edges, const 
     Index v = e.source;
     for (; next[v] != no_index && !is_seen[v]; v = next[v]) {
       is_seen[v] = true;
-      if (next[v] != no_index && is_less(next[v], next[before_least]))
+      if (is_less(next[v], next[before_least]))
         before_least = v;
     }
     if (v != e.source)
