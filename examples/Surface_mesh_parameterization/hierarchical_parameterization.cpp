@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_SVG.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/assertions_behaviour.h>
@@ -161,7 +162,7 @@ void run_input(const std::string& file, const Options& options, Run_record& run)
   if (run.summary.error.code == SMP::ERROR_NO_1_TO_1_MAPPING && run.summary.flips > 0)
     throw Method_error{ "the map has " + std::to_string(run.summary.flips) + " triangles flipped; --flips repair or keep", SMP::ERROR_NO_1_TO_1_MAPPING };
   if (run.summary.error.code != SMP::OK)
-    throw Method_error{ error_message(run.summary.error), run.summary.error.code };
+    throw Method_error{ SMP::error_message(run.summary.error), run.summary.error.code };
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(input.mesh, input.faces, uvmap);
   if (quality.flips > 0 && options.method->is_flip_free)
     throw Method_error{ "no map without flips was found: " + std::to_string(quality.flips) + " triangles are not positive", SMP::ERROR_NO_1_TO_1_MAPPING };

@@ -13,6 +13,8 @@
 #include "program_soup.h"
 #include "program_triangulate.h"
 
+#include <CGAL/Surface_mesh_parameterization/internal/longest_border.h>
+
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
@@ -102,13 +104,6 @@ inline Mesh make_mesh(Polygon_soup soup, bool is_triangulated)
   return mesh;
 }
 
-// Unlike that of CGAL, it neither over- nor underflows.
-inline double edge_length(const Mesh& mesh, Mesh::Halfedge_index h)
-{
-  const Kernel::Vector_3 d = mesh.point(mesh.target(h)) - mesh.point(mesh.source(h));
-  return std::hypot(d.x(), d.y(), d.z());
-}
-
 // Finds the component with the most faces and its borders.
 inline void choose_component(Input& input)
 {
@@ -124,22 +119,9 @@ inline void choose_component(Input& input)
     if (component_of[f] == largest)
       input.faces.push_back(f);
 
-  double greatest_length = -1;
-  std::vector<bool> is_visited(mesh.number_of_halfedges(), false);
-  for (const Mesh::Halfedge_index h : mesh.halfedges()) {
-    if (!mesh.is_border(h) || is_visited[h] || component_of[mesh.face(mesh.opposite(h))] != largest)
-      continue;
-    ++input.number_of_borders;
-    double length = 0;
-    for (const Mesh::Halfedge_index g : CGAL::halfedges_around_face(h, mesh)) {
-      is_visited[g] = true;
-      length += edge_length(mesh, g);
-    }
-    if (!(length <= greatest_length)) {
-      greatest_length = length;
-      input.border = h;
-    }
-  }
+  const auto longest = SMP::internal::longest_border(mesh, [&](Mesh::Halfedge_index h) { return component_of[mesh.face(mesh.opposite(h))] == largest; });
+  input.border = longest.halfedge;
+  input.number_of_borders = longest.number_of_borders;
   if (input.number_of_borders == 0)
     throw Input_error{ "is closed: a surface needs a border to be laid out; cut it open first, by leaving out a face or by doubling the vertices along a path of edges",
                        SMP::ERROR_NO_TOPOLOGICAL_DISC };

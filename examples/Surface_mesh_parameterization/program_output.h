@@ -95,28 +95,6 @@ inline const char* error_name(SMP::Error_code code)
   return "unknown";
 }
 
-// What went wrong and where, in words; CGAL's own texts lack an entry.
-inline std::string error_message(const SMP::Parameterization_error& error)
-{
-  std::string message;
-  switch (error.code) {
-    case SMP::ERROR_EMPTY_MESH: message = "the mesh has no faces"; break;
-    case SMP::ERROR_NON_TRIANGULAR_MESH: message = "not all faces are triangles"; break;
-    case SMP::ERROR_NO_TOPOLOGICAL_DISC: message = error.place == SMP::Parameterization_error::VERTEX ? "several fans of triangles meet at a vertex"
-                                                                                                        : "the surface has a handle; cut it open first"; break;
-    case SMP::ERROR_WRONG_PARAMETER: message = error.place == SMP::Parameterization_error::VERTEX ? "a coordinate is not a finite number"
-                                                                                                    : "a place on the border of the map is not finite"; break;
-    case SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM: message = "a linear system could not be solved"; break;
-    case SMP::ERROR_BORDER_TOO_SHORT: message = "the border has no length"; break;
-    case SMP::ERROR_NON_CONVEX_BORDER: message = "the border of the map crosses itself"; break;
-    case SMP::ERROR_NO_1_TO_1_MAPPING: message = "no map without flips was found"; break;
-    default: message = error_name(error.code);
-  }
-  if (error.place != SMP::Parameterization_error::NOWHERE)
-    message += std::string(error.place == SMP::Parameterization_error::VERTEX ? " (vertex " : " (face ") + std::to_string(error.index) + ")";
-  return message;
-}
-
 inline std::size_t peak_memory_bytes()
 {
   rusage usage;

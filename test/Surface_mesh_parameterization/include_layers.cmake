@@ -14,6 +14,7 @@ set(table "
 0 parameters.h
 0 Refinement_options.h
 0 Parameterization_summary.h
+0 error_message.h
 0 internal/flat_types.h
 0 internal/Loops.h
 0 internal/prefetch.h
@@ -54,6 +55,7 @@ set(table "
 2 internal/Collapse_group.h
 2 internal/Hierarchy_builder.h
 2 Hierarchy_visitor_3.h
+2 internal/longest_border.h
 2 internal/pin_fixed_vertices.h
 2 internal/place_border.h
 2 internal/write_map.h
@@ -103,6 +105,7 @@ set(table "
 5 internal/Rebound_as_rigid_as_possible_3.h
 5 internal/Rebound_orbifold_parameterizer_3.h
 6 Hierarchical_parameterizer_3.h
+6 hierarchical_parameterization.h
 ")
 
 string(REGEX MATCHALL "[0-9] [^\n]+" rows "${table}")

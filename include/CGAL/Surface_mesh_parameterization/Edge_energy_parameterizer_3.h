@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL::Surface_mesh_parameterization {
 
@@ -77,6 +78,10 @@ public:
     m_tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), m_tolerance);
     m_number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), m_number_of_iterations);
   }
+
+  /// takes named parameters alone.
+  template <class NamedParameters, class = std::enable_if_t<internal::is_named_parameters<NamedParameters>>>
+  explicit Edge_energy_parameterizer_3(const NamedParameters& np) : Edge_energy_parameterizer_3(Border_parameterizer(), Edge_weights(), np) { }
 
   /// lets the border parameterizer place the outer border.
   /// \return what it returns

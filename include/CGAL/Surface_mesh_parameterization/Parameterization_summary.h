@@ -73,6 +73,9 @@ struct Parameterization_summary
   Linear_solver_summary linear_solver;    ///< of a method that solves linear systems by multigrid
   double seconds_hierarchy = 0;           ///< wall-clock time of reading the mesh and of building the hierarchy
   double seconds_parameterize = 0;        ///< wall-clock time from the coarsest level to the result
+
+  /// whether there is a map
+  bool is_ok() const { return error.code == OK; }
 };
 
 namespace internal {

@@ -1,0 +1,48 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_ERROR_MESSAGE_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_ERROR_MESSAGE_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+
+#include <string>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationRef
+///
+/// tells in words what went wrong and where, from the causes that this package has for an error. CGAL's `get_error_message()` lacks an entry: never print
+/// what it returns for a code of this package.
+inline std::string error_message(const Parameterization_error& error)
+{
+  const bool is_at_vertex = error.place == Parameterization_error::VERTEX;
+  std::string message;
+  switch (error.code) {
+    case OK: message = "no error"; break;
+    case ERROR_EMPTY_MESH: message = "the mesh has no faces"; break;
+    case ERROR_NON_TRIANGULAR_MESH: message = "not all faces are triangles"; break;
+    case ERROR_NO_TOPOLOGICAL_DISC:
+      message = is_at_vertex ? "several fans of triangles meet at a vertex"
+                             : "the surface is closed or has a handle: cut it open first, by leaving out a face or by a seam along a path of edges; a handle "
+                               "needs two loops"; break;
+    case ERROR_NO_TOPOLOGICAL_BALL: message = "the surface is no sphere"; break;
+    case ERROR_BORDER_TOO_SHORT: message = "the border has no length"; break;
+    case ERROR_NON_CONVEX_BORDER: message = "the border of the map crosses itself"; break;
+    case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM: message = "a linear system could not be solved"; break;
+    case ERROR_NO_1_TO_1_MAPPING: message = "no map without flips was found"; break;
+    case ERROR_WRONG_PARAMETER:
+      message = is_at_vertex ? "a coordinate is not a finite number"
+                             : "the halfedge is not on a border, or a place on the border of the map is not finite"; break;
+  }
+  if (error.place != Parameterization_error::NOWHERE)
+    message += (is_at_vertex ? " (vertex " : " (face ") + std::to_string(error.index) + ")";
+  return message;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_ERROR_MESSAGE_H

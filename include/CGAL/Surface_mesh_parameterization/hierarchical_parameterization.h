@@ -1,0 +1,67 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_HIERARCHICAL_PARAMETERIZATION_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_HIERARCHICAL_PARAMETERIZATION_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
+#include <CGAL/Surface_mesh_parameterization/internal/longest_border.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <functional>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationRef
+///
+/// lays a surface in the plane, coarse to fine, in one call:
+/// \code
+///   auto result = SMP::hierarchical_parameterization(mesh, uvmap);                                               // MIPS
+///   result = SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(mesh, uvmap);
+///   result = SMP::hierarchical_parameterization<SMP::Mean_value_coordinates_parameterizer_3>(mesh, uvmap, CGAL::parameters::tolerance(1e-8));
+///   if (!result.is_ok())
+///     std::cerr << SMP::error_message(result.error) << '\n';
+/// \endcode
+/// The outer border is the longest border of `mesh`, by the lengths of its edges. Of several components, that with the outer border is laid out.
+///
+/// \tparam Method a class template of parameterizers whose first argument is the mesh and whose other ones have defaults; `Method<TriangleMesh>` is as
+/// `Hierarchical_parameterizer_3` takes it
+///
+/// \param mesh a triangulated surface with a border and without handles; its points are not changed
+/// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
+/// \param np the named parameters of `Method<TriangleMesh>` and of `Hierarchical_parameterizer_3`
+///
+/// \return what the run did: the error, if there was one, whether the map converged, its energy, the levels, seconds. A closed surface is an
+/// `ERROR_NO_TOPOLOGICAL_DISC`
+template <template <class...> class Method = MIPS_parameterizer_3, class TriangleMesh, class VertexUVMap, class NamedParameters = parameters::Default_named_parameters>
+Parameterization_summary hierarchical_parameterization(TriangleMesh& mesh, VertexUVMap uvmap, const NamedParameters& np = parameters::default_values())
+{
+  Parameterization_summary result;
+  if (faces(mesh).first == faces(mesh).second) {
+    result.error.code = ERROR_EMPTY_MESH;
+    return result;
+  }
+  const auto border = internal::longest_border(mesh, [](const auto&) { return true; }).halfedge;
+  if (border == boost::graph_traits<TriangleMesh>::null_halfedge()) {
+    result.error.code = ERROR_NO_TOPOLOGICAL_DISC;
+    return result;
+  }
+  const internal::Named_parameters<std::reference_wrapper<Parameterization_summary>, internal_np::summary_t, NamedParameters> with_summary(std::ref(result), np);
+  if constexpr (internal::Is_refinable<Method<TriangleMesh>>::value)
+    parameterize(mesh, Hierarchical_parameterizer_3<Method<TriangleMesh>>(Method<TriangleMesh>(np), with_summary), border, uvmap);
+  else
+    parameterize(mesh, Hierarchical_parameterizer_3<Method<TriangleMesh>>(with_summary), border, uvmap);
+  return result;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_HIERARCHICAL_PARAMETERIZATION_H
