@@ -44,8 +44,6 @@ struct Options : Method_options
   bool triangulate;
 };
 
-struct Usage_error { std::string message; };
-
 // Returns whether there is something to do: not after --help.
 bool read_options(int argc, char** argv, Options& options)
 {
@@ -67,6 +65,7 @@ bool read_options(int argc, char** argv, Options& options)
     ("weights", po::value(&weights), "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)")
     ("flips", po::value(&flips)->default_value("fail"), "of methods that can flip triangles: fail (an error), repair or keep")
     ("globally-injective", po::bool_switch(&options.is_globally_injective), "mips, symmetric-dirichlet: keep the free border from running over itself")
+    ("fill-holes", po::bool_switch(&options.fills_holes), "close every border but the longest one by a virtual vertex, so that a hole is laid out as a part of the surface")
     ("seed", po::value(&options.seed)->default_value(0), "of the random choices: the same seed gives the same result")
     ("threads", po::value(&options.threads)->default_value(0), "the most threads to use, if built with TBB; 0: as many as there are. The result is the same")
     ("quiet", po::bool_switch(&options.quiet), "print errors only");

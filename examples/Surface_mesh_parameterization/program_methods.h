@@ -51,9 +51,11 @@ struct Method_options
   SMP::Triangle_weight triangle_weight;
   unsigned int seed;
   std::string levels;       // a folder, or empty
-  bool flat, quiet, is_globally_injective;
+  bool flat, quiet, is_globally_injective, fills_holes;
   SMP::Flip_policy flip_policy;
 };
+
+struct Usage_error { std::string message; };
 
 // A method that --method can name. A new one is a row in methods().
 struct Program_method
@@ -120,7 +122,7 @@ SMP::Parameterization_summary run_refinable(Input& input, const Method_options& 
     const std::vector<Mesh::Vertex_index> vertices = options.levels.empty() ? std::vector<Mesh::Vertex_index>()
       : SMP::Mesh_component<Mesh>(input.mesh, input.border).vertices_of_component();
     const SMP::Hierarchical_parameterizer_3<std::decay_t<decltype(method)>> hierarchical(
-      method, CGAL::parameters::flip_policy(options.flip_policy).summary(std::ref(summary)).random_seed(options.seed).visitor(Program_visitor(options, input.mesh, vertices)));
+      method, CGAL::parameters::flip_policy(options.flip_policy).fill_holes(options.fills_holes).summary(std::ref(summary)).random_seed(options.seed).visitor(Program_visitor(options, input.mesh, vertices)));
     SMP::parameterize(input.mesh, hierarchical, input.border, uvmap);
   }
   return summary;
@@ -131,7 +133,7 @@ SMP::Parameterization_summary minimize_distortion(Input& input, const Method_opt
 {
   return run_refinable(input, options, uvmap, [&](SMP::Parameterization_summary& summary) {
     return Method<Mesh, CGAL::Parallel_if_available_tag>(CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary))
-                                                         .triangle_weight(options.triangle_weight)
+                                                         .triangle_weight(options.triangle_weight).fill_holes(options.fills_holes)
                                                          .globally_injective(options.is_globally_injective).number_of_iterations(options.iterations));
   });
 }
@@ -143,15 +145,17 @@ SMP::Parameterization_summary minimize_edge_energy(Input& input, const Method_op
   typedef SMP::Edge_energy_parameterizer_3<Mesh, EdgeWeights, Border, CGAL::Parallel_if_available_tag>   Method;
   return run_refinable(input, options, uvmap, [&](SMP::Parameterization_summary& summary) {
     return Method(Border(), EdgeWeights(),
-                  CGAL::parameters::tolerance(options.tolerance).flip_policy(options.flip_policy).summary(std::ref(summary))
+                  CGAL::parameters::tolerance(options.tolerance).flip_policy(options.flip_policy).fill_holes(options.fills_holes).summary(std::ref(summary))
                   .number_of_iterations(options.iterations));
   });
 }
 
 // Runs a parameterizer as CGAL ships it.
 template <class Parameterizer>
-SMP::Parameterization_summary run_flat(Input& input, SMP::Flip_policy flip_policy, UV_map uvmap)
+SMP::Parameterization_summary run_flat(Input& input, const Method_options& options, UV_map uvmap)
 {
+  if (options.fills_holes)
+    throw Usage_error{ "--flat runs this method as CGAL ships it, which does not fill holes" };
   SMP::Parameterization_summary summary;
   CGAL::Real_timer timer;
   timer.start();
@@ -162,7 +166,7 @@ SMP::Parameterization_summary run_flat(Input& input, SMP::Flip_policy flip_polic
   Parameterizer parameterizer;
   SMP::Error_code code = parameterize_flat(input, parameterizer, uvmap, component.vertices_of_component());
   if (code == SMP::OK)
-    code = SMP::settle_flips(input.mesh, input.border, uvmap, flip_policy, CGAL::parameters::summary(std::ref(summary)));
+    code = SMP::settle_flips(input.mesh, input.border, uvmap, options.flip_policy, CGAL::parameters::summary(std::ref(summary)));
   summary.error.code = code;
   summary.converged = summary.error.code == SMP::OK;
   summary.seconds_parameterize = timer.time();
@@ -174,12 +178,12 @@ template <class Parameterizer>
 SMP::Parameterization_summary run_wrapped(Input& input, const Method_options& options, UV_map uvmap)
 {
   if (options.flat)
-    return run_flat<Parameterizer>(input, options.flip_policy, uvmap);
+    return run_flat<Parameterizer>(input, options, uvmap);
   SMP::Parameterization_summary summary;
   const std::vector<Mesh::Vertex_index> vertices = options.levels.empty() ? std::vector<Mesh::Vertex_index>()
     : SMP::Mesh_component<Mesh>(input.mesh, input.border).vertices_of_component();
   const SMP::Hierarchical_parameterizer_3<Parameterizer> hierarchical(
-    CGAL::parameters::tolerance(options.tolerance).flip_policy(options.flip_policy).summary(std::ref(summary)).number_of_iterations(options.iterations)
+    CGAL::parameters::tolerance(options.tolerance).flip_policy(options.flip_policy).fill_holes(options.fills_holes).summary(std::ref(summary)).number_of_iterations(options.iterations)
     .random_seed(options.seed).visitor(Program_visitor(options, input.mesh, vertices)));
   SMP::parameterize(input.mesh, hierarchical, input.border, uvmap);
   return summary;

@@ -15,6 +15,7 @@
 
 #include <sys/resource.h>
 
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -65,13 +66,22 @@ void write_file(const std::string& path, const Write& write)
   throw std::runtime_error(path + ": cannot be written");
 }
 
-// One level as OBJ: its vertices where the input has them, its triangles, and its map (up to scale).
+// One level as OBJ: its vertices where the input has them, or in the middle of a hole that was filled, its triangles, and its map (up to scale).
 inline void write_level(std::ostream& out, const Mesh& mesh, const std::vector<Mesh::Vertex_index>& vertices_of_component,
                         const SMP::Level& level, const SMP::Level::Uv& uv)
 {
   out.precision(17);
+  const auto is_of_mesh = [&](SMP::Level::Index v) { return level.hierarchy().input_vertex(v) < vertices_of_component.size(); };
+  const auto point_of_mesh = [&](SMP::Level::Index v) { return mesh.point(vertices_of_component[level.hierarchy().input_vertex(v)]); };
+  const auto scaled = [&](SMP::Level::Index v) {
+    const SMP::Level::Point_3& p = level.point(v);
+    return Kernel::Point_3(std::ldexp(p.x(), -level.scale_exponent()), std::ldexp(p.y(), -level.scale_exponent()), std::ldexp(p.z(), -level.scale_exponent()));
+  };
+  SMP::Level::Index reference = 0;
+  while (!is_of_mesh(reference))
+    ++reference;
   for (SMP::Level::Index v = 0; v < level.number_of_vertices(); ++v)
-    out << "v " << mesh.point(vertices_of_component[level.hierarchy().input_vertex(v)]) << '\n';
+    out << "v " << (is_of_mesh(v) ? point_of_mesh(v) : point_of_mesh(reference) + (scaled(v) - scaled(reference))) << '\n';
   for (const SMP::Level::Point_2& p : uv)
     out << "vt " << p << '\n';
   for (const SMP::Level::Triangle& t : level.triangles())

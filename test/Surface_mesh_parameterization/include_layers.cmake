@@ -56,6 +56,7 @@ set(table "
 2 internal/Hierarchy_builder.h
 2 Hierarchy_visitor_3.h
 2 internal/longest_border.h
+2 internal/Filled_mesh.h
 2 internal/pin_fixed_vertices.h
 2 internal/place_border.h
 2 internal/write_map.h

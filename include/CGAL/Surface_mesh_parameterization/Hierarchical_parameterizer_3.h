@@ -82,6 +82,8 @@ struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 /// - `coarsest_size`, `random_seed`: of the hierarchy, see `Collapse_hierarchy_3`
 /// - `flip_policy`: a `Flip_policy`: what becomes of a map with flips; default `FAIL`. Where a repair had to move more than a tenth of the vertices of LSCM's map,
 ///   the map of `MIPS_parameterizer_3` takes its place
+/// - `fill_holes`: whether every further border is closed by a virtual vertex in the middle of it; default `false`: the border of a hole is free. On a `Surface_mesh`, and on a
+///   `Polyhedron_3` if the constructor takes nothing else; otherwise an `ERROR_WRONG_PARAMETER`
 /// - `visitor`: a model of `HierarchyVisitor_3`, of which `hierarchy_built()` is called
 /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as long as the parameterizer runs
 ///

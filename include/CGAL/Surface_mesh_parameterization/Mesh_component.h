@@ -73,6 +73,18 @@ public:
   /// the component's geometry; it may be moved from
   Triangulated_surface_3& surface() { return m_surface; }
 
+  /// closes every border but the outer one by a *virtual vertex* in the middle of it. The virtual vertices come last in the surface, and the mesh has none of them.
+  void fill_holes()
+  {
+    const internal::One_rings rings(m_vertices.size(), m_surface.triangles);
+    std::vector<bool> is_done(m_vertices.size(), false);
+    for (const internal::Index v : m_surface.outer_border)
+      is_done[v] = true;
+    for (internal::Index start = 0; start < m_vertices.size(); ++start)
+      if (rings.is_border(start) && !is_done[start])
+        fill_hole(rings, start, is_done);
+  }
+
 private:
   static bool is_empty(const TriangleMesh& mesh) { return faces(mesh).first == faces(mesh).second; }
 
@@ -189,6 +201,21 @@ private:
     if (characteristic != 2 - (long long)(rings.number_of_borders()))
       return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::NOWHERE, 0);
     return true;
+  }
+
+  void fill_hole(const internal::One_rings& rings, internal::Index start, std::vector<bool>& is_done)
+  {
+    const internal::Index middle = internal::Index(m_surface.points.size());
+    internal::Point_3 sum(0, 0, 0);
+    double n = 0;
+    for (internal::Index v = start; !is_done[v]; ++n) {
+      const internal::Index next = rings[v].front();
+      m_surface.triangles.push_back({ next, v, middle });
+      sum = internal::Point_3(sum.x() + m_surface.points[v].x(), sum.y() + m_surface.points[v].y(), sum.z() + m_surface.points[v].z());
+      is_done[v] = true;
+      v = next;
+    }
+    m_surface.points.emplace_back(sum.x() / n, sum.y() / n, sum.z() / n);
   }
 
   void normalize()

@@ -16,6 +16,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <memory>
+#include <type_traits>
 
 namespace CGAL::Surface_mesh_parameterization {
 
@@ -48,6 +49,7 @@ public:
   ///   method fails to lay out the coarsest level without a flip
   /// - `random_seed`: seed of the hierarchy; default 0
   /// - `visitor`: a model of `HierarchyVisitor_3`; default: none
+  /// - `fill_holes`: whether every further border is closed by a virtual vertex in the middle of it, so that a hole is laid out as if it were a part of the surface; default `false`
   /// - `flip_policy`: a `Flip_policy`: what becomes of a map with flips; default `FAIL`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as long as the parameterizer runs
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -56,6 +58,10 @@ public:
   {
     m_options.set(np);
   }
+
+  /// takes the named parameters of the method, if that is made of such, and those above.
+  template <class NamedParameters, class = std::enable_if_t<internal::is_named_parameters<NamedParameters>>>
+  explicit Nested_iteration_parameterizer_3(const NamedParameters& np) : Nested_iteration_parameterizer_3(make_method(np), np) { }
 
   /// parameterizes the connected component of `mesh` that contains `bhd`.
   ///
@@ -76,6 +82,15 @@ public:
   }
 
 private:
+  template <class NamedParameters>
+  static Method make_method(const NamedParameters& np)
+  {
+    if constexpr (std::is_constructible<Method, const NamedParameters&>::value)
+      return Method(np);
+    else
+      return Method();
+  }
+
   Method m_method;
   std::shared_ptr<internal::Any_hierarchy_visitor> m_visitor;
   Parameterization_summary* m_summary;

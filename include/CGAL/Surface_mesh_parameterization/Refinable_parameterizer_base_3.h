@@ -62,19 +62,23 @@ public:
     internal::Hierarchy_visitor_holder<Hierarchy_visitor_3> no_visitor{ Hierarchy_visitor_3() };
     internal::Nested_iteration_options one_level;
     one_level.coarsest_size = (std::numeric_limits<std::size_t>::max)();
+    one_level.fills_holes = m_fills_holes;
     one_level.flip_policy = m_flip_policy;
     return internal::Nested_iteration<Method>(method, one_level, no_visitor, m_summary ? *m_summary : unused_summary).run(mesh, bhd, uvmap, vpmap);
   }
 
 protected:
-  /// takes the named parameters `summary`, a `std::reference_wrapper<Parameterization_summary>`, and `flip_policy`, where `np` has them
+  /// takes the named parameters of a flat run where `np` has them: `summary`, a `std::reference_wrapper<Parameterization_summary>`, `flip_policy` and `fill_holes`
   template <class NamedParameters>
   explicit Refinable_parameterizer_base_3(const NamedParameters& np)
-    : m_summary(internal::summary_of(np)), m_flip_policy(parameters::choose_parameter(parameters::get_parameter(np, internal_np::flip_policy), Flip_policy::FAIL))
+    : m_summary(internal::summary_of(np)),
+      m_fills_holes(parameters::choose_parameter(parameters::get_parameter(np, internal_np::fill_holes), false)),
+      m_flip_policy(parameters::choose_parameter(parameters::get_parameter(np, internal_np::flip_policy), Flip_policy::FAIL))
   { }
 
 private:
   Parameterization_summary* m_summary;
+  bool m_fills_holes;
   Flip_policy m_flip_policy;
 };
 

@@ -55,10 +55,7 @@ Parameterization_summary hierarchical_parameterization(TriangleMesh& mesh, Verte
     return result;
   }
   const internal::Named_parameters<std::reference_wrapper<Parameterization_summary>, internal_np::summary_t, NamedParameters> with_summary(std::ref(result), np);
-  if constexpr (internal::Is_refinable<Method<TriangleMesh>>::value)
-    parameterize(mesh, Hierarchical_parameterizer_3<Method<TriangleMesh>>(Method<TriangleMesh>(np), with_summary), border, uvmap);
-  else
-    parameterize(mesh, Hierarchical_parameterizer_3<Method<TriangleMesh>>(with_summary), border, uvmap);
+  parameterize(mesh, Hierarchical_parameterizer_3<Method<TriangleMesh>>(with_summary), border, uvmap);
   return result;
 }
 

@@ -13,7 +13,7 @@
 
 /// \file parameters.h
 /// The named parameters of this package that CGAL does not have: `coarsest_size`, `tolerance`, `triangle_weight`, `number_of_local_steps`,
-/// `optimizer`, `lambda`, `globally_injective`, `flip_policy` and `summary`. CGAL's own (`random_seed`, `number_of_iterations`, `visitor`, `vertex_is_constrained_map`) can follow
+/// `optimizer`, `lambda`, `globally_injective`, `flip_policy`, `fill_holes` and `summary`. CGAL's own (`random_seed`, `number_of_iterations`, `visitor`, `vertex_is_constrained_map`) can follow
 /// them in one chain, so the package's come first:
 /// \code
 ///   CGAL::parameters::coarsest_size(50).tolerance(1e-8).random_seed(7)
@@ -31,6 +31,7 @@ enum optimizer_t { optimizer };
 enum lambda_t { lambda };
 enum globally_injective_t { globally_injective };
 enum flip_policy_t { flip_policy };
+enum fill_holes_t { fill_holes };
 enum summary_t { summary };
 
 } // namespace internal_np
@@ -38,7 +39,8 @@ enum summary_t { summary };
 namespace Surface_mesh_parameterization::internal {
 
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_NAMED_PARAMETERS(X) \
-  X(coarsest_size) X(tolerance) X(triangle_weight) X(number_of_local_steps) X(optimizer) X(lambda) X(globally_injective) X(flip_policy) X(summary)
+  X(coarsest_size) X(tolerance) X(triangle_weight) X(number_of_local_steps) X(optimizer) X(lambda) X(globally_injective) X(flip_policy) X(fill_holes) \
+  X(summary)
 
 // CGAL's parameters with the package's as further members.
 template <class T, class Tag, class Base = internal_np::No_property>

@@ -34,6 +34,7 @@ struct Nested_iteration_options
 {
   std::size_t coarsest_size = Collapse_hierarchy_3::default_coarsest_size;    // a flat run: as many as there are
   unsigned int seed = 0;
+  bool fills_holes = false;
   Flip_policy flip_policy = Flip_policy::FAIL;      // for what methods leave that do not keep triangles positive
 
   // Takes from named parameters what they hold.
@@ -44,6 +45,7 @@ struct Nested_iteration_options
     using parameters::get_parameter;
     coarsest_size = choose_parameter(get_parameter(np, internal_np::coarsest_size), coarsest_size);
     seed = choose_parameter(get_parameter(np, internal_np::random_seed), seed);
+    fills_holes = choose_parameter(get_parameter(np, internal_np::fill_holes), fills_holes);
     flip_policy = choose_parameter(get_parameter(np, internal_np::flip_policy), flip_policy);
   }
 };
@@ -85,6 +87,8 @@ private:
       m_summary.error.code = place_border(m_method, mesh, bhd, component);
     if (m_summary.error.code != OK)
       return;
+    if (m_options.fills_holes)
+      component.fill_holes();
 
     const Collapse_hierarchy_3 hierarchy(std::move(component.surface()), parameters::coarsest_size(m_options.coarsest_size).random_seed(m_options.seed),
                                          typename Method::Concurrency_tag());

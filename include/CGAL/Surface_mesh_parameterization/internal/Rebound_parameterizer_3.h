@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Component_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Filled_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Mesh_unknowns.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Multigrid_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rebound_parameterizer_base_3.h>
@@ -45,6 +46,27 @@ public:
   // Further arguments are handed on, as the number of iterations of Iterative_authalic_parameterizer_3.
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap, VertexParameterizedMap vpmap, Others&&... others)
+  {
+    if (this->fills_holes())
+      return parameterize_filled(mesh, bhd, uvmap, vpmap, std::forward<Others>(others)...);
+    return parameterize_as_it_is(mesh, bhd, uvmap, vpmap, std::forward<Others>(others)...);
+  }
+
+private:
+  // Runs on a copy of the mesh that has no holes, where there can be one.
+  template <class VertexUVMap, class VertexParameterizedMap, class... Others>
+  Error_code parameterize_filled(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexParameterizedMap vpmap, Others&&... others)
+  {
+    if constexpr (Is_fillable<Triangle_mesh>::value) {
+      Filled_mesh<Triangle_mesh> filled(mesh, bhd);
+      if (filled.has_same_descriptors() || !this->has_arguments())
+        return parameterize_as_it_is(filled.mesh(), filled.border(), filled.of_copy(uvmap), filled.of_copy(vpmap), std::forward<Others>(others)...);
+    }
+    return this->fail(ERROR_WRONG_PARAMETER);
+  }
+
+  template <class VertexUVMap, class VertexParameterizedMap, class... Others>
+  Error_code parameterize_as_it_is(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexParameterizedMap vpmap, Others&&... others)
   {
     typedef typename boost::property_traits<VertexUVMap>::value_type    User_point_2;
     typedef typename Rebound_run<Triangle_mesh>::Index_map              Index_map;

@@ -32,6 +32,7 @@ public:
   // - `coarsest_size`, `random_seed`: of the hierarchy, see Collapse_hierarchy_3
   // - `tolerance`, `number_of_iterations`: of the solver, see Multigrid_solver_traits
   // - `flip_policy`: what becomes of a map with flips
+  // - `fill_holes`: whether every further border is closed by a virtual vertex
   // - `visitor`: a model of HierarchyVisitor_3, whose hierarchy_built() is called
   // - `summary`: a std::reference_wrapper<Parameterization_summary> that receives what the run did
   Rebound_parameterizer_base_3() : Rebound_parameterizer_base_3(parameters::default_values()) { }
@@ -65,11 +66,26 @@ protected:
 
   const Multigrid_linear_solver::Options& solver_options() const { return m_options; }
   Flip_policy flip_policy() const { return m_flip_policy; }
+  bool fills_holes() const { return m_fills_holes; }
+
+  // Whether the parameterizer is made of something that the caller gave, such as corners, which are vertices of the caller's mesh.
+  bool has_arguments() const { return m_has_arguments; }
+
+  // Ends a run before it started.
+  Error_code fail(Error_code code) const
+  {
+    if (m_summary) {
+      *m_summary = Parameterization_summary();
+      m_summary->error.code = code;
+    }
+    return code;
+  }
 
 private:
   template <class Tuple, std::size_t... positions>
   void keep_arguments(const Tuple& arguments, std::index_sequence<positions...>)
   {
+    m_has_arguments = sizeof...(positions) > 0;
     m_make = [arguments] { (void)arguments; return std::make_unique<Rebound>(std::get<positions>(arguments)...); };
   }
 
@@ -79,6 +95,7 @@ private:
     m_build = [np](Triangulated_surface_3 surface) { return Collapse_hierarchy_3(std::move(surface), np); };
     m_options = linear_solver_options_of(np);
     m_visitor = hierarchy_visitor_of(np);
+    m_fills_holes = parameters::choose_parameter(parameters::get_parameter(np, internal_np::fill_holes), m_fills_holes);
     m_flip_policy = parameters::choose_parameter(parameters::get_parameter(np, internal_np::flip_policy), m_flip_policy);
     m_summary = summary_of(np);
   }
@@ -87,6 +104,7 @@ private:
   std::function<Collapse_hierarchy_3(Triangulated_surface_3)> m_build;
   Multigrid_linear_solver::Options m_options;
   std::shared_ptr<Any_hierarchy_visitor> m_visitor;
+  bool m_has_arguments = false, m_fills_holes = false;
   Flip_policy m_flip_policy = Flip_policy::FAIL;
   Parameterization_summary* m_summary = nullptr;
 };

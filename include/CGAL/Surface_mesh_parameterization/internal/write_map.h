@@ -22,6 +22,8 @@ void write_map(const Mesh_component<TriangleMesh>& component, const Collapse_hie
 {
   typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
   for (Index rank = 0; rank < uv.size(); ++rank) {
+    if (hierarchy.input_vertex(rank) >= component.vertices_of_component().size())   // virtual
+      continue;
     const auto v = component.vertices_of_component()[hierarchy.input_vertex(rank)];
     put(uvmap, v, User_point_2(std::ldexp(uv[rank].x(), -hierarchy.scale_exponent()), std::ldexp(uv[rank].y(), -hierarchy.scale_exponent())));
     put(vpmap, v, true);

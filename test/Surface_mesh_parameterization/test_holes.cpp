@@ -1,0 +1,340 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Holes that are filled virtually, and the one call that finds the outer border itself.
+
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Seam_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+namespace parameters = CGAL::parameters;
+using internal::One_rings;
+
+typedef CGAL::Simple_cartesian<double>                            Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3>                       Surface_mesh;
+typedef CGAL::Polyhedron_3<Kernel>                                Polyhedron;
+typedef std::vector<Kernel::Point_2>                              Points;
+
+template <class Mesh>
+using Uniform = Edge_energy_parameterizer_3<Mesh, Uniform_edge_weights_3>;
+
+// ---- surfaces with holes of all shapes ----
+
+bool is_one_surface(const Flat_mesh& m)
+{
+  const Surface_mesh mesh = make<Surface_mesh>(m);
+  Mesh_component<Surface_mesh> component(mesh, test_meshes::longest_border(mesh));
+  return component.error().code == OK && component.vertices_of_component().size() == m.points.size();
+}
+
+bool is_used(const Flat_mesh& m, Index v)
+{
+  return std::any_of(m.triangles.begin(), m.triangles.end(), [&](const Index_triangle& t) { return std::find(t.begin(), t.end(), v) != t.end(); });
+}
+
+// Takes away triangles inside a surface, in a random order, while it stays one surface and loses no vertex.
+Flat_mesh with_random_holes(Flat_mesh m, std::size_t number_of_triangles, unsigned int seed)
+{
+  const One_rings rings(m.points.size(), m.triangles);
+  std::mt19937 random(seed);
+  for (std::size_t i = 0; i < 10 * number_of_triangles && number_of_triangles > 0; ++i) {
+    Flat_mesh smaller = m;
+    const auto position = smaller.triangles.begin() + std::uniform_int_distribution<long>(0, long(m.triangles.size()) - 1)(random);
+    const Index_triangle triangle_taken = *position;
+    if (std::any_of(triangle_taken.begin(), triangle_taken.end(), [&](Index v) { return rings.is_border(v); }))
+      continue;
+    smaller.triangles.erase(position);
+    if (std::all_of(triangle_taken.begin(), triangle_taken.end(), [&](Index v) { return is_used(smaller, v); })
+        && One_rings(m.points.size(), smaller.triangles).first_non_manifold_vertex() == internal::no_index && is_one_surface(smaller)) {
+      m = smaller;
+      --number_of_triangles;
+    }
+  }
+  return m;
+}
+
+// The number of vertices with one triangle that are not on the longest border.
+std::size_t number_of_inner_ears(const Flat_mesh& m)
+{
+  const One_rings rings(m.points.size(), m.triangles);
+  const Surface_mesh mesh = make<Surface_mesh>(m);
+  std::vector<bool> is_outer(m.points.size(), false);
+  for (const auto h : CGAL::halfedges_around_face(test_meshes::longest_border(mesh), mesh))
+    is_outer[target(h, mesh)] = true;
+  std::size_t result = 0;
+  for (Index v = 0; v < m.points.size(); ++v)
+    result += !is_outer[v] && rings.number_of_triangles(v) == 1;
+  return result;
+}
+
+// A grid with an ear in one of its holes.
+Flat_mesh grid_with_ear()
+{
+  for (unsigned int seed = 0;; ++seed) {
+    const Flat_mesh m = with_random_holes(grid(9, 9, wavy), 20, seed);
+    if (number_of_inner_ears(m) > 0)
+      return m;
+  }
+}
+
+// A mesh of any kind with an outer border, a map and what a run did.
+template <class Mesh>
+struct Mapped
+{
+  typedef typename boost::graph_traits<Mesh>::vertex_descriptor                                                       Vertex;
+  typedef typename boost::property_map<Mesh, CGAL::dynamic_vertex_property_t<Kernel::Point_2>>::const_type            UV_map;
+
+  Mesh mesh;
+  UV_map uvmap;
+  Parameterization_summary summary;
+  Error_code code = ERROR_EMPTY_MESH;
+
+  explicit Mapped(const Flat_mesh& m) : mesh(make<Mesh>(m)), uvmap(get(CGAL::dynamic_vertex_property_t<Kernel::Point_2>(), static_cast<const Mesh&>(mesh)))
+  {
+    for (const Vertex v : vertices(mesh))
+      put(uvmap, v, untouched());
+  }
+
+  Mapped(const Mapped&) = delete;
+
+  static Kernel::Point_2 untouched() { return Kernel::Point_2(-77, 77); }
+
+  template <class Parameterizer>
+  Mapped& parameterize(const Hierarchical_parameterizer_3<Parameterizer>& parameterizer)
+  {
+    code = SMP::parameterize(mesh, parameterizer, test_meshes::longest_border(mesh), uvmap);
+    return *this;
+  }
+
+  Points uv() const
+  {
+    Points result;
+    for (const Vertex v : vertices(mesh))
+      result.push_back(get(uvmap, v));
+    return result;
+  }
+
+  std::size_t number_of_flips() const { return parameterization_quality(mesh, uvmap).flips; }
+};
+
+template <class Parameterizer>
+Hierarchical_parameterizer_3<Parameterizer> filling(Flip_policy policy = Flip_policy::FAIL)
+{
+  return Hierarchical_parameterizer_3<Parameterizer>(parameters::fill_holes(true).flip_policy(policy));
+}
+
+void expect_near(const Points& a, const Points& b, double tolerance)
+{
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+    EXPECT_LE(std::sqrt(CGAL::squared_distance(a[i], b[i])), tolerance) << "vertex " << i;
+}
+
+// ---- laws ----
+
+TEST(Holes, an_ear_of_a_hole_is_flat_unless_the_hole_is_filled)
+{
+  const Flat_mesh m = grid_with_ear();
+  EXPECT_EQ(Mapped<Surface_mesh>(m).parameterize(Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Surface_mesh>>()).code, ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(Mapped<Surface_mesh>(m).parameterize(filling<Barycentric_mapping_parameterizer_3<Surface_mesh>>()).code, OK);
+}
+
+// Weights that are not negative and a convex border make a map one-to-one (Tutte, Floater), if every hole is filled.
+TEST(Holes, filled_ones_of_any_shape_leave_no_flip)
+{
+  for (unsigned int seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    const Flat_mesh m = with_random_holes(grid(8 + seed % 5, 9, wavy), 10 + seed, seed);
+    Mapped<Surface_mesh> barycentric(m), mean_value(m), uniform(m);
+    Mapped<Polyhedron> polyhedron(m);
+    EXPECT_EQ(barycentric.parameterize(filling<Barycentric_mapping_parameterizer_3<Surface_mesh>>()).code, OK);
+    EXPECT_EQ(mean_value.parameterize(filling<Mean_value_coordinates_parameterizer_3<Surface_mesh>>()).code, OK);
+    EXPECT_EQ(polyhedron.parameterize(filling<Mean_value_coordinates_parameterizer_3<Polyhedron>>()).code, OK);
+    EXPECT_EQ(uniform.parameterize(Hierarchical_parameterizer_3<Uniform<Surface_mesh>>(parameters::tolerance(1e-12).fill_holes(true))).code, OK);
+    EXPECT_EQ(barycentric.number_of_flips() + mean_value.number_of_flips() + uniform.number_of_flips(), 0u);
+    expect_near(mean_value.uv(), polyhedron.uv(), 1e-8);
+    expect_near(barycentric.uv(), uniform.uv(), 1e-6);     // the same weights, by other rooms of the house
+  }
+}
+
+TEST(Holes, free_borders_too)
+{
+  const Flat_mesh m = grid_with_ear();
+  Mapped<Surface_mesh> open(m), mips(m), isometric(m), flat(m);
+  EXPECT_EQ(open.parameterize(Hierarchical_parameterizer_3<MIPS_parameterizer_3<Surface_mesh>>()).code, OK);
+  EXPECT_EQ(mips.parameterize(filling<MIPS_parameterizer_3<Surface_mesh>>()).code, OK);
+  EXPECT_EQ(isometric.parameterize(filling<Symmetric_Dirichlet_parameterizer_3<Surface_mesh>>()).code, OK);
+  MIPS_parameterizer_3<Surface_mesh> alone(parameters::fill_holes(true));
+  const Surface_mesh& const_mesh = flat.mesh;
+  EXPECT_EQ(alone.parameterize(const_mesh, test_meshes::longest_border(const_mesh), flat.uvmap, get(CGAL::dynamic_vertex_property_t<int>(), const_mesh),
+                               get(CGAL::dynamic_vertex_property_t<bool>(), const_mesh)), OK);
+  EXPECT_EQ(mips.number_of_flips() + isometric.number_of_flips() + flat.number_of_flips(), 0u);
+  // What is filled counts, so the rest has not the least energy any more.
+  const double least = parameterization_quality(open.mesh, open.uvmap).mips;
+  EXPECT_GT(parameterization_quality(mips.mesh, mips.uvmap).mips, least);
+  EXPECT_NEAR(parameterization_quality(flat.mesh, flat.uvmap).mips, parameterization_quality(mips.mesh, mips.uvmap).mips, 1e-3 * least);
+}
+
+// A surface in the plane stays what it is: the triangles that fill a hole lie in the plane too.
+TEST(Holes, a_plane_is_reproduced)
+{
+  Mapped<Surface_mesh> run(with_random_holes(grid(12, 12, flat), 25, 3));
+  run.parameterize(filling<Symmetric_Dirichlet_parameterizer_3<Surface_mesh>>());
+  EXPECT_NEAR(parameterization_quality(run.mesh, run.uvmap).symmetric_dirichlet, 4, 1e-6);
+}
+
+TEST(Holes, the_mesh_is_only_read)
+{
+  const Flat_mesh m = grid_with_ear();
+  Mapped<Surface_mesh> run(m);
+  run.parameterize(filling<Mean_value_coordinates_parameterizer_3<Surface_mesh>>());
+  EXPECT_EQ(run.mesh.number_of_vertices(), m.points.size());
+  EXPECT_EQ(run.mesh.number_of_faces(), m.triangles.size());
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(run.mesh));
+  const Points uv = run.uv();
+  EXPECT_EQ(std::count(uv.begin(), uv.end(), run.untouched()), 0);
+}
+
+TEST(Holes, corners_are_kept_where_a_copy_has_the_same_vertices)
+{
+  const Flat_mesh m = grid_with_ear();
+  Mapped<Surface_mesh> run(m);
+  Mapped<Polyhedron> polyhedron(m);
+  const auto border = [](const auto& mesh) {
+    std::vector<typename boost::graph_traits<std::decay_t<decltype(mesh)>>::vertex_descriptor> result;
+    for (const auto h : CGAL::halfedges_around_face(test_meshes::longest_border(mesh), mesh))
+      result.push_back(target(h, mesh));
+    return result;
+  };
+  typedef Square_border_uniform_parameterizer_3<Surface_mesh>   Square;
+  const auto b = border(run.mesh);
+  const std::size_t n = b.size();
+  const Square square(b[0], b[n / 4], b[n / 2], b[3 * n / 4]);
+  run.parameterize(Hierarchical_parameterizer_3<Mean_value_coordinates_parameterizer_3<Surface_mesh, Square>>(square, parameters::fill_holes(true).flip_policy(Flip_policy::KEEP)));
+  EXPECT_EQ(run.code, OK);
+  for (const std::size_t i : { std::size_t(0), n / 4, n / 2, 3 * n / 4 }) {
+    const Kernel::Point_2 corner = get(run.uvmap, b[i]);
+    EXPECT_TRUE((corner.x() == 0 || corner.x() == 1) && (corner.y() == 0 || corner.y() == 1)) << corner;
+  }
+
+  typedef Square_border_uniform_parameterizer_3<Polyhedron>   Square_of_polyhedron;
+  const auto c = border(polyhedron.mesh);
+  const Square_of_polyhedron other(c[0], c[n / 4], c[n / 2], c[3 * n / 4]);
+  polyhedron.parameterize(Hierarchical_parameterizer_3<Mean_value_coordinates_parameterizer_3<Polyhedron, Square_of_polyhedron>>(other, parameters::fill_holes(true)));
+  EXPECT_EQ(polyhedron.code, ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(polyhedron.uv(), Points(m.points.size(), polyhedron.untouched()));
+}
+
+TEST(Holes, a_seam_mesh_cannot_be_filled)
+{
+  typedef CGAL::Seam_mesh<Surface_mesh, Surface_mesh::Property_map<Surface_mesh::Edge_index, bool>, Surface_mesh::Property_map<Surface_mesh::Vertex_index, bool>>   Seam_mesh;
+  Surface_mesh mesh = make<Surface_mesh>(grid_with_ear());
+  Seam_mesh seam_mesh(mesh, mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:seam", false).first,
+                      mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:seam", false).first);
+  typedef boost::graph_traits<Seam_mesh>::halfedge_descriptor   Halfedge;
+  Parameterization_summary summary;
+  const Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Seam_mesh>> parameterizer(parameters::fill_holes(true).summary(std::ref(summary)));
+  const Halfedge bhd(test_meshes::longest_border(mesh));
+  EXPECT_EQ(SMP::parameterize(seam_mesh, parameterizer, bhd, get(CGAL::dynamic_vertex_property_t<Kernel::Point_2>(), seam_mesh)), ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(summary.error.code, ERROR_WRONG_PARAMETER);
+}
+
+TEST(Holes, what_is_no_surface_has_the_error_that_it_has_without_filling)
+{
+  Flat_mesh m = grid(6, 6, wavy);
+  m.points[20] = Point_3(0, std::nan(""), 0);
+  Mapped<Surface_mesh> open(m), filled(m);
+  Parameterization_summary of_open, of_filled;
+  typedef Barycentric_mapping_parameterizer_3<Surface_mesh>   Barycentric;
+  open.parameterize(Hierarchical_parameterizer_3<Barycentric>(parameters::summary(std::ref(of_open))));
+  filled.parameterize(Hierarchical_parameterizer_3<Barycentric>(parameters::fill_holes(true).summary(std::ref(of_filled))));
+  EXPECT_EQ(of_filled.error.code, ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(of_filled.error.index, of_open.error.index);
+  EXPECT_EQ(of_filled.error.place, Parameterization_error::VERTEX);
+}
+
+// ---- one call ----
+
+TEST(One_call, gives_the_map_of_the_class)
+{
+  Mapped<Surface_mesh> by_class(grid_with_holes(20)), by_call(grid_with_holes(20));
+  by_class.parameterize(Hierarchical_parameterizer_3<MIPS_parameterizer_3<Surface_mesh>>());
+  Parameterization_summary result = hierarchical_parameterization(by_call.mesh, by_call.uvmap);
+  EXPECT_TRUE(result.is_ok() && result.converged);
+  EXPECT_EQ(by_class.uv(), by_call.uv());
+  EXPECT_GT(result.levels.size(), 1u);
+
+  result = hierarchical_parameterization<Symmetric_Dirichlet_parameterizer_3>(by_call.mesh, by_call.uvmap, parameters::coarsest_size(10000).number_of_iterations(0));
+  EXPECT_EQ(result.levels.size(), 1u);                  // of the hierarchy
+  EXPECT_EQ(result.levels[0].cycles, 0u);               // of the method
+  EXPECT_FALSE(result.converged);
+
+  result = hierarchical_parameterization<LSCM_parameterizer_3>(by_call.mesh, by_call.uvmap, parameters::flip_policy(Flip_policy::KEEP));
+  EXPECT_TRUE(result.is_ok() && result.linear_solver.right_sides > 0);
+  EXPECT_TRUE(hierarchical_parameterization<Uniform>(by_call.mesh, by_call.uvmap, parameters::fill_holes(true)).is_ok());
+}
+
+template <class Mesh>
+using Barycentric_uniform = Barycentric_mapping_parameterizer_3<Mesh, Circular_border_uniform_parameterizer_3<Mesh>>;
+
+// Where squares of lengths would over- or underflow too.
+TEST(One_call, the_longest_border_is_the_outer_one_at_any_scale)
+{
+  const auto radius = [](const Kernel::Point_3& p) { return std::hypot(p.x(), p.y()); };
+  for (const double scale : { 1e-200, 1., 1e200 }) {
+    SCOPED_TRACE(scale);
+    Flat_mesh m = annulus(12);
+    for (Point_3& p : m.points)
+      p = Point_3(scale * p.x(), scale * p.y(), scale * p.z());
+    Mapped<Surface_mesh> run(m);
+    ASSERT_TRUE(hierarchical_parameterization<Barycentric_uniform>(run.mesh, run.uvmap).is_ok());
+    double greatest_radius = 0;
+    for (const auto v : vertices(run.mesh))
+      greatest_radius = (std::max)(greatest_radius, radius(run.mesh.point(v)));
+    for (const auto v : vertices(run.mesh)) {
+      const double distance = std::sqrt(CGAL::squared_distance(get(run.uvmap, v), Kernel::Point_2(0.5, 0.5)));
+      EXPECT_EQ(distance > 0.49, radius(run.mesh.point(v)) > 0.99 * greatest_radius);
+    }
+  }
+}
+
+TEST(One_call, tells_what_cannot_be_laid_out)
+{
+  Mapped<Surface_mesh> closed(sphere(6, 8)), empty{ Flat_mesh() }, handle(torus_with_hole(8));
+  for (Mapped<Surface_mesh>* run : { &closed, &handle }) {
+    const Parameterization_summary result = hierarchical_parameterization(run->mesh, run->uvmap);
+    EXPECT_EQ(result.error.code, ERROR_NO_TOPOLOGICAL_DISC);
+    EXPECT_NE(error_message(result.error).find("cut it open"), std::string::npos);
+    EXPECT_EQ(run->uv(), Points(run->mesh.number_of_vertices(), run->untouched()));
+  }
+  EXPECT_EQ(hierarchical_parameterization(empty.mesh, empty.uvmap).error.code, ERROR_EMPTY_MESH);
+}
+
+} // namespace
