@@ -377,8 +377,20 @@ std::vector<Row> hard_rows(const std::vector<Hard_mesh>& meshes, const std::stri
   return rows;
 }
 
+// Those that have holes, and that a circle does not squeeze beyond what doubles can hold.
+std::vector<Hard_mesh> with_holes()
+{
+  std::vector<Hard_mesh> meshes;
+  for (const Hard_mesh& mesh : hard_meshes)
+    if (mesh.name == "annulus" || mesh.name == "narrow_annulus" || mesh.name == "sieve")
+      meshes.push_back(mesh);
+  return meshes;
+}
+
 INSTANTIATE_TEST_SUITE_P(mips, Hard_input, testing::ValuesIn(hard_rows(hard_meshes, "mips")), test_name);
 INSTANTIATE_TEST_SUITE_P(symmetric_dirichlet, Hard_input, testing::ValuesIn(hard_rows(hard_meshes, "symmetric-dirichlet")), test_name);
+INSTANTIATE_TEST_SUITE_P(filled, Hard_input, testing::ValuesIn(hard_rows(hard_meshes, "mips --fill-holes")), test_name);
+INSTANTIATE_TEST_SUITE_P(filled_barycentric, Hard_input, testing::ValuesIn(hard_rows(with_holes(), "barycentric --fill-holes")), test_name);
 INSTANTIATE_TEST_SUITE_P(globally_injective, Hard_input, testing::ValuesIn(hard_rows(hard_meshes, "symmetric-dirichlet --globally-injective")), test_name);
 
 // ---- files that cannot be read or written ----
@@ -411,6 +423,7 @@ const Row unusable_paths[] = {
   { "long_name", nullptr, failed, "", "cannot be written", "patch.off --output " + std::string(300, 'x') },
   { "levels_below_a_file", nullptr, failed, "", "patch.off", "patch.off --levels patch.off/levels" },
   { "file_size_limit", nullptr, failed, "", "map.obj: cannot be written", "patch.off --output map.obj", "ulimit -f 1; " },
+  { "filled_as_shipped", nullptr, 1, "", "does not fill holes", "patch.off --method lscm --flat --fill-holes" },
   { "nameless", nullptr, 1, "", "empty", "''" } };
 
 INSTANTIATE_TEST_SUITE_P(unusable, Program_files, testing::ValuesIn(unusable_paths), test_name);
