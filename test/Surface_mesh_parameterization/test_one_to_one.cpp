@@ -235,6 +235,32 @@ TEST(Border_barrier, gradient_matches_differences_and_the_matrix_bounds_the_curv
   }
 }
 
+// Also where a long edge, whose ends may go far, lies beside vertices with short ones.
+TEST(Border_barrier, nothing_meets_within_reach)
+{
+  Barrier_on_ring ring(0.004);
+  std::vector<std::pair<double, Index>> end;      // the vertices at one end, from side to side
+  for (Index v = 0; v < ring.uv.size(); ++v)
+    if (ring.level.point(v).x() == 1)
+      end.emplace_back(ring.level.point(v).y(), v);
+  std::sort(end.begin(), end.end());
+  ASSERT_EQ(end.size(), 4u);
+  const Point_2 first = ring.uv[end[0].second];
+  const Vector_2 along = ring.uv[end[3].second] - first;
+  const double places[] = { 0.48, 0.495, 0.505, 0.52 };     // before the middle edge of the other end
+  for (std::size_t i = 0; i < end.size(); ++i)
+    ring.uv[end[i].second] = first + places[i] * along;
+  ring.barrier.set_reach(ring.uv);
+  // Edges that end at the vertex, or at a neighbor of it, are kept off by the triangles between them.
+  const auto is_near = [&](Index v, Index w) { return v == w || ring.level.one_ring(v).front() == w || ring.level.one_ring(v).back() == w; };
+  for (const Border_edge& e : border_edges(ring.level.rings()))
+    for (Index v = 0; v < ring.uv.size(); ++v)
+      if (ring.level.is_border(v) && !is_near(v, e.source) && !is_near(v, e.target)) {
+        const double distance = std::sqrt(CGAL::squared_distance(ring.uv[v], CGAL::Segment_2<Flat_kernel>(ring.uv[e.source], ring.uv[e.target])));
+        EXPECT_LT(ring.barrier.reach(v) + (std::max)(ring.barrier.reach(e.source), ring.barrier.reach(e.target)), distance);
+      }
+}
+
 TEST(Border_barrier, knows_when_the_ends_meet)
 {
   Barrier_on_ring ring(0.01);

@@ -824,7 +824,8 @@ TEST(Multigrid_solver_traits, refuses_wrong_sizes)
   const Flat_mesh m = grid(5, 5, wavy);
   Solver_on_mesh on(m);
   double d = 0;
-  for (const auto& [rows, columns] : { std::make_pair(35, 35), std::make_pair(37, 37), std::make_pair(36, 72) }) {
+  for (const auto& size : { std::make_pair(35, 35), std::make_pair(37, 37), std::make_pair(36, 72) }) {
+    const int rows = size.first, columns = size.second;
     Sparse_matrix matrix(rows, columns);
     for (int i = 0; i < (std::min)(rows, columns); ++i)
       matrix.set_coef(i, i, 1, true);

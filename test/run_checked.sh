@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Builds the tests with clang, AddressSanitizer, UndefinedBehaviorSanitizer and the assertions of CGAL and Eigen, and runs them; arguments go to ctest.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../.cmake/prepare.sh"
+
+build=$root/.build/checked
+install_missing "${build_packages[@]}" libgtest-dev ccache clang
+cmake -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
+  -DCMAKE_CXX_FLAGS_DEBUG="-O1 -gline-tables-only -fsanitize=address,undefined -fno-sanitize-recover=all"
+cmake --build "$build" -j"$(nproc)" --target checked_tests
+unlock
+cd "$build"
+# What the sanitizers cannot find anything in is left out: the tests of the build itself.
+exec env ASAN_OPTIONS=allocator_may_return_null=1 RANDOM_SURFACES="${RANDOM_SURFACES:-100}" \
+  ctest --output-on-failure -j2 -E '^(not_wrapped|include_layers|install|consumer)$' "$@"
