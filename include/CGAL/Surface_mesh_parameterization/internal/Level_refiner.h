@@ -28,11 +28,11 @@ public:
 
   Level_refiner(const Level& level, Level::Uv& uv, const Refinement_options& options, Level_summary& summary, const Energy& energy = Energy())
     : m_level(level), m_uv(uv), m_options(options), m_summary(summary), m_energy(level, options.triangle_weight, energy),
-      m_minimum(m_energy.minimum()), m_current(m_energy(uv))
+      m_total_weight(m_energy.total_weight()), m_current(m_energy(uv))
   {
     constexpr double relative_stiffness = 0.1;
     if (options.is_globally_injective)
-      m_barrier = std::make_unique<Border_barrier>(level, relative_stiffness * m_energy.total_weight() / double(level.number_of_faces()));
+      m_barrier = std::make_unique<Border_barrier>(level, relative_stiffness * m_total_weight / double(level.number_of_faces()));
   }
 
   // Energies are reported as the sum over the triangles, or as the mean over the area if triangles are weighted so.
@@ -54,7 +54,7 @@ public:
 private:
   bool is_coarsest_of_many() const { return m_level.index() == 0 && !m_level.is_finest(); }
   std::size_t size() const { return m_level.number_of_vertices(); }
-  double excess() const { return m_current - m_minimum; }
+  double excess() const { return m_current - Energy::minimum * m_total_weight; }
 
   // Subtracts what an iteration gained. After a deep fall, from a triangle that was almost degenerate, the difference means nothing.
   void lower_by(double decrease)
@@ -163,8 +163,12 @@ private:
     }
   }
 
-  // Whether a decrease that led to the current energy is next to nothing.
-  bool is_little(double decrease, double tolerance) const { return !(decrease > tolerance * excess()); }
+  // Whether a decrease that led to the current energy is next to nothing. On a surface that lies in the plane without distortion, the excess is mere rounding.
+  bool is_little(double decrease, double tolerance) const
+  {
+    constexpr double rounding = 1e-12;
+    return !(decrease > (std::max)(tolerance * excess(), rounding * m_total_weight));
+  }
 
   const Level& m_level;
   Level::Uv& m_uv;
@@ -172,7 +176,7 @@ private:
   Level_summary& m_summary;
   Level_energy<Energy> m_energy;
   std::unique_ptr<Border_barrier> m_barrier;      // none unless the map has to be globally injective
-  const double m_minimum;
+  const double m_total_weight;
   double m_current;       // the energy of m_uv
 };
 
