@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026  The Hierarchical Parameterization authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the manual's figures into fig/: schemes, whose geometry is computed as the package computes it. With the path of the program
-hierarchical_parameterization as argument, also its maps of the built-in face, by rsvg-convert."""
+"""Draws the manual's figures into fig/: schemes, whose geometry is computed as the package computes it. With the paths of
+the programs hierarchical_parameterization and paper_figures as arguments, also their maps of the built-in face, by rsvg-convert."""
 
 import math
 import pathlib
@@ -230,21 +230,29 @@ def draw_nested_iteration():
     drawing.write("nested_iteration.svg")
 
 
-def draw_methods(program):
-    methods = [("mips", "MIPS: angles"), ("symmetric-dirichlet", "symmetric Dirichlet: lengths"), ("mean-value", "mean value, on a circle"),
-               ("shape-preserving", "shape preserving, on a circle")]
+def write_montage(name, pictures):
+    """Puts SVG files, given with their titles, side by side and renders them."""
     width, height = 240, 300
     parts = []
-    with tempfile.TemporaryDirectory() as folder:
-        for i, (method, title) in enumerate(methods):
-            picture = pathlib.Path(folder) / f"{method}.svg"
-            subprocess.run([program, "--method", method, "--picture", picture, "--quiet"], check=True)
-            parts.append(re.sub("<svg ", f'<svg x="{i * width + 8}" y="6" width="{width - 16}" height="{height - 40}" ', picture.read_text(), count=1))
-            parts.append(f'<text x="{(i + 0.5) * width}" y="{height - 12}" text-anchor="middle">{title}</text>')
-        montage = pathlib.Path(folder) / "methods.svg"
-        montage.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" width="{len(methods) * width}" height="{height}" font-family="sans-serif" font-size="13">'
-                           '<rect width="100%" height="100%" fill="white"/>' + "\n".join(parts) + "</svg>\n")
-        subprocess.run(["rsvg-convert", montage, "-o", FOLDER / "methods.png"], check=True)
+    for i, (picture, title) in enumerate(pictures):
+        parts.append(re.sub("<svg ", f'<svg x="{i * width + 8}" y="6" width="{width - 16}" height="{height - 40}" ', picture.read_text(), count=1))
+        parts.append(f'<text x="{(i + 0.5) * width}" y="{height - 12}" text-anchor="middle">{title}</text>')
+    montage = (f'<svg xmlns="http://www.w3.org/2000/svg" width="{len(pictures) * width}" height="{height}" font-family="sans-serif" font-size="13">'
+               '<rect width="100%" height="100%" fill="white"/>' + "\n".join(parts) + "</svg>\n")
+    subprocess.run(["rsvg-convert", "-o", FOLDER / name], input=montage.encode(), check=True)
+
+
+def draw_methods(program, folder):
+    methods = [("mips", "MIPS: angles"), ("symmetric-dirichlet", "symmetric Dirichlet: lengths"), ("mean-value", "mean value, on a circle"),
+               ("shape-preserving", "shape preserving, on a circle")]
+    for method, _ in methods:
+        subprocess.run([program, "--method", method, "--picture", folder / f"{method}.svg", "--quiet"], check=True)
+    write_montage("methods.png", [(folder / f"{method}.svg", title) for method, title in methods])
+
+
+def draw_steps(paper_figures, folder):
+    subprocess.run([paper_figures, folder, "--steps", "40000"], check=True)
+    write_montage("steps.png", [(folder / f"{name}_map.svg", name) for name in ("optimal", "hierarchical", "conventional")])
 
 
 if __name__ == "__main__":
@@ -252,5 +260,7 @@ if __name__ == "__main__":
     draw_collapse()
     draw_insertion()
     draw_nested_iteration()
-    if len(sys.argv) > 1:
-        draw_methods(sys.argv[1])
+    if len(sys.argv) == 3:
+        with tempfile.TemporaryDirectory() as temporary:
+            draw_methods(sys.argv[1], pathlib.Path(temporary))
+            draw_steps(sys.argv[2], pathlib.Path(temporary))

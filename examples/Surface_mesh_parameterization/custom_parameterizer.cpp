@@ -88,17 +88,21 @@ private:
     return worst;
   }
 
-  // s1/s2 + s2/s1 by the cotangents of the triangle in space; infinite unless the exact predicate says that the triangle is positive.
+  // s1/s2 + s2/s1 by the cotangents of the triangle in space; infinite unless the exact predicate says that the triangle is positive. One that is degenerate in
+  // space has no shape to keep.
   static double distortion(const Level& level, const Level::Triangle& t, const Level::Uv& uv)
   {
     if (CGAL::orientation(uv[t[0]], uv[t[1]], uv[t[2]]) != CGAL::LEFT_TURN)
       return (std::numeric_limits<double>::infinity)();
+    const double squared_area = CGAL::squared_area(level.point(t[0]), level.point(t[1]), level.point(t[2]));
+    if (squared_area == 0)
+      return 0;
     double sum = 0;
     for (int i = 0; i < 3; ++i) {
       const Index a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
       sum += ((level.point(b) - level.point(a)) * (level.point(c) - level.point(a))) * CGAL::squared_distance(uv[b], uv[c]);
     }
-    return sum / (4 * std::sqrt(CGAL::squared_area(level.point(t[0]), level.point(t[1]), level.point(t[2]))) * CGAL::area(uv[t[0]], uv[t[1]], uv[t[2]]));
+    return sum / (4 * std::sqrt(squared_area) * CGAL::area(uv[t[0]], uv[t[1]], uv[t[2]]));
   }
 
   SMP::MIPS_parameterizer_3<TriangleMesh> m_mips;
