@@ -68,7 +68,8 @@ bool run(const std::string& name, Mesh& mesh)
     return false;
   }
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(mesh, uvmap);
-  std::cout << name << ": distortion of angles " << quality.angle << ", of areas " << quality.area << ", " << result.levels.back().iterations << " sweeps on the finest level\n";
+  std::cout << name << ": distortion of angles " << quality.angle << ", of areas " << quality.area << ", "
+            << result.levels.back().iterations << " sweeps on the finest level\n";
   return true;
 }
 
