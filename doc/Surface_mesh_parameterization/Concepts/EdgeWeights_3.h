@@ -16,6 +16,7 @@
 class EdgeWeights_3
 {
 public:
+  /// a point in space
   typedef CGAL::Surface_mesh_parameterization::Level::Point_3   Point_3;
 
   /// whether \f$ c_{ij} = c_{ji} \f$, up to rounding

@@ -27,12 +27,13 @@ namespace CGAL::Surface_mesh_parameterization {
 class Chordal_edge_weights_3
 {
 public:
-  static constexpr bool is_symmetric = true;
-  static constexpr bool is_positive = true;
+  static constexpr bool is_symmetric = true;    ///< an edge weighs as much at both ends
+  static constexpr bool is_positive = true;     ///< no weight is negative
 
   /// \param exponent `r`
   explicit Chordal_edge_weights_3(double exponent = 1) : m_exponent(exponent) { }
 
+  /// computes the weights of the edges of one vertex, see `EdgeWeights_3`
   void operator()(const internal::Point_3& v, const std::vector<internal::Point_3>& ring, bool, std::vector<double>& weights) const
   {
     constexpr double shortest = 1e-9;

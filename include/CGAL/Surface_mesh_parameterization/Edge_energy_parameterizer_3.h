@@ -52,10 +52,10 @@ class Edge_energy_parameterizer_3
   typedef Refinable_parameterizer_base_3<Edge_energy_parameterizer_3, TriangleMesh_, ConcurrencyTag>   Base;
 
 public:
-  typedef typename Base::Triangle_mesh         Triangle_mesh;
-  typedef typename Base::halfedge_descriptor   halfedge_descriptor;
-  typedef EdgeWeights                          Edge_weights;
-  typedef BorderParameterizer                  Border_parameterizer;
+  typedef typename Base::Triangle_mesh         Triangle_mesh;            ///< the mesh type
+  typedef typename Base::halfedge_descriptor   halfedge_descriptor;      ///< a halfedge of the mesh
+  typedef EdgeWeights                          Edge_weights;             ///< the weights of the edges
+  typedef BorderParameterizer                  Border_parameterizer;     ///< places the outer border
 
   /// while a level is not yet solved, and with negative weights, triangles may be flipped
   static constexpr bool is_flip_free = false;

@@ -27,9 +27,10 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `EdgeWeights_3`
 struct Harmonic_edge_weights_3
 {
-  static constexpr bool is_symmetric = true;
-  static constexpr bool is_positive = false;
+  static constexpr bool is_symmetric = true;    ///< an edge weighs as much at both ends
+  static constexpr bool is_positive = false;    ///< weights may be negative
 
+  /// computes the weights of the edges of one vertex, see `EdgeWeights_3`
   void operator()(const internal::Point_3& v, const std::vector<internal::Point_3>& ring, bool is_closed, std::vector<double>& weights) const
   {
     weights.assign(ring.size(), 0.);

@@ -21,7 +21,9 @@
 
 namespace CGAL::Surface_mesh_parameterization {
 
+/// \cond SKIP_IN_MANUAL
 template <class, class, class> class ARAP_parameterizer_3;
+/// \endcond
 
 namespace internal {
 

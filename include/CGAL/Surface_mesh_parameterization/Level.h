@@ -60,22 +60,34 @@ public:
   }
   /// \endcond
 
+  /// the hierarchy that the level belongs to
   const Collapse_hierarchy_3& hierarchy() const { return m_mesh->hierarchy(); }
 
   /// position in the hierarchy: 0 is the coarsest level
   std::size_t index() const { return m_index; }
 
+  /// whether the level is the input
   bool is_finest() const { return m_index + 1 == hierarchy().number_of_levels(); }
 
+  /// number of vertices: their ranks are the numbers below it
   std::size_t number_of_vertices() const { return m_rings.number_of_vertices(); }
+
+  /// number of triangles: their ranks are the numbers below it
   std::size_t number_of_faces() const { return triangles().size(); }
 
   /// the number of vertices of the next coarser level, 0 if there is none: the vertices from this rank on are new
   std::size_t first_new_vertex() const { return m_index == 0 ? 0 : hierarchy().number_of_vertices(m_index - 1); }
 
+  /// the point of `v` in space, the same on every level
   const Point_3& point(Index v) const { return hierarchy().point(v); }
+
+  /// the triangles, by rank
   const std::vector<Triangle>& triangles() const { return m_mesh->triangles(); }
+
+  /// whether `v` lies on the outer border or on that of a hole
   bool is_border(Index v) const { return m_rings.is_border(v); }
+
+  /// whether `v` stays on every level, see `Collapse_hierarchy_3::is_pinned()`
   bool is_pinned(Index v) const { return hierarchy().is_pinned(v); }
 
   /// whether the place of `v` in the plane is given

@@ -42,9 +42,9 @@ class Mesh_component
   typedef boost::graph_traits<TriangleMesh>   Graph_traits;
 
 public:
-  typedef typename Graph_traits::vertex_descriptor     vertex_descriptor;
-  typedef typename Graph_traits::halfedge_descriptor   halfedge_descriptor;
-  typedef typename Graph_traits::face_descriptor       face_descriptor;
+  typedef typename Graph_traits::vertex_descriptor     vertex_descriptor;     ///< a vertex of the mesh
+  typedef typename Graph_traits::halfedge_descriptor   halfedge_descriptor;   ///< a halfedge of the mesh
+  typedef typename Graph_traits::face_descriptor       face_descriptor;       ///< a face of the mesh
 
   /// reads the component of `mesh` around the border halfedge `bhd`. Whether this succeeded is told by `status()`.
   Mesh_component(const TriangleMesh& mesh, halfedge_descriptor bhd)

@@ -71,14 +71,15 @@ Multigrid_linear_solver::Options linear_solver_options_of(const NamedParameters&
 class Multigrid_solver_traits
 {
 public:
-  typedef double                    NT;
-  typedef internal::Sparse_matrix   Matrix;
-  typedef Eigen_vector<double>      Vector;
+  typedef double                    NT;         ///< the number type
+  typedef internal::Sparse_matrix   Matrix;     ///< a model of `SparseLinearAlgebraTraits_d::Matrix`
+  typedef Eigen_vector<double>      Vector;     ///< a model of `SparseLinearAlgebraTraits_d::Vector`
 
   /// Makes a solver the one that default-constructed objects of this thread take, until the scope ends. Scopes may be nested.
   class Scope
   {
   public:
+    /// begins the scope of `solver`, whose copies share what it has set up
     explicit Scope(const Multigrid_solver_traits& solver) : m_session(solver.m_session), m_outer(std::exchange(innermost(), this)) { }
     ~Scope() { innermost() = m_outer; }
     Scope(const Scope&) = delete;

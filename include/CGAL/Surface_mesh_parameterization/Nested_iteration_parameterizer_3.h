@@ -36,9 +36,9 @@ template <class Method>
 class Nested_iteration_parameterizer_3
 {
 public:
-  typedef typename Method::Triangle_mesh                                      Triangle_mesh;
-  typedef typename Method::Triangle_mesh                                      TriangleMesh;
-  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;
+  typedef typename Method::Triangle_mesh                                      Triangle_mesh;          ///< the mesh type
+  typedef typename Method::Triangle_mesh                                      TriangleMesh;           ///< the same, as CGAL names it
+  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;    ///< a halfedge of the mesh
 
   static_assert(!(Method::is_flip_free && internal::Places_border<Method>::value),
                 "Nested_iteration_parameterizer_3<Method>: a method with place_border() cannot promise is_flip_free, for a given place may leave no room for a triangle.");

@@ -36,8 +36,10 @@ public:
       m_triangles.push_back(hierarchy.last_triangle(Index(f)));
   }
 
+  /// the hierarchy that is walked
   const Collapse_hierarchy_3& hierarchy() const { return *m_hierarchy; }
 
+  /// the number of vertices where the mesh stands: their ranks are the numbers below it
   std::size_t number_of_vertices() const { return m_number_of_vertices; }
 
   /// the triangles, by rank; a triangle and its corners have the order of the input

@@ -38,10 +38,10 @@ template <class Method, class TriangleMesh_, class ConcurrencyTag = Sequential_t
 class Refinable_parameterizer_base_3
 {
 public:
-  typedef TriangleMesh_                                                       Triangle_mesh;
-  typedef TriangleMesh_                                                       TriangleMesh;
-  typedef ConcurrencyTag                                                      Concurrency_tag;
-  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;
+  typedef TriangleMesh_                                                       Triangle_mesh;          ///< the mesh type
+  typedef TriangleMesh_                                                       TriangleMesh;           ///< the same, as CGAL names it
+  typedef ConcurrencyTag                                                      Concurrency_tag;        ///< whether several threads are used
+  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;    ///< a halfedge of the mesh
 
   /// the method's maps have no flip
   static constexpr bool is_flip_free = true;

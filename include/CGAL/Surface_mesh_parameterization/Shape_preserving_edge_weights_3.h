@@ -31,9 +31,10 @@ namespace CGAL::Surface_mesh_parameterization {
 class Shape_preserving_edge_weights_3
 {
 public:
-  static constexpr bool is_symmetric = false;
-  static constexpr bool is_positive = true;
+  static constexpr bool is_symmetric = false;   ///< an edge weighs differently at its ends
+  static constexpr bool is_positive = true;     ///< no weight is negative
 
+  /// computes the weights of the edges of one vertex, see `EdgeWeights_3`
   void operator()(const internal::Point_3& v, const std::vector<internal::Point_3>& ring, bool, std::vector<double>& weights)
   {
     // None of the angles exceeds the sum of the others, so that in the plane none exceeds half a turn.

@@ -1,0 +1,70 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A visitor: tells of every level as soon as it is done, and stops the run when its time is up.
+
+#include "face_mesh.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/IO/OFF.h>
+
+#include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <cstdlib>
+#include <iostream>
+
+typedef CGAL::Simple_cartesian<double>          Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3>     Mesh;
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
+//! [visitor]
+// What is not of interest stays as in the base. A visitor is copied: this one only refers to the clock.
+class Progress_visitor : public SMP::Hierarchy_visitor_3
+{
+public:
+  Progress_visitor(const CGAL::Real_timer& timer, double most_seconds) : m_timer(timer), m_most_seconds(most_seconds) { }
+
+  bool hierarchy_built(const SMP::Collapse_hierarchy_3& hierarchy)
+  {
+    std::cout << hierarchy.number_of_levels() << " levels, " << hierarchy.memory() / 1024 << " KB\n";
+    return m_timer.time() < m_most_seconds;
+  }
+
+  bool level_parameterized(const SMP::Level& level, const SMP::Level::Uv&, const SMP::Level_summary& summary)
+  {
+    std::cout << "level " << level.index() << ": " << summary.vertices << " vertices, energy " << summary.energy_start << " -> " << summary.energy_end
+              << ", " << summary.iterations << " iterations, " << m_timer.time() << " s\n";
+    return level.is_finest() || m_timer.time() < m_most_seconds;      // a finished map is not thrown away
+  }
+
+private:
+  const CGAL::Real_timer& m_timer;
+  double m_most_seconds;
+};
+//! [visitor]
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  const double most_seconds = argc > 2 ? std::atof(argv[2]) : 60;
+  if (argc > 3 || !(most_seconds > 0) || (argc > 1 && !CGAL::IO::read_OFF(argv[1], mesh))) {
+    std::cerr << "usage: level_visitor_example [INPUT.off [SECONDS]]\n";
+    return 1;
+  }
+  if (argc == 1)
+    make_face(mesh);
+
+  CGAL::Real_timer timer;
+  timer.start();
+  const auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+  const auto result = SMP::hierarchical_parameterization(mesh, uvmap, CGAL::parameters::visitor(Progress_visitor(timer, most_seconds)));
+  if (!result.is_ok()) {
+    std::cerr << (result.stopped ? "stopped: the time is up" : SMP::error_message(result.error)) << '\n';
+    return 1;
+  }
+  return 0;
+}
