@@ -4,6 +4,7 @@
 #ifndef PROGRAM_METHODS_H
 #define PROGRAM_METHODS_H
 
+#include "program_file.h"
 #include "program_input.h"
 #include "program_output.h"
 
