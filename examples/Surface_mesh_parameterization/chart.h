@@ -168,8 +168,8 @@ private:
   std::size_t m_number_of_vertices = 0, m_number_of_texture_vertices = 0;
 };
 
-// Adds a chart to a picture, with lines along the seams if wanted.
-inline void add_to_picture(const Chart& chart, bool has_lines, Drawn_surface& surface)
+// Adds a chart to a picture, with lines along the seams.
+inline void add_to_picture(const Chart& chart, double line_width, Drawn_surface& surface)
 {
   const Mesh& mesh = chart.mesh;
   const std::size_t first = surface.points.size();
@@ -183,7 +183,7 @@ inline void add_to_picture(const Chart& chart, bool has_lines, Drawn_surface& su
       h = mesh.next(h);
       t.corners[i] = first + mesh.source(h);
       t.uv[i] = chart.uvmap[v];
-      t.has_line[i++] = has_lines && chart.seam_mesh.has_on_seam(mesh.edge(h));
+      t.line_widths[i++] = chart.seam_mesh.has_on_seam(mesh.edge(h)) ? line_width : 0;
     }
     surface.triangles.push_back(t);
   }

@@ -72,9 +72,8 @@ void run(const Arguments& arguments)
 
   Drawn_surface surface;
   surface.line_color = { 0.85, 0.05, 0.1 };
-  surface.line_width = 4;
-  add_to_picture(chart, true, surface);
-  draw_if_asked(arguments, surface, Checker_board{ 32 });
+  add_to_picture(chart, 4, surface);
+  draw_if_asked(arguments, surface, Checker_board{ 32, 32 });
 }
 
 } // namespace

@@ -6,14 +6,12 @@
 
 #include "program_input.h"
 
-#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
-#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/error_message.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/convex_hull_2.h>
 #include <CGAL/min_quadrilateral_2.h>
@@ -21,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <functional>
 #include <iostream>
 #include <iterator>
 #include <map>
@@ -31,7 +28,7 @@
 #include <string>
 #include <vector>
 
-// What the applications share: the command line, errors, and the map of a surface.
+// What the applications share: the command line, input and errors.
 
 typedef Kernel::Point_2                                     Point_2;
 typedef Kernel::Point_3                                     Point_3;
@@ -128,6 +125,25 @@ inline int run_application(int argc, char** argv, const std::string& usage, cons
   }
 }
 
+// The input with polygons cut into triangles, or the built-in face.
+inline Mesh read_mesh_or_face(const Arguments& arguments)
+{
+  if (!arguments.input().empty())
+    return read_mesh(arguments.input(), true);
+  Mesh mesh;
+  make_face(mesh);
+  return mesh;
+}
+
+// The largest component of that.
+inline Mesh read_surface(const Arguments& arguments)
+{
+  Mesh mesh = read_mesh_or_face(arguments);
+  CGAL::Polygon_mesh_processing::keep_largest_connected_components(mesh, 1);
+  mesh.collect_garbage();
+  return mesh;
+}
+
 // An error of the surface is an Input_error; what a method fails with is not.
 inline void throw_if_failed(const SMP::Parameterization_summary& summary)
 {
@@ -136,20 +152,6 @@ inline void throw_if_failed(const SMP::Parameterization_summary& summary)
     throw std::runtime_error(SMP::error_message(summary.error));
   if (code != SMP::OK)
     throw Input_error{ SMP::error_message(summary.error), code };
-}
-
-// The map of the largest component that keeps lengths best and does not overlap itself. The visitor sees the levels.
-template <class Visitor = SMP::Hierarchy_visitor_3>
-Vertex_uv_map lay_out(Input& input, const Visitor& visitor = Visitor())
-{
-  typedef SMP::Symmetric_Dirichlet_parameterizer_3<Mesh>   Method;
-  const Vertex_uv_map uvmap = input.mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
-  SMP::Parameterization_summary summary;
-  const SMP::Hierarchical_parameterizer_3<Method> method(Method(CGAL::parameters::globally_injective(true)),
-                                                         CGAL::parameters::summary(std::ref(summary)).visitor(visitor));
-  SMP::parameterize(input.mesh, method, input.border, uvmap);
-  throw_if_failed(summary);
-  return uvmap;
 }
 
 // Turns points of the plane so that the least rectangle around them has sides along the axes, the longer one upright.

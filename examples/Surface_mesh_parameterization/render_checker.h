@@ -64,17 +64,17 @@ inline void write_PNG(std::ostream& out, const Image& image)
   write_chunk("IEND");
 }
 
-// A board of `squares` times `squares` on the unit square: light ones, and dark ones whose hue tells the place.
+// A board on the unit square: light squares, and dark ones whose hue tells the place.
 struct Checker_board
 {
-  std::size_t squares;
+  std::size_t columns, rows;
 
   Color operator()(const Point_2& uv) const
   {
-    const double x = std::floor(uv.x() * double(squares)), y = std::floor(uv.y() * double(squares));
+    const double x = std::floor(uv.x() * double(columns)), y = std::floor(uv.y() * double(rows));
     if (std::fmod(std::abs(x + y), 2) < 0.5)
       return { 0.97, 0.96, 0.93 };
-    const double u = (std::min)(1., (std::max)(0., x / double(squares))), v = (std::min)(1., (std::max)(0., y / double(squares)));
+    const double u = (std::min)(1., (std::max)(0., x / double(columns))), v = (std::min)(1., (std::max)(0., y / double(rows)));
     return { 0.15 + 0.65 * u, 0.42 - 0.12 * u + 0.2 * v, 0.25 + 0.5 * (1 - v) };
   }
 };
@@ -86,14 +86,30 @@ struct Drawn_surface
   {
     std::array<std::size_t, 3> corners;
     std::array<Point_2, 3> uv;
-    std::array<bool, 3> has_line = { false, false, false };     // whether a line is drawn along the edge
+    std::array<double, 3> line_widths = { 0, 0, 0 };            // of lines along the edges, in pixels
   };
 
   std::vector<Point_3> points;
   std::vector<Triangle> triangles;
   Color line_color = { 0.1, 0.1, 0.12 };
-  double line_width = 1;                                        // in pixels
 };
+
+// A mesh with a place of the board for each vertex.
+inline Drawn_surface drawn_surface(const Mesh& mesh, const Vertex_uv_map& uvmap)
+{
+  Drawn_surface surface;
+  surface.points.assign(mesh.points().begin(), mesh.points().end());
+  for (const Mesh::Face_index f : mesh.faces()) {
+    Drawn_surface::Triangle t;
+    int i = 0;
+    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f))) {
+      t.corners[i] = v;
+      t.uv[i++] = uvmap[v];
+    }
+    surface.triangles.push_back(t);
+  }
+  return surface;
+}
 
 // From where a surface is seen: the direction towards the eye, and the one that is up in the picture.
 struct View
@@ -219,7 +235,7 @@ private:
   bool is_on_line(const Drawn_surface::Triangle& t, const std::array<Point_2, 3>& p, const std::array<double, 3>& b, double area) const
   {
     for (int i = 0; i < 3; ++i)
-      if (t.has_line[i] && b[(i + 2) % 3] * area < 0.5 * samples * m_surface.line_width * std::sqrt(CGAL::squared_distance(p[i], p[(i + 1) % 3])))
+      if (b[(i + 2) % 3] * area < 0.5 * double(samples) * t.line_widths[i] * std::sqrt(CGAL::squared_distance(p[i], p[(i + 1) % 3])))
         return true;
     return false;
   }

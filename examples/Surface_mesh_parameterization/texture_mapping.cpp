@@ -32,13 +32,8 @@ const char* const usage = "texture_mapping_example [INPUT] [--output OUT.obj] [-
 std::list<Chart> make_charts(const Arguments& arguments)
 {
   const std::size_t number_of_paths = arguments.number<std::size_t>("paths", 3, 1, 1000);
-  Mesh mesh;
-  if (arguments.input().empty())
-    make_face(mesh);
-  else
-    mesh = read_mesh(arguments.input(), true);
   std::vector<Mesh> components;
-  CGAL::Polygon_mesh_processing::split_connected_components(mesh, components);
+  CGAL::Polygon_mesh_processing::split_connected_components(read_mesh_or_face(arguments), components);
 
   std::list<Chart> charts;
   for (const Mesh& component : components) {
@@ -65,7 +60,7 @@ void write_files(const std::string& name, const std::list<Chart>& charts, const 
   });
   write_file(material.string(), [&](std::ostream& out) { out << "newmtl checker\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " << texture.filename().string() << '\n'; });
 
-  const std::size_t pixels = board.squares * (std::max)(std::size_t(1), 1024 / board.squares);      // so that every square has whole ones
+  const std::size_t pixels = board.columns * (1024 / board.columns);      // every square has whole ones
   Image image(pixels, pixels);
   for (std::size_t y = 0; y < pixels; ++y)
     for (std::size_t x = 0; x < pixels; ++x)
@@ -75,7 +70,8 @@ void write_files(const std::string& name, const std::list<Chart>& charts, const 
 
 void run(const Arguments& arguments)
 {
-  const Checker_board board{ arguments.number<std::size_t>("squares", 40, 1, 1024) };
+  const std::size_t squares = arguments.number<std::size_t>("squares", 40, 1, 1024);
+  const Checker_board board{ squares, squares };
   std::list<Chart> charts = make_charts(arguments);
   for (Chart& chart : charts)
     throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(chart.seam_mesh, chart.uvmap, CGAL::parameters::globally_injective(true)));
@@ -87,7 +83,7 @@ void run(const Arguments& arguments)
     const SMP::Parameterization_quality quality = SMP::parameterization_quality(chart.seam_mesh, chart.uvmap);
     flips += quality.flips;
     overlaps += quality.overlaps;
-    add_to_picture(chart, false, surface);
+    add_to_picture(chart, 0, surface);
   }
   std::printf("%zu charts, %zu flips, %zu overlapping pairs\n", charts.size(), flips, overlaps);
   write_files(arguments.text("output", "texture_mapping.obj"), charts, board);
