@@ -46,6 +46,8 @@ Mesh make_sphere_with_bumps()
 
 void run(const Arguments& arguments)
 {
+  const Picture picture(arguments);
+  const std::size_t number_of_paths = arguments.number<std::size_t>("paths", 1, 1, 1000);
   Mesh mesh = arguments.input().empty() ? make_sphere_with_bumps() : read_mesh(arguments.input(), true);
   if (!CGAL::is_closed(mesh))
     throw Input_error{ "has a border: no cut is needed" };
@@ -58,7 +60,7 @@ void run(const Arguments& arguments)
   // Both halfedges of a seam edge are on the border of the seam mesh; a vertex is there as often as seams divide the faces around it.
   std::list<Chart> charts;
   Chart& chart = charts.emplace_back(mesh);
-  const std::vector<Mesh::Halfedge_index> seam = Seam_tree(chart.mesh).grow(arguments.number<std::size_t>("paths", 1, 1, 1000));
+  const std::vector<Mesh::Halfedge_index> seam = Seam_tree(chart.mesh).grow(number_of_paths);
   for (const Mesh::Halfedge_index h : seam)
     chart.seam_mesh.add_seam(chart.mesh.source(h), chart.mesh.target(h));
 
@@ -73,7 +75,7 @@ void run(const Arguments& arguments)
   Drawn_surface surface;
   surface.line_color = { 0.85, 0.05, 0.1 };
   add_to_picture(chart, 4, surface);
-  draw_if_asked(arguments, surface, Checker_board{ 32, 32 });
+  picture.draw(surface, Checker_board{ 32, 32 });
 }
 
 } // namespace

@@ -138,7 +138,7 @@ public:
   Remesher(const Mesh& mesh, const Vertex_uv_map& uvmap) : m_mesh(mesh), m_uvmap(uvmap), m_borders(mesh, uvmap) { }
 
   // The coarse mesh has the vertices of the coarsest level of a hierarchy and is their Delaunay triangulation in the plane between the chords of the
-  // borders. Where a border leaves its chord so far that a triangle beside it flips when it is subdivided, more vertices of the border are taken.
+  // borders. Where a border leaves its chord too far for the triangle beside it, more vertices of the border are taken.
   Subdivided_mesh remesh(std::size_t coarsest_size, std::size_t subdivisions) const
   {
     std::vector<bool> is_kept = coarsest_vertices(coarsest_size);
@@ -151,7 +151,7 @@ public:
         for (std::size_t i = 0; i < subdivisions; ++i)
           result = subdivide(result);
         if (bad_chords.empty())
-          bad_chords = chords_of_flips(chords, coarse, result);
+          bad_chords = coarse_chords(chords, coarse, result);
         if (bad_chords.empty())
           return result;
       }
@@ -279,13 +279,21 @@ private:
     mesh.vertices.swap(used);
   }
 
-  // The chords at coarse triangles that flip where they are subdivided.
-  static std::set<std::size_t> chords_of_flips(const std::vector<Border_chords::Chord>& chords, const Subdivided_mesh& coarse, const Subdivided_mesh& fine)
+  // The chords that the border leaves by more than a quarter of the height of their triangle, and those at triangles that flip where they are subdivided.
+  std::set<std::size_t> coarse_chords(const std::vector<Border_chords::Chord>& chords, const Subdivided_mesh& coarse, const Subdivided_mesh& fine) const
   {
     std::map<Mesh::Halfedge_index, std::size_t> chord_of;
     for (std::size_t i = 0; i < chords.size(); ++i)
       chord_of[chords[i].first] = i;
     std::set<std::size_t> result;
+    for (const Subdivided_mesh::Triangle& t : coarse.triangles)
+      for (int i = 0; i < 3; ++i) {
+        const New_vertex &a = coarse.vertices[t.corners[i]], &b = coarse.vertices[t.corners[(i + 1) % 3]], &c = coarse.vertices[t.corners[(i + 2) % 3]];
+        const auto chord = chord_of.find(a.border);
+        if (chord != chord_of.end() && b.border != Mesh::null_halfedge() && m_mesh.target(chords[chord->second].last) == m_mesh.source(b.border)
+            && std::abs(CGAL::area(a.uv, b.uv, m_borders.middle(a, b).uv)) > 0.25 * CGAL::area(a.uv, b.uv, c.uv))
+          result.insert(chord->second);
+      }
     for (std::size_t i = 0; i < fine.triangles.size(); ++i)
       if (!fine.is_positive(fine.triangles[i]))
         for (const std::size_t corner : coarse.triangles[i / (fine.triangles.size() / coarse.triangles.size())].corners)

@@ -32,7 +32,7 @@ Drawn_surface drawn_mesh(const Mesh& mesh, const Subdivided_mesh& subdivided)
   for (const Subdivided_mesh::Triangle& t : subdivided.triangles) {
     Drawn_surface::Triangle drawn = { t.corners, { CGAL::ORIGIN, CGAL::ORIGIN, CGAL::ORIGIN } };
     for (int i = 0; i < 3; ++i)
-      drawn.line_widths[i] = t.is_coarse[i] ? 4 : 1;
+      drawn.line_widths[i] = t.is_coarse[i] ? 3 : 1;
     surface.triangles.push_back(drawn);
   }
   return surface;
@@ -40,6 +40,7 @@ Drawn_surface drawn_mesh(const Mesh& mesh, const Subdivided_mesh& subdivided)
 
 void run(const Arguments& arguments)
 {
+  const Picture picture(arguments);
   const std::size_t subdivisions = arguments.number<std::size_t>("subdivisions", 3, 0, 8), coarsest = arguments.number<std::size_t>("coarsest", 100, 4, 1000000);
   Mesh mesh = read_surface(arguments);
   const Vertex_uv_map uvmap = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
@@ -57,7 +58,7 @@ void run(const Arguments& arguments)
               std::size_t(result.number_of_faces()) >> 2 * subdivisions, subdivisions, std::size_t(result.number_of_faces()), distance / box_diagonal(mesh));
   write_file(arguments.text("output", "remeshing.obj"),
              [&](std::ostream& out) { SMP::IO::write_OBJ(out, result, new_uvmap, CGAL::Constant_property_map<Mesh::Vertex_index, bool>(true)); });
-  draw_if_asked(arguments, drawn_mesh(result, subdivided), Checker_board{ 1, 1 });
+  picture.draw(drawn_mesh(result, subdivided), Checker_board{ 1, 1 });
 }
 
 } // namespace

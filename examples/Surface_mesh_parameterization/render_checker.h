@@ -118,7 +118,6 @@ struct View
 
   View() { }
 
-  // --view X,Y,Z or X,Y,Z,UX,UY,UZ
   explicit View(const Arguments& arguments)
   {
     if (!arguments.has("view"))
@@ -270,13 +269,25 @@ private:
   std::size_t m_width, m_height;
 };
 
-// --picture OUT.png, --view and --size
-inline void draw_if_asked(const Arguments& arguments, const Drawn_surface& surface, const Checker_board& board)
+// The options --picture OUT.png, --view and --size.
+class Picture
 {
-  const View view(arguments);
-  const std::size_t size = arguments.number<std::size_t>("size", 900, 64, 8192);
-  if (arguments.has("picture"))
-    write_file(arguments.text("picture", ""), [&](std::ostream& out) { write_PNG(out, Renderer(surface, view, size).image(board)); });
-}
+public:
+  explicit Picture(const Arguments& arguments)
+    : m_file(arguments.text("picture", "")), m_view(arguments), m_size(arguments.number<std::size_t>("size", 900, 64, 8192))
+  { }
+
+  // Draws if there is a file to draw to.
+  void draw(const Drawn_surface& surface, const Checker_board& board) const
+  {
+    if (!m_file.empty())
+      write_file(m_file, [&](std::ostream& out) { write_PNG(out, Renderer(surface, m_view, m_size).image(board)); });
+  }
+
+private:
+  std::string m_file;
+  View m_view;
+  std::size_t m_size;
+};
 
 #endif // RENDER_CHECKER_H

@@ -133,7 +133,8 @@ std::vector<Point_2> parameters_of(const Mesh& mesh, const Vertex_uv_map& uvmap)
 
 void run(const Arguments& arguments)
 {
-  const std::size_t columns = arguments.number<std::size_t>("columns", 16, 4, 1000), rows = arguments.number<std::size_t>("rows", 20, 4, 1000);
+  const Picture picture(arguments);
+  const std::size_t columns = arguments.number<std::size_t>("columns", 24, 4, 1000), rows = arguments.number<std::size_t>("rows", 32, 4, 1000);
   const double smoothing = arguments.number("smoothing", 1e-6, 1e-12, 1e6);
   Mesh mesh = read_surface(arguments);
   const Vertex_uv_map uvmap = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
@@ -158,7 +159,7 @@ void run(const Arguments& arguments)
   write_file(arguments.text("output", "surface_fitting.obj"),
              [&](std::ostream& out) { SMP::IO::write_OBJ(out, mesh, uvmap, CGAL::Constant_property_map<Mesh::Vertex_index, bool>(true)); });
   // A square of the board is a polynomial piece of the surface.
-  draw_if_asked(arguments, drawn_surface(mesh, uvmap), Checker_board{ columns - 3, rows - 3 });
+  picture.draw(drawn_surface(mesh, uvmap), Checker_board{ columns - 3, rows - 3 });
 }
 
 } // namespace

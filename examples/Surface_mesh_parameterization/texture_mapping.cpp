@@ -29,11 +29,11 @@ namespace {
 
 const char* const usage = "texture_mapping_example [INPUT] [--output OUT.obj] [--squares N] [--paths N] [--picture OUT.png] [--view X,Y,Z[,UX,UY,UZ]] [--size PIXELS]";
 
-std::list<Chart> make_charts(const Arguments& arguments)
+// The components of a mesh; closed ones are cut open.
+std::list<Chart> make_charts(const Mesh& mesh, std::size_t number_of_paths)
 {
-  const std::size_t number_of_paths = arguments.number<std::size_t>("paths", 3, 1, 1000);
   std::vector<Mesh> components;
-  CGAL::Polygon_mesh_processing::split_connected_components(read_mesh_or_face(arguments), components);
+  CGAL::Polygon_mesh_processing::split_connected_components(mesh, components);
 
   std::list<Chart> charts;
   for (const Mesh& component : components) {
@@ -70,9 +70,10 @@ void write_files(const std::string& name, const std::list<Chart>& charts, const 
 
 void run(const Arguments& arguments)
 {
+  const Picture picture(arguments);
   const std::size_t squares = arguments.number<std::size_t>("squares", 40, 1, 1024);
   const Checker_board board{ squares, squares };
-  std::list<Chart> charts = make_charts(arguments);
+  std::list<Chart> charts = make_charts(read_mesh_or_face(arguments), arguments.number<std::size_t>("paths", 3, 1, 1000));
   for (Chart& chart : charts)
     throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(chart.seam_mesh, chart.uvmap, CGAL::parameters::globally_injective(true)));
   lay_side_by_side(charts);
@@ -87,7 +88,7 @@ void run(const Arguments& arguments)
   }
   std::printf("%zu charts, %zu flips, %zu overlapping pairs\n", charts.size(), flips, overlaps);
   write_files(arguments.text("output", "texture_mapping.obj"), charts, board);
-  draw_if_asked(arguments, surface, board);
+  picture.draw(surface, board);
 }
 
 } // namespace
