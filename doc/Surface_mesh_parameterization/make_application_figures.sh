@@ -26,25 +26,30 @@ side_by_side() {
 
 "$examples/texture_mapping_example" --squares 30 --size 900 --picture front.png >/dev/null
 "$examples/texture_mapping_example" --squares 30 --size 900 --picture side.png --view 1,0.15,0.9 >/dev/null
-side_by_side checker.png 300 400 front.png "" side.png ""
+side_by_side checker.png 300 400 front.png "the checker board on the face" side.png "from the side"
 
 pictures=()
 for n in 8 16 32; do
   "$examples/surface_fitting_example" --columns $n --rows $((4 * n / 3)) --size 900 --picture "fit_$n.png" --view 0.5,0.1,1 >output
-  pictures+=("fit_$n.png" "$n × $((4 * n / 3)), error $(sed 's/.*root mean square //' output)")
+  pictures+=("fit_$n.png" "$n × $((4 * n / 3)) control points, $(awk '{ printf "%.2f", 100 * $NF }' output) %")
 done
 side_by_side fitting.png 260 360 "${pictures[@]}"
 
 pictures=()
-for k in 0 1 3; do
+for k in 0 1 2; do
   "$examples/remeshing_example" --coarsest 50 --subdivisions $k --size 900 --picture "subdivided_$k.png" --view 0.5,0.1,1 >output
   pictures+=("subdivided_$k.png" "$(grep -c '^f ' remeshing.obj) triangles")
 done
-side_by_side remeshing.png 260 360 "${pictures[@]}"
+side_by_side remeshing.png 240 332 "${pictures[@]}"
 
 "$examples/cut_open_closed_mesh_example" --size 900 --picture one.png --view 0,0.2,1 >/dev/null
 "$examples/cut_open_closed_mesh_example" --paths 3 --size 900 --picture three.png --view 0,0.2,1 >/dev/null
 side_by_side seam.png 360 360 one.png "cut along one path" three.png "along three"
 
-"$examples/hierarchical_parameterization" --method symmetric-dirichlet --picture map.svg --quiet
-rsvg-convert -w 640 --background-color=white map.svg -o "$figures/distortion.png"
+pictures=()
+for method in uniform symmetric-dirichlet; do
+  "$examples/hierarchical_parameterization" --method $method --picture map.svg --quiet
+  rsvg-convert -w 900 --background-color=white map.svg -o "$method.png"
+  pictures+=("$method.png" "$method")
+done
+side_by_side distortion.png 340 340 "${pictures[@]}"
