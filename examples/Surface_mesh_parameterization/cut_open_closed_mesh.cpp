@@ -30,9 +30,8 @@ namespace {
 
 const char* const usage = "cut_open_closed_mesh_example [INPUT] [--output OUT.obj] [--paths N] [--picture OUT.png] [--view X,Y,Z[,UX,UY,UZ]] [--size PIXELS]";
 
-Mesh make_sphere_with_bumps()
+void make_sphere_with_bumps(Mesh& mesh)
 {
-  Mesh mesh;
   CGAL::make_icosahedron<Mesh, Point_3>(mesh);
   CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(4));
   mesh.collect_garbage();
@@ -41,14 +40,13 @@ Mesh make_sphere_with_bumps()
     const double bump = std::sin(5 * direction.x()) * std::sin(4 * direction.y() + 1) * std::sin(5 * direction.z() + 2);
     mesh.point(v) = CGAL::ORIGIN + (1 + 0.15 * bump) * direction;
   }
-  return mesh;
 }
 
 void run(const Arguments& arguments)
 {
   const Picture picture(arguments);
   const std::size_t number_of_paths = arguments.number<std::size_t>("paths", 1, 1, 1000);
-  Mesh mesh = arguments.input().empty() ? make_sphere_with_bumps() : read_mesh(arguments.input(), true);
+  Mesh mesh = read_mesh_or(arguments, make_sphere_with_bumps);
   if (!CGAL::is_closed(mesh))
     throw Input_error{ "has a border: no cut is needed" };
   const auto component_of = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component").first;

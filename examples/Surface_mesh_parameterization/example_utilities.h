@@ -125,22 +125,41 @@ inline int run_application(int argc, char** argv, const std::string& usage, cons
   }
 }
 
-// The input with polygons cut into triangles, or the built-in face.
-inline Mesh read_mesh_or_face(const Arguments& arguments)
+// The diagonal of the box around a mesh: the unit of errors that are told.
+inline double box_diagonal(const Mesh& mesh)
 {
-  if (!arguments.input().empty())
-    return read_mesh(arguments.input(), true);
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+}
+
+// Lengths whose products cannot be represented are refused.
+inline void check_size(const Mesh& mesh)
+{
+  const double diagonal = box_diagonal(mesh);
+  if (!(diagonal > 1e-70 && diagonal < 1e70))
+    throw Input_error{ diagonal > 0 ? "is too small or too large: scale it" : "has all vertices at one place", SMP::ERROR_WRONG_PARAMETER };
+}
+
+// The input with polygons cut into triangles; without one, what make_default(mesh) makes.
+template <class Make_default>
+Mesh read_mesh_or(const Arguments& arguments, const Make_default& make_default)
+{
   Mesh mesh;
-  make_face(mesh);
+  if (arguments.input().empty())
+    make_default(mesh);
+  else
+    mesh = read_mesh(arguments.input(), true);
+  check_size(mesh);
   return mesh;
 }
 
-// The largest component of that.
+// The largest component of the input or of the built-in face.
 inline Mesh read_surface(const Arguments& arguments)
 {
-  Mesh mesh = read_mesh_or_face(arguments);
+  Mesh mesh = read_mesh_or(arguments, make_face<Mesh>);
   CGAL::Polygon_mesh_processing::keep_largest_connected_components(mesh, 1);
   mesh.collect_garbage();
+  check_size(mesh);
   return mesh;
 }
 
@@ -171,13 +190,6 @@ inline void turn_upright(std::vector<Point_2>& points)
   up /= std::sqrt(up.squared_length());
   for (Point_2& p : points)
     p = Point_2(up.y() * p.x() - up.x() * p.y(), up.x() * p.x() + up.y() * p.y());
-}
-
-// The diagonal of the box around a mesh: the unit of errors that are told.
-inline double box_diagonal(const Mesh& mesh)
-{
-  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
-  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
 
 #endif // EXAMPLE_UTILITIES_H

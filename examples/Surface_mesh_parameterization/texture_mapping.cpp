@@ -73,7 +73,7 @@ void run(const Arguments& arguments)
   const Picture picture(arguments);
   const std::size_t squares = arguments.number<std::size_t>("squares", 40, 1, 1024);
   const Checker_board board{ squares, squares };
-  std::list<Chart> charts = make_charts(read_mesh_or_face(arguments), arguments.number<std::size_t>("paths", 3, 1, 1000));
+  std::list<Chart> charts = make_charts(read_mesh_or(arguments, make_face<Mesh>), arguments.number<std::size_t>("paths", 3, 1, 1000));
   for (Chart& chart : charts)
     throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(chart.seam_mesh, chart.uvmap, CGAL::parameters::globally_injective(true)));
   lay_side_by_side(charts);
