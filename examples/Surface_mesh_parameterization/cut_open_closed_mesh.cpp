@@ -23,7 +23,6 @@
 #include <cstdio>
 #include <list>
 #include <ostream>
-#include <string>
 #include <vector>
 
 namespace {
