@@ -34,4 +34,4 @@ install_missing() {
     echo "could not install: trying to build without ${missing[*]}" >&2
 }
 
-build_packages=(g++ make cmake libcgal-dev libeigen3-dev nlohmann-json3-dev libtbb-dev libboost-program-options-dev)
+build_packages=(g++ make cmake libcgal-dev libeigen3-dev nlohmann-json3-dev libtbb-dev zlib1g-dev libboost-program-options-dev)

@@ -3,6 +3,7 @@
 //
 // Parameterizes surfaces from the command line: see --help.
 
+#include "program_file.h"
 #include "program_input.h"
 #include "program_methods.h"
 #include "program_output.h"

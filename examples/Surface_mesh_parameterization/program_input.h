@@ -127,13 +127,19 @@ inline void choose_component(Input& input)
                        SMP::ERROR_NO_TOPOLOGICAL_DISC };
 }
 
+// The mesh of the named file. Throws an Input_error.
+inline Mesh read_mesh(const std::string& file, bool is_triangulated)
+{
+  return make_mesh(read_soup(file, read_content(file)), is_triangulated);
+}
+
 // The named file, or the built-in face if there is no name. Throws an Input_error.
 inline void read_input(const std::string& file, bool is_triangulated, Input& input)
 {
   if (file.empty())
     make_face(input.mesh);
   else
-    input.mesh = make_mesh(read_soup(file, read_content(file)), is_triangulated);
+    input.mesh = read_mesh(file, is_triangulated);
   choose_component(input);
 }
 

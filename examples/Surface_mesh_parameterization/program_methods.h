@@ -4,6 +4,7 @@
 #ifndef PROGRAM_METHODS_H
 #define PROGRAM_METHODS_H
 
+#include "program_file.h"
 #include "program_input.h"
 #include "program_output.h"
 
@@ -54,8 +55,6 @@ struct Method_options
   bool flat, quiet, is_globally_injective, fills_holes;
   SMP::Flip_policy flip_policy;
 };
-
-struct Usage_error { std::string message; };
 
 // A method that --method can name. A new one is a row in methods().
 struct Program_method

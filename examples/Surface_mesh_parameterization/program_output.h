@@ -4,6 +4,7 @@
 #ifndef PROGRAM_OUTPUT_H
 #define PROGRAM_OUTPUT_H
 
+#include "program_file.h"
 #include "program_input.h"
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
@@ -17,13 +18,9 @@
 
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <ostream>
-#include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
 // What there is to report of one input.
@@ -35,36 +32,6 @@ struct Run_record
   double seconds_read = 0, seconds_write = 0;
   std::string status, error;                                // for the report; no error: an empty text
 };
-
-// Writes a file as a whole or not at all: under another name first, unless the path is no regular file (a pipe, a device).
-template <class Write>
-void write_file(const std::string& path, const Write& write)
-{
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  const bool is_special = fs::exists(status) && !fs::is_regular_file(status);
-  const std::string temporary = is_special ? path : path + ".part";
-  std::ofstream out(temporary, std::ios::binary);
-  if (out) {
-    try {
-      write(out);
-    } catch (...) {
-      out.setstate(std::ios::badbit);
-    }
-    out.close();
-    if (out && is_special)
-      return;
-    if (out) {
-      fs::rename(temporary, path, error);
-      if (!error)
-        return;
-    }
-    if (!is_special)
-      fs::remove(temporary, error);
-  }
-  throw std::runtime_error(path + ": cannot be written");
-}
 
 // One level as OBJ: its vertices where the input has them, or in the middle of a hole that was filled, its triangles, and its map (up to scale).
 inline void write_level(std::ostream& out, const Mesh& mesh, const std::vector<Mesh::Vertex_index>& vertices_of_component,

@@ -25,6 +25,9 @@ struct Input_error
   SMP::Error_code code = SMP::OK;     // OK: the file cannot be read
 };
 
+// Something that is wrong with the command line.
+struct Usage_error { std::string message; };
+
 // What a file holds, before it is known to be a surface.
 struct Polygon_soup
 {

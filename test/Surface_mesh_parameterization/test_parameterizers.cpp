@@ -931,6 +931,8 @@ TEST(Write_SVG, draws_every_triangle)
   const std::string text = file.str();
   EXPECT_EQ(text.rfind("<svg ", 0), 0u);
   EXPECT_EQ(std::count(text.begin(), text.end(), 'Z'), 24);
+  for (const std::string label : { ">1<", ">1.25<", ">1.5<", "2<" })
+    EXPECT_NE(text.find(label + "/text>"), std::string::npos) << label;
   EXPECT_EQ(text.find("nan"), std::string::npos);
 }
 

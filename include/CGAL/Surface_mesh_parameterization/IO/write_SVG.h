@@ -17,6 +17,7 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -36,13 +37,29 @@ public:
       m_box += p.bbox();
   }
 
+  // The map, and to its right a bar that tells the colors.
   void write(std::ostream& os) const
   {
-    constexpr double size = 1000, margin = 10;
+    constexpr double size = 1000;
     const double extent = (std::max)(m_box.xmax() - m_box.xmin(), m_box.ymax() - m_box.ymin());
     const double scale = extent > 0 ? size / extent : 1;
-    os << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << rounded(scale * (m_box.xmax() - m_box.xmin()) + 2 * margin) << ' '
-       << rounded(scale * (m_box.ymax() - m_box.ymin()) + 2 * margin) << "\" stroke=\"#222\" stroke-width=\"0.4\" stroke-linejoin=\"round\">\n";
+    const double map_width = scale * (m_box.xmax() - m_box.xmin()), map_height = scale * (m_box.ymax() - m_box.ymin());
+    const double height = (std::max)(map_height, bar_height + 2 * bar_room);
+    os << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << rounded(map_width + bar_space + 2 * margin) << ' '
+       << rounded(height + 2 * margin) << "\" stroke=\"#222\" stroke-width=\"0.4\" stroke-linejoin=\"round\">\n";
+    write_triangles(os, scale, margin + 0.5 * (height - map_height));
+    write_bar(os, margin + map_width + bar_space - bar_width, margin + 0.5 * (height - bar_height));
+    os << "</svg>\n";
+  }
+
+private:
+  static constexpr std::size_t number_of_colors = 16;
+  static constexpr double margin = 10;
+  // Of the bar: its size, the space between its right end and the map, the room above and below for texts.
+  static constexpr double bar_width = 18, bar_height = 260, bar_space = 110, bar_room = 30;
+
+  void write_triangles(std::ostream& os, double scale, double top) const
+  {
     for (std::size_t i = 0; i < number_of_colors; ++i) {
       if (m_triangles[i].empty())
         continue;
@@ -50,18 +67,30 @@ public:
       for (const std::array<Point_2, 3>& t : m_triangles[i]) {
         char command = 'M';
         for (const Point_2& p : t) {
-          os << command << rounded(margin + scale * (p.x() - m_box.xmin())) << ' ' << rounded(margin + scale * (m_box.ymax() - p.y()));
+          os << command << rounded(margin + scale * (p.x() - m_box.xmin())) << ' ' << rounded(top + scale * (m_box.ymax() - p.y()));
           command = 'L';
         }
         os << 'Z';
       }
       os << "\"/>\n";
     }
-    os << "</svg>\n";
   }
 
-private:
-  static constexpr std::size_t number_of_colors = 16;
+  // From the least distortion at the foot to 2 and more at the head, with numbers to the left.
+  static void write_bar(std::ostream& os, double left, double top)
+  {
+    constexpr double step = bar_height / double(number_of_colors);
+    os << "<g stroke=\"none\" shape-rendering=\"crispEdges\">\n";
+    for (std::size_t i = 0; i < number_of_colors; ++i)
+      os << "<rect x=\"" << rounded(left) << "\" y=\"" << rounded(top + bar_height - double(i + 1) * step) << "\" width=\"" << bar_width << "\" height=\"" << rounded(step)
+         << "\" fill=\"" << color(double(i) / double(number_of_colors - 1)) << "\"/>\n";
+    os << "</g>\n<rect x=\"" << rounded(left) << "\" y=\"" << rounded(top) << "\" width=\"" << bar_width << "\" height=\"" << bar_height << "\" fill=\"none\"/>\n"
+       << "<g font-family=\"sans-serif\" font-size=\"18\" fill=\"#222\" stroke=\"none\" text-anchor=\"end\">\n";
+    static const std::array<std::pair<double, const char*>, 4> labels = { { { 1, "1" }, { 1.25, "1.25" }, { 1.5, "1.5" }, { 2, "\u2265 2" } } };
+    for (const auto& [distortion, text] : labels)
+      os << "<text x=\"" << rounded(left - 7) << "\" y=\"" << rounded(top + (1 - std::log2(distortion)) * bar_height + 6) << "\">" << text << "</text>\n";
+    os << "</g>\n";
+  }
 
   // Two digits behind the point: a hundred-thousandth of the drawing.
   static double rounded(double coordinate) { return std::round(100 * coordinate) / 100; }
@@ -91,7 +120,7 @@ namespace IO {
 /// \ingroup PkgHierarchicalParameterizationIO
 ///
 /// draws a parameterization as SVG: the triangles in the plane, colored by their angle distortion `(s1/s2 + s2/s1) / 2` from nearly white (1) over
-/// orange to dark red (2 and more).
+/// orange to dark red (2 and more), with a bar that tells the colors.
 ///
 /// \param os the stream; whether writing succeeded is told by its state
 /// \param mesh a triangle mesh, a model of `FaceGraph` with an internal vertex point map

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Draws the figures of the applications into fig/: make_application_figures.sh FOLDER, which has the built examples. Needs rsvg-convert.
+set -euo pipefail
+examples=$(cd "${1:?usage: make_application_figures.sh FOLDER_OF_EXAMPLES}" && pwd)
+figures=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/fig
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+# side_by_side FIGURE WIDTH HEIGHT [PICTURE CAPTION]...: pictures of the same size with texts below.
+side_by_side() {
+  local figure=$1 width=$2 height=$3 x=0 step=$(($2 + 20))
+  shift 3
+  {
+    echo "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' width='$(($# / 2 * step - 20))' height='$((height + 34))'>"
+    echo "<rect width='100%' height='100%' fill='white'/><g font-family='sans-serif' font-size='15' fill='#222' text-anchor='middle'>"
+    for (( ; $# > 0; x += step)); do
+      echo "<image x='$x' y='0' width='$width' height='$height' xlink:href='$1'/>"
+      echo "<text x='$((x + width / 2))' y='$((height + 22))'>$2</text>"
+      shift 2
+    done
+    echo "</g></svg>"
+  } >side_by_side.svg
+  rsvg-convert side_by_side.svg -o "$figures/$figure"
+}
+
+"$examples/texture_mapping_example" --squares 30 --size 900 --picture front.png >/dev/null
+"$examples/texture_mapping_example" --squares 30 --size 900 --picture side.png --view 1,0.15,0.9 >/dev/null
+side_by_side checker.png 300 400 front.png "the checker board on the face" side.png "from the side"
+
+pictures=()
+for n in 8 16 32; do
+  "$examples/surface_fitting_example" --columns $n --rows $((4 * n / 3)) --size 900 --picture "fit_$n.png" --view 0.5,0.1,1 >output
+  pictures+=("fit_$n.png" "$n × $((4 * n / 3)) control points, $(awk '{ printf "%.2f", 100 * $NF }' output) %")
+done
+side_by_side fitting.png 260 360 "${pictures[@]}"
+
+pictures=()
+for k in 0 1 2; do
+  "$examples/remeshing_example" --coarsest 50 --subdivisions $k --size 900 --picture "subdivided_$k.png" --view 0.5,0.1,1 >output
+  pictures+=("subdivided_$k.png" "$(grep -c '^f ' remeshing.obj) triangles")
+done
+side_by_side remeshing.png 240 332 "${pictures[@]}"
+
+"$examples/cut_open_closed_mesh_example" --size 900 --picture one.png --view 0,0.2,1 >/dev/null
+"$examples/cut_open_closed_mesh_example" --paths 3 --size 900 --picture three.png --view 0,0.2,1 >/dev/null
+side_by_side seam.png 360 360 one.png "cut along one path" three.png "along three"
+
+pictures=()
+for method in uniform symmetric-dirichlet; do
+  "$examples/hierarchical_parameterization" --method $method --picture map.svg --quiet
+  rsvg-convert -w 900 --background-color=white map.svg -o "$method.png"
+  pictures+=("$method.png" "$method")
+done
+side_by_side distortion.png 340 340 "${pictures[@]}"

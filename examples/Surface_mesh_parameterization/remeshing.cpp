@@ -1,0 +1,69 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Remeshing with subdivision connectivity: triangulates the vertices of the coarsest level of the hierarchy in the map, divides each triangle there into four
+// over and over, and pulls the result back to the surface. Vertices on the border stay there: an edge of the border is halved along it. Writes the new mesh
+// as OBJ. Without INPUT, a face.
+
+#include "example_utilities.h"
+#include "program_file.h"
+#include "remesher.h"
+#include "render_checker.h"
+
+#include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
+
+#include <CGAL/Polygon_mesh_processing/distance.h>
+
+#include <cstddef>
+#include <cstdio>
+#include <ostream>
+
+namespace {
+
+const char* const usage = "remeshing_example [INPUT] [--output OUT.obj] [--coarsest VERTICES] [--subdivisions K] [--picture OUT.png] [--view X,Y,Z[,UX,UY,UZ]] [--size PIXELS]";
+
+// All edges as lines, those of the coarse mesh as thick ones.
+Drawn_surface drawn_mesh(const Mesh& mesh, const Subdivided_mesh& subdivided)
+{
+  Drawn_surface surface;
+  surface.points.assign(mesh.points().begin(), mesh.points().end());
+  for (const Subdivided_mesh::Triangle& t : subdivided.triangles) {
+    Drawn_surface::Triangle drawn = { t.corners, { CGAL::ORIGIN, CGAL::ORIGIN, CGAL::ORIGIN } };
+    for (int i = 0; i < 3; ++i)
+      drawn.line_widths[i] = t.is_coarse[i] ? 3 : 1;
+    surface.triangles.push_back(drawn);
+  }
+  return surface;
+}
+
+void run(const Arguments& arguments)
+{
+  const Picture picture(arguments);
+  const std::size_t subdivisions = arguments.number<std::size_t>("subdivisions", 3, 0, 8), coarsest = arguments.number<std::size_t>("coarsest", 100, 4, 1000000);
+  Mesh mesh = read_surface(arguments);
+  const Vertex_uv_map uvmap = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
+  throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(mesh, uvmap, CGAL::parameters::globally_injective(true)));
+
+  const Remesher remesher(mesh, uvmap);
+  const Subdivided_mesh subdivided = remesher.remesh(coarsest, subdivisions);
+  Mesh result = remesher.pull_back(subdivided);
+  const Vertex_uv_map new_uvmap = result.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
+  for (const Mesh::Vertex_index v : result.vertices())
+    new_uvmap[v] = subdivided.vertices[v].uv;
+
+  const double distance = PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(mesh.points(), result);
+  std::printf("%zu coarse triangles, subdivided %zu times: %zu triangles; greatest distance of a vertex of the input from them, in diagonals of its box: %.3g\n",
+              std::size_t(result.number_of_faces()) >> 2 * subdivisions, subdivisions, std::size_t(result.number_of_faces()), distance / box_diagonal(mesh));
+  write_file(arguments.text("output", "remeshing.obj"),
+             [&](std::ostream& out) { SMP::IO::write_OBJ(out, result, new_uvmap, CGAL::Constant_property_map<Mesh::Vertex_index, bool>(true)); });
+  picture.draw(drawn_mesh(result, subdivided), Checker_board{ 1, 1 });
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  return run_application(argc, argv, usage, { "output", "coarsest", "subdivisions", "picture", "view", "size" }, run);
+}

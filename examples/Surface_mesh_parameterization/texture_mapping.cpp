@@ -1,0 +1,99 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Texture mapping: lays every component of a mesh in the plane with least distortion of lengths, side by side in the unit square and to one scale, and
+// writes it as OBJ with a material and a checker board as its texture, which all viewers show. Closed components are cut open along paths of edges.
+// Without INPUT, a face.
+
+#include "chart.h"
+#include "example_utilities.h"
+#include "program_file.h"
+#include "render_checker.h"
+
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <list>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace {
+
+const char* const usage = "texture_mapping_example [INPUT] [--output OUT.obj] [--squares N] [--paths N] [--picture OUT.png] [--view X,Y,Z[,UX,UY,UZ]] [--size PIXELS]";
+
+// The components of a mesh; closed ones are cut open.
+std::list<Chart> make_charts(const Mesh& mesh, std::size_t number_of_paths)
+{
+  std::vector<Mesh> components;
+  CGAL::Polygon_mesh_processing::split_connected_components(mesh, components);
+
+  std::list<Chart> charts;
+  for (const Mesh& component : components) {
+    Chart& chart = charts.emplace_back(component);
+    if (CGAL::is_closed(component))
+      for (const Mesh::Halfedge_index h : Seam_tree(chart.mesh).grow(number_of_paths))
+        chart.seam_mesh.add_seam(chart.mesh.source(h), chart.mesh.target(h));
+  }
+  return charts;
+}
+
+// A material whose texture is the image, both named without folder, as they lie beside the OBJ file.
+void write_files(const std::string& name, const std::list<Chart>& charts, const Checker_board& board)
+{
+  const std::filesystem::path path(name), material = std::filesystem::path(path).replace_extension(".mtl"), texture = std::filesystem::path(path).replace_extension(".png");
+  write_file(name, [&](std::ostream& out) {
+    out << "mtllib " << material.filename().string() << '\n';
+    Chart_writer writer(out);
+    std::size_t i = 0;
+    for (const Chart& chart : charts) {
+      out << "o chart_" << ++i << "\nusemtl checker\n";
+      writer.write(chart);
+    }
+  });
+  write_file(material.string(), [&](std::ostream& out) { out << "newmtl checker\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " << texture.filename().string() << '\n'; });
+
+  const std::size_t pixels = board.columns * (1024 / board.columns);      // every square has whole ones
+  Image image(pixels, pixels);
+  for (std::size_t y = 0; y < pixels; ++y)
+    for (std::size_t x = 0; x < pixels; ++x)
+      image.pixels[y * pixels + x] = board(Point_2((double(x) + 0.5) / double(pixels), 1 - (double(y) + 0.5) / double(pixels)));
+  write_file(texture.string(), [&](std::ostream& out) { write_PNG(out, image); });
+}
+
+void run(const Arguments& arguments)
+{
+  const Picture picture(arguments);
+  const std::size_t squares = arguments.number<std::size_t>("squares", 40, 1, 1024);
+  const Checker_board board{ squares, squares };
+  std::list<Chart> charts = make_charts(read_mesh_or(arguments, make_face<Mesh>), arguments.number<std::size_t>("paths", 3, 1, 1000));
+  for (Chart& chart : charts)
+    throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(chart.seam_mesh, chart.uvmap, CGAL::parameters::globally_injective(true)));
+  lay_side_by_side(charts);
+
+  std::size_t flips = 0, overlaps = 0;
+  Drawn_surface surface;
+  for (const Chart& chart : charts) {
+    const SMP::Parameterization_quality quality = SMP::parameterization_quality(chart.seam_mesh, chart.uvmap);
+    flips += quality.flips;
+    overlaps += quality.overlaps;
+    add_to_picture(chart, 0, surface);
+  }
+  std::printf("%zu charts, %zu flips, %zu overlapping pairs\n", charts.size(), flips, overlaps);
+  write_files(arguments.text("output", "texture_mapping.obj"), charts, board);
+  picture.draw(surface, board);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  return run_application(argc, argv, usage, { "output", "squares", "paths", "picture", "view", "size" }, run);
+}
