@@ -4,7 +4,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../.cmake/prepare.sh"
 
 build=$root/.build/test
-install_missing "${build_packages[@]}" libgtest-dev ccache
+install_missing "${build_packages[@]}" libgtest-dev ccache doxygen
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release
 cmake --build "$build" -j"$(nproc)"
 unlock

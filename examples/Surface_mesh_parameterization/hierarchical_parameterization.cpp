@@ -15,6 +15,7 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/exceptions.h>
+#include <CGAL/version.h>
 
 #include <boost/program_options.hpp>
 
@@ -45,7 +46,7 @@ struct Options : Method_options
   bool triangulate;
 };
 
-// Returns whether there is something to do: not after --help.
+// Returns whether there is something to do: not after --help and --version.
 bool read_options(int argc, char** argv, Options& options)
 {
   namespace po = boost::program_options;
@@ -53,8 +54,9 @@ bool read_options(int argc, char** argv, Options& options)
   po::options_description described("Options");
   described.add_options()
     ("help,h", "print this text")
+    ("version", "print the version")
     ("method", po::value(&method)->default_value("mips"), "one of those above")
-    ("output", po::value(&options.output), "write the mesh with its map as OBJ")
+    ("output", po::value(&options.output), "write the mesh with its map as OBJ, or as PLY with the vertex properties u and v")
     ("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion")
     ("report", po::value(&options.report), "write figures as JSON, one line per input")
     ("levels", po::value(&options.levels), "write every level of the hierarchy as OBJ into this folder")
@@ -82,9 +84,18 @@ bool read_options(int argc, char** argv, Options& options)
   if (values.count("help")) {
     std::cout << "Usage: hierarchical_parameterization [INPUT ...] [OPTION ...]\n\n"
                  "Lays triangulated surfaces (OFF, OBJ, PLY or STL) in the plane, coarse to fine.\n"
-                 "Without INPUT: a built-in face of 1042 vertices.\n\nMethods:\n  "
+                 "Without INPUT: a built-in face of 1042 vertices. INPUT may be -, the standard input.\n\n"
+                 "Examples:\n"
+                 "  hierarchical_parameterization scan.ply --output scan.obj --picture map.svg\n"
+                 "  hierarchical_parameterization --method symmetric-dirichlet --globally-injective scan.ply --output map.ply\n"
+                 "  find charts -name '*.off' | xargs -P 8 -n 100 hierarchical_parameterization --quiet --threads 1\n\n"
+                 "Methods:\n  "
               << list_of_methods("\n  ", [](const Program_method& m) { return m.name + ": " + m.description + (m.is_flip_free ? "; no triangle flips" : ""); }) << "\n\n" << described << "\n"
                  "Exit status: 0 maps written, 1 wrong usage, 2 an input cannot be read or is no surface to parameterize, 3 a method failed or a file cannot be written.\n";
+    return false;
+  }
+  if (values.count("version")) {
+    std::cout << "hierarchical_parameterization " PROGRAM_VERSION " with CGAL " << CGAL_STR(CGAL_VERSION) << '\n';
     return false;
   }
   options.method = find_method(method);
@@ -140,7 +151,12 @@ void write_map(Run_record& run, const Options& options, UV_map uvmap)
     for (const Mesh::Face_index f : input.faces)
       for (const Mesh::Vertex_index v : input.mesh.vertices_around_face(input.mesh.halfedge(f)))
         is_parameterized[v] = true;
-    write_file(options.output, [&](std::ostream& out) { SMP::IO::write_OBJ(out, input.mesh, uvmap, is_parameterized); });
+    write_file(options.output, [&](std::ostream& out) {
+      if (has_suffix(options.output, ".ply"))
+        write_PLY(out, input.mesh, uvmap);
+      else
+        SMP::IO::write_OBJ(out, input.mesh, uvmap, is_parameterized);
+    });
   }
   if (!options.picture.empty())
     write_file(options.picture, [&](std::ostream& out) { SMP::IO::write_SVG(out, input.mesh, input.faces, uvmap); });

@@ -26,6 +26,8 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <istream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -49,6 +51,20 @@ inline bool has_suffix(const std::string& text, const std::string& suffix)
                                                     [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
+// Everything that a stream holds.
+inline std::string read_content(std::istream& in)
+{
+  std::string content;
+  char block[1 << 16];
+  while (in.read(block, sizeof block), in.gcount() > 0)
+    content.append(block, std::size_t(in.gcount()));
+  if (in.bad())
+    throw Input_error{ "cannot be read" };
+  if (content.empty())
+    throw Input_error{ "is empty", SMP::ERROR_EMPTY_MESH };
+  return content;
+}
+
 inline std::string read_content(const std::string& file)
 {
   namespace fs = std::filesystem;
@@ -59,15 +75,21 @@ inline std::string read_content(const std::string& file)
   if (type != fs::file_type::regular && type != fs::file_type::fifo)
     throw Input_error{ "is no file that can be read" };
   std::ifstream in(file, std::ios::binary);
-  std::string content;
-  char block[1 << 16];
-  while (in.read(block, sizeof block), in.gcount() > 0)
-    content.append(block, std::size_t(in.gcount()));
-  if (!in.is_open() || in.bad())
+  if (!in.is_open())
     throw Input_error{ "cannot be opened" };
-  if (content.empty())
-    throw Input_error{ "is empty", SMP::ERROR_EMPTY_MESH };
-  return content;
+  return read_content(in);
+}
+
+// The ending that a file with that content would have.
+inline std::string guess_suffix(const std::string& content)
+{
+  const std::string first_word = content.substr(0, content.find_first_of(" \t\r\n"));
+  if (first_word == "ply")
+    return ".ply";
+  if (has_suffix(first_word, "off"))      // COFF, NOFF, ...
+    return ".off";
+  const bool is_text = content.find('\0') == std::string::npos;
+  return first_word == "solid" || !is_text ? ".stl" : ".obj";
 }
 
 // Reads what a file of that name holds. Not by CGAL::IO::read_polygon_soup(): its readers believe the counts and types that a file states, which costs all
@@ -127,13 +149,17 @@ inline void choose_component(Input& input)
                        SMP::ERROR_NO_TOPOLOGICAL_DISC };
 }
 
-// The mesh of the named file. Throws an Input_error.
+// The mesh of the named file, or of the standard input for "-". Throws an Input_error.
 inline Mesh read_mesh(const std::string& file, bool is_triangulated)
 {
+  if (file == "-") {
+    const std::string content = read_content(std::cin);
+    return make_mesh(read_soup(guess_suffix(content), content), is_triangulated);
+  }
   return make_mesh(read_soup(file, read_content(file)), is_triangulated);
 }
 
-// The named file, or the built-in face if there is no name. Throws an Input_error.
+// The named file, the standard input, or the built-in face if there is no name. Throws an Input_error.
 inline void read_input(const std::string& file, bool is_triangulated, Input& input)
 {
   if (file.empty())

@@ -77,6 +77,7 @@ struct Program_visitor : SMP::Hierarchy_visitor_3
   const Mesh& mesh;
   const std::vector<Mesh::Vertex_index>& vertices;    // of the component, as the hierarchy numbers them
   bool has_progress_line;
+  double seconds = 0;       // on the levels that are done
 
   Program_visitor(const Method_options& options, const Mesh& mesh, const std::vector<Mesh::Vertex_index>& vertices)
     : options(options), mesh(mesh), vertices(vertices), has_progress_line(!options.quiet && isatty(STDERR_FILENO))
@@ -85,8 +86,7 @@ struct Program_visitor : SMP::Hierarchy_visitor_3
   bool level_parameterized(const SMP::Level& level, const SMP::Level::Uv& uv, const SMP::Level_summary& summary)
   {
     if (has_progress_line)
-      std::fprintf(stderr, "\rlevel %zu of %zu: %zu triangles, energy %.6g %s", level.index() + 1, level.hierarchy().number_of_levels(),
-                   summary.faces, summary.energy_end, level.is_finest() ? "\n" : "");
+      print_progress(level, summary);
     if (!options.levels.empty()) {
       char name[32];
       std::snprintf(name, sizeof name, "level_%02zu.obj", level.index());
@@ -94,6 +94,18 @@ struct Program_visitor : SMP::Hierarchy_visitor_3
                  [&](std::ostream& out) { write_level(out, mesh, vertices, level, uv); });
     }
     return true;
+  }
+
+  // The time that a level takes grows with its size, so what is left can be told from what is done.
+  void print_progress(const SMP::Level& level, const SMP::Level_summary& summary)
+  {
+    const SMP::Collapse_hierarchy_3& hierarchy = level.hierarchy();
+    double done = 0, left = 0;
+    for (std::size_t l = 0; l < hierarchy.number_of_levels(); ++l)
+      (l <= level.index() ? done : left) += double(hierarchy.number_of_vertices(l));
+    seconds += summary.seconds;
+    std::fprintf(stderr, "\rlevel %zu of %zu: %zu triangles, energy %.6g, about %.0f s left   %s", level.index() + 1, hierarchy.number_of_levels(),
+                 summary.faces, summary.energy_end, seconds * left / done, level.is_finest() ? "\n" : "");
   }
 };
 

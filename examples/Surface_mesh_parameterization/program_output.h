@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
+#include <CGAL/Surface_mesh/IO/PLY.h>
+
 #include <nlohmann/json.hpp>
 
 #include <sys/resource.h>
@@ -32,6 +34,27 @@ struct Run_record
   double seconds_read = 0, seconds_write = 0;
   std::string status, error;                                // for the report; no error: an empty text
 };
+
+// The mesh with its map as PLY, in plain text. Vertices of other components get no place, so that of the origin.
+inline void write_PLY(std::ostream& out, const Mesh& mesh, const Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2>& uvmap)
+{
+  Mesh copy;    // without the properties that are of no use outside
+  std::vector<Mesh::Vertex_index> vertices;
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    vertices.push_back(copy.add_vertex(mesh.point(v)));
+  for (const Mesh::Face_index f : mesh.faces()) {
+    std::vector<Mesh::Vertex_index> corners;
+    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      corners.push_back(vertices[v]);
+    copy.add_face(corners);
+  }
+  const auto u = copy.add_property_map<Mesh::Vertex_index, double>("v:u").first, v = copy.add_property_map<Mesh::Vertex_index, double>("v:v").first;
+  for (const Mesh::Vertex_index w : mesh.vertices()) {
+    u[vertices[w]] = uvmap[w].x();
+    v[vertices[w]] = uvmap[w].y();
+  }
+  CGAL::IO::write_PLY(out, copy, CGAL::parameters::stream_precision(17));
+}
 
 // One level as OBJ: its vertices where the input has them, or in the middle of a hole that was filled, its triangles, and its map (up to scale).
 inline void write_level(std::ostream& out, const Mesh& mesh, const std::vector<Mesh::Vertex_index>& vertices_of_component,

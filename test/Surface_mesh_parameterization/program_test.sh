@@ -45,6 +45,15 @@ cmp -s face.obj twice.obj || fail "two runs differ"
 expect 0 --seed 1 --output other.obj
 cmp -s face.obj other.obj && fail "the seed has no effect"
 
+# From the standard input, whatever the format; PLY holds the map as u and v.
+expect 0 face.obj --output face.ply
+[ "$(grep -c -e '^property double [uv]$' face.ply)" -eq 2 ] || fail "face.ply has no u and v"
+for format in obj ply; do
+  "$program" - --output piped.obj <face.$format >/dev/null || fail "the standard input was not read as $format"
+  cmp -s face.obj piped.obj || fail "$format from the standard input gives another map"
+done
+"$program" --version | grep -q '^hierarchical_parameterization [0-9.]* with CGAL [0-9]' || fail "--version tells no version"
+
 expect 0 --flat --report report.json
 is_field flips 0 flat
 [ "$(grep -o '"energy_end"' report.json | wc -l)" -eq 1 ] || fail "a flat run has one level"
