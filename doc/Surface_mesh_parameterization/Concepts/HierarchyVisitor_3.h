@@ -6,7 +6,7 @@
 ///
 /// What is told of a run of `Nested_iteration_parameterizer_3` while it goes on, and can stop it. Of a parameterizer that runs with the multigrid solver
 /// (`RebindableParameterizer_3`) only `hierarchy_built()` is told. A visitor is copied: let it hold references to what it
-/// collects. A run that is stopped leaves the user's property maps untouched, returns `ERROR_NO_1_TO_1_MAPPING`, and its summary says `stopped`.
+/// collects. With `fill_holes`, the levels have virtual vertices too: those whose `input_vertex()` is not less than the number of vertices of the component. A run that is stopped leaves the user's property maps untouched, returns `ERROR_NO_1_TO_1_MAPPING`, and its summary says `stopped`.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Hierarchy_visitor_3`
 class HierarchyVisitor_3
