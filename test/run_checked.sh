@@ -5,8 +5,10 @@ source "$(dirname "${BASH_SOURCE[0]}")/../.cmake/prepare.sh"
 
 build=$root/.build/checked
 install_missing "${build_packages[@]}" libgtest-dev ccache clang
+# What the address sanitizer finds as well, or what cannot be here, costs a quarter of the time to compile.
+undefined="undefined -fno-sanitize=null,alignment,object-size,vptr"
 cmake -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
-  -DCMAKE_CXX_FLAGS_DEBUG="-O1 -gline-tables-only -fsanitize=address,undefined -fno-sanitize-recover=all -fsanitize-ignorelist=$root/test/sanitizer_ignorelist.txt"
+  -DCMAKE_CXX_FLAGS_DEBUG="-O1 -gline-tables-only -fsanitize=address,$undefined -fno-sanitize-recover=all -fsanitize-ignorelist=$root/test/sanitizer_ignorelist.txt"
 cmake --build "$build" -j"$(nproc)" --target checked_tests
 unlock
 cd "$build"

@@ -80,8 +80,11 @@ private:
   void append(std::size_t i, std::size_t j, double value, bool replaces)
   {
     CGAL_precondition(i < m_rows->number_of_rows() && j < m_columns);
-    if (m_waiting.size() >= (std::max)((std::max)(fewest_waiting, m_rows->values.size()), m_rows->first.size() * expected_row_size))
+    const std::size_t most_waiting = (std::max)({ fewest_waiting, m_rows->values.size(), m_rows->first.size() * expected_row_size });
+    if (m_waiting.size() >= most_waiting)
       merge();
+    if (m_waiting.empty())
+      m_waiting.reserve(most_waiting);
     m_waiting.push_back({ Index(i), Index(j), replaces, value });
     m_replacements_wait = m_replacements_wait || replaces;
   }
@@ -128,8 +131,10 @@ private:
     merged->first.push_back(0);
     merged->columns.reserve(old.columns.size() + m_waiting.size());
     merged->values.reserve(old.columns.size() + m_waiting.size());
+    std::vector<Index> place(m_columns, 0);
+    std::vector<std::pair<Index, double>> row;
     for (Index i = 0; i < n; ++i)
-      merge_row(i, order.data() + (i == 0 ? 0 : next[i - 1]), order.data() + next[i], *merged);
+      merge_row(i, order.data() + (i == 0 ? 0 : next[i - 1]), order.data() + next[i], place, row, *merged);
     merged->columns.shrink_to_fit();
     merged->values.shrink_to_fit();
     m_rows = merged;
@@ -137,20 +142,26 @@ private:
     m_replacements_wait = false;
   }
 
-  void merge_row(Index i, Index* begin, Index* end, Rows& merged) const
+  // Of the columns that the row has met, `place` tells where in `row` they are; of others, anything.
+  void merge_row(Index i, const Index* begin, const Index* end, std::vector<Index>& place, std::vector<std::pair<Index, double>>& row, Rows& merged) const
   {
-    // Entries of one column stay in the order in which they came.
-    const auto key = [&](Index k) { return std::make_pair(Index(m_waiting[k].column), k); };
-    std::sort(begin, end, [&](Index a, Index b) { return key(a) < key(b); });
-    Index old = m_rows->first[i];
-    const Index old_end = m_rows->first[i + 1], none = Index(m_columns);
-    while (begin != end || old != old_end) {
-      const Index column = (std::min)(begin != end ? Index(m_waiting[*begin].column) : none, old != old_end ? m_rows->columns[old] : none);
-      double value = 0;
-      if (old != old_end && m_rows->columns[old] == column)
-        value = m_rows->values[old++];
-      for (; begin != end && m_waiting[*begin].column == column; ++begin)
-        value = m_waiting[*begin].replaces ? m_waiting[*begin].value : value + m_waiting[*begin].value;
+    row.clear();
+    const auto at = [&](Index column) -> double& {
+      if (!(place[column] < row.size() && row[place[column]].first == column)) {
+        place[column] = Index(row.size());
+        row.emplace_back(column, 0.);
+      }
+      return row[place[column]].second;
+    };
+    for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k)
+      at(m_rows->columns[k]) = m_rows->values[k];
+    for (; begin != end; ++begin) {
+      const Entry& e = m_waiting[*begin];
+      double& value = at(e.column);
+      value = e.replaces ? e.value : value + e.value;
+    }
+    std::sort(row.begin(), row.end());
+    for (const auto& [column, value] : row) {
       merged.columns.push_back(column);
       merged.values.push_back(value);
     }
