@@ -1,23 +1,8 @@
 #!/usr/bin/env bash
 # Runs an application on its default input and on small ones, and checks laws of what it writes: example_test.sh NAME PROGRAM
-set -u
 name=$1
 program=$2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-failures=0
-
-fail() { echo "FAILED: $*" >&2; failures=$((failures + 1)); }
-
-# expect STATUS ARGUMENT...: the program ends with that status; on an error with exactly one line on stderr.
-expect() {
-  local wanted=$1 status=0
-  shift
-  "$program" "$@" >stdout 2>stderr || status=$?
-  [ "$status" -eq "$wanted" ] || fail "'$*' ended with $status instead of $wanted: $(cat stderr)"
-  [ "$wanted" -eq 0 ] || [ "$(wc -l <stderr)" -eq 1 ] || fail "'$*' printed $(wc -l <stderr) lines on stderr instead of one"
-}
+source "$(dirname "$0")/run_as_a_user.sh"
 
 # expect_counts FILE V VT F: as many lines of each kind.
 expect_counts() {

@@ -1,22 +1,7 @@
 #!/usr/bin/env bash
 # Runs the program as a user would: program_test.sh PROGRAM
-set -u
 program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-failures=0
-
-fail() { echo "FAILED: $*" >&2; failures=$((failures + 1)); }
-
-# expect STATUS ARGUMENT...: the program ends with that status; on an error with exactly one line on stderr.
-expect() {
-  local wanted=$1 status=0
-  shift
-  "$program" "$@" >stdout 2>stderr || status=$?
-  [ "$status" -eq "$wanted" ] || fail "'$*' ended with $status instead of $wanted: $(cat stderr)"
-  [ "$wanted" -eq 0 ] || [ "$(wc -l <stderr)" -eq 1 ] || fail "'$*' printed $(wc -l <stderr) lines on stderr instead of one"
-}
+source "$(dirname "$0")/run_as_a_user.sh"
 
 # field NAME: the first value of that name in the report.
 field() { grep -o "\"$1\":[^,}]*" report.json | head -1 | cut -d: -f2; }
