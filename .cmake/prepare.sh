@@ -35,3 +35,9 @@ install_missing() {
 }
 
 build_packages=(g++ make cmake libcgal-dev libeigen3-dev nlohmann-json3-dev libtbb-dev zlib1g-dev libboost-program-options-dev)
+
+# clang with its sanitizers, which some releases have in a package of their own.
+install_clang() {
+  install_missing clang
+  install_missing libclang-rt-dev
+}

@@ -5,7 +5,8 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../.cmake/prepare.sh"
 
 build=$root/.build/fuzz
-install_missing "${build_packages[@]}" clang
+install_missing "${build_packages[@]}"
+install_clang
 mkdir -p "$build/corpus"
 clang++ -std=c++17 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -DCGAL_EIGEN3_ENABLED \
   -I"$root/include" -I/usr/include/eigen3 "$root/test/Surface_mesh_parameterization/fuzz_program.cpp" -o "$build/fuzz_program" -lgmp -lmpfr

@@ -4,7 +4,8 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../.cmake/prepare.sh"
 
 build=$root/.build/checked
-install_missing "${build_packages[@]}" libgtest-dev ccache clang
+install_missing "${build_packages[@]}" libgtest-dev ccache
+install_clang
 # What the address sanitizer finds as well, or what cannot be here, costs a quarter of the time to compile.
 undefined="undefined -fno-sanitize=null,alignment,object-size,vptr"
 cmake -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug \
