@@ -42,8 +42,9 @@ inline void write_PLY(std::ostream& out, const Mesh& mesh, const Mesh::Property_
   std::vector<Mesh::Vertex_index> vertices;
   for (const Mesh::Vertex_index v : mesh.vertices())
     vertices.push_back(copy.add_vertex(mesh.point(v)));
+  std::vector<Mesh::Vertex_index> corners;
   for (const Mesh::Face_index f : mesh.faces()) {
-    std::vector<Mesh::Vertex_index> corners;
+    corners.clear();
     for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
       corners.push_back(vertices[v]);
     copy.add_face(corners);

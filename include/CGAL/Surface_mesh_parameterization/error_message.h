@@ -36,7 +36,7 @@ inline std::string error_message(const Parameterization_error& error)
     case ERROR_NO_1_TO_1_MAPPING: message = "no map without flips was found"; break;
     case ERROR_WRONG_PARAMETER:
       message = is_at_vertex ? "a coordinate is not a finite number"
-                             : "the halfedge is not on a border, or a place on the border of the map is not finite"; break;
+                             : "the halfedge is not on a border, a place on the border of the map is not finite, or the holes of such a mesh cannot be filled"; break;
   }
   if (error.place != Parameterization_error::NOWHERE)
     message += (is_at_vertex ? " (vertex " : " (face ") + std::to_string(error.index) + ")";

@@ -67,8 +67,6 @@ public:
 
   double total_weight() const { return sum([&](Index, Index, Index, const Rest_corner& c) { return weight(c); }); }
 
-  double minimum() const { return Energy::minimum * total_weight(); }
-
   // What energies are reported in: the sum, or the mean over the area if triangles are weighted by it.
   double unit() const { return m_weight == Triangle_weight::AREA ? total_weight() : 1; }
 
