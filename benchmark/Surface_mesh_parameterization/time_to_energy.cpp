@@ -76,10 +76,10 @@ struct Run
 };
 
 template <class Method>
-SMP::Parameterization_summary run_method(Mesh& mesh, bool is_flat, std::size_t most_steps)
+SMP::Parameterization_summary run_method(Mesh& mesh, bool is_flat, double tolerance)
 {
   SMP::Parameterization_summary summary;
-  const Method method(CGAL::parameters::summary(std::ref(summary)).number_of_iterations(most_steps));
+  const Method method(CGAL::parameters::tolerance(tolerance).summary(std::ref(summary)));
   if (is_flat)
     parameterize(mesh, method);
   else
@@ -92,19 +92,18 @@ void print_name(const Mesh& mesh, const Run& run)
   std::cout << run.method << ',' << (run.is_flat ? "flat" : "hierarchical") << ',' << run.threads << ',' << mesh.number_of_faces() << ',' << mesh.number_of_vertices() << ',';
 }
 
-// Finds the optimum, then the least number of steps on the finest level that comes close enough, and prints what that run took.
+// Finds the optimum, then the greatest tolerance that comes close enough, and prints what that run took.
 template <class Method>
 void measure(Mesh& mesh, const Run& run, double unit)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(run.threads));
 #endif
-  constexpr std::size_t steps_to_optimum = 40;
-  constexpr double accuracy = 1e-3;
-  const double optimum = run_method<Method>(mesh, false, steps_to_optimum).energy;
-  for (std::size_t steps = 1; steps <= steps_to_optimum; ++steps) {
+  constexpr double accuracy = 1e-3, greatest_tolerance = 0.1, ratio_of_tolerances = 0.3, tolerance_of_optimum = 1e-8;
+  const double optimum = run_method<Method>(mesh, false, tolerance_of_optimum).energy;
+  for (double tolerance = greatest_tolerance; tolerance > tolerance_of_optimum; tolerance *= ratio_of_tolerances) {
     reset_peak_memory();
-    const SMP::Parameterization_summary summary = run_method<Method>(mesh, run.is_flat, steps);
+    const SMP::Parameterization_summary summary = run_method<Method>(mesh, run.is_flat, tolerance);
     if (summary.energy - run.minimum > (1 + accuracy) * (optimum - run.minimum))
       continue;
     const double seconds = summary.seconds_hierarchy + summary.seconds_parameterize;

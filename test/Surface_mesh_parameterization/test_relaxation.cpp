@@ -209,6 +209,34 @@ TYPED_TEST(Relaxation_of, sweeps_lower_the_energy_by_exactly_what_they_return)
     }
 }
 
+// One vertex of a map that is almost an isometry sits close to a neighbor: a sweep moves it a part of the way back.
+TYPED_TEST(Relaxation_of, follows_up_where_a_sweep_is_not_enough)
+{
+  const Finest_level f(grid(20, 20, flat));
+  const Level_energy<TypeParam> energy(f.level, Triangle_weight::ONE);
+  const Vertex_relaxation<TypeParam> relaxation(energy, 1.8);
+  Level::Uv start = identity_map(f.level);
+  Index displaced = 0;
+  while (f.level.is_border(displaced))
+    ++displaced;
+  const Point_2 neighbor = start[f.level.one_ring(displaced).front()];
+  start[displaced] = neighbor + 1e-4 * (start[displaced] - neighbor);
+  const double minimum = TypeParam::minimum * energy.total_weight(), least_decrease = 1e-6 * (energy(start) - minimum);
+
+  Level::Uv swept = start, followed_up = start, not_followed_up = start;
+  relaxation.sweep(swept);
+  const auto effect = relaxation.sweep_and_follow_up(followed_up, least_decrease);
+  EXPECT_FALSE(effect.lively_vertices.empty());
+  EXPECT_NEAR(energy(start) - energy(followed_up), effect.decrease, 1e-9 * energy(start));
+  EXPECT_LT(energy(followed_up) - minimum, 0.1 * (energy(swept) - minimum));
+  EXPECT_TRUE(is_map_valid(f.level.rings(), followed_up));
+  EXPECT_GT(effect.visits, start.size());
+  EXPECT_LE(effect.visits, start.size() + start.size() / 4);
+
+  EXPECT_EQ(relaxation.sweep_and_follow_up(not_followed_up, energy(start)).visits, start.size());
+  EXPECT_EQ(not_followed_up, swept);
+}
+
 TYPED_TEST(Relaxation_of, moves_the_vertices_it_is_told_to)
 {
   const Finest_level f(grid(12, 9, wavy), parameters::coarsest_size(20));
@@ -520,7 +548,7 @@ TEST(Galerkin_product, is_the_product_of_the_matrices)
   Random_matrix first(f.level, random);
   std::vector<Index> order(p.coarse_size());
   std::iota(order.rbegin(), order.rend(), 0);     // any order will do
-  const Galerkin_product product(first.matrix, p, order, Loops());
+  Galerkin_product product(first.matrix, p, order, Loops());
   for (int i = 0; i < 2; ++i) {     // the pattern serves for other values, too
     const Random_matrix a(f.level, random);
     Block_matrix coarse;

@@ -105,6 +105,11 @@ public:
   /// the point of a vertex, as it was given in `surface`; the same on every level
   const Point_3& point(Index v) const { return m_data.points[v]; }
 
+  /// \cond SKIP_IN_MANUAL
+  // The points of all vertices, by rank.
+  const std::vector<Point_3>& points() const { return m_data.points; }
+  /// \endcond
+
   /// whether a vertex stays on every level: because it was constrained to, or because its place in the plane is given and no coarse level can do without it
   bool is_pinned(Index v) const { return m_data.is_pinned[v]; }
 

@@ -54,6 +54,7 @@ public:
     m_rest_corners.resize(m_rings.number_of_slots());
     m_loops.for_each(0, Index(number_of_vertices()), [&](Index v) {
       const Ring ring = one_ring(v);
+      m_rings.prefetch_neighbors_after(v, hierarchy().points());
       for (std::size_t i = 0; i < m_rings.number_of_triangles(v); ++i)
         m_rest_corners[m_rings.first_slot(v) + i] = internal::rest_corner(point(v), point(ring[i]), point(ring[i + 1 == ring.size() ? 0 : i + 1]));
     });

@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/prefetch.h>
 
 #include <Eigen/Core>
 
@@ -114,6 +115,7 @@ private:
   {
     Pair sum0(0, 0), sum1(0, 0);      // two chains of additions, which the processor interleaves
     for (Index k = first[i]; k < first[i + 1]; ++k) {
+      prefetch_element_after(k, columns, blocks.size(), x);
       const Pair& y = x[columns[k]];
       sum0 += y[0] * blocks[k].col(0);
       sum1 += y[1] * blocks[k].col(1);

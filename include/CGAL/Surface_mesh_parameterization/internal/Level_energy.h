@@ -31,23 +31,25 @@ public:
 
   void gather(Index v, const Level::Uv& uv, Star<Energy>& star) const { star.gather(m_level.rings(), uv, v, m_level.rest_corners(v), m_weight, m_energy); }
 
-  // The sum of f(v, a, b, corner) over the triangles vab.
+  // The sum of f(v, a, b, corner) over the triangles vab, where f reads `uv` at their vertices.
   template <class Function>
-  double sum(const Function& f) const
+  double sum(const Level::Uv& uv, const Function& f) const
   {
     return m_level.loops().sum(0, number_of_vertices(), 0., [&](Index v) {
+      m_level.rings().prefetch_neighbors_after(v, uv);
       double sum = 0;
       for_each_triangle(v, [&](Index a, Index b, const Rest_corner& c) { sum += f(v, a, b, c); });
       return sum;
     });
   }
 
-  // The least f(v, a, b, corner) over the triangles vab, infinity if there is none.
+  // The least f(v, a, b, corner) over the triangles vab, infinity if there is none; likewise.
   template <class Function>
-  double min(const Function& f) const
+  double min(const Level::Uv& uv, const Function& f) const
   {
     constexpr double infinity = (std::numeric_limits<double>::infinity)();
     return m_level.loops().min(0, number_of_vertices(), infinity, [&](Index v) {
+      m_level.rings().prefetch_neighbors_after(v, uv);
       double least = infinity;
       for_each_triangle(v, [&](Index a, Index b, const Rest_corner& c) { least = (std::min)(least, f(v, a, b, c)); });
       return least;
@@ -57,7 +59,7 @@ public:
   // Infinite if a triangle is not positive and the energy keeps them so.
   double operator()(const Level::Uv& uv) const
   {
-    return sum([&](Index v, Index a, Index b, const Rest_corner& c) {
+    return sum(uv, [&](Index v, Index a, Index b, const Rest_corner& c) {
       const Vector_2 ab = uv[b] - uv[a], x = uv[v] - uv[a], from_foot = x - c.foot * ab;
       const double doubled_area = cross(ab, x), scale = 0.5 * c.inverse_area;
       return Energy::is_flip_free && !(doubled_area > 0) ? (std::numeric_limits<double>::infinity)() :
@@ -65,7 +67,14 @@ public:
     });
   }
 
-  double total_weight() const { return sum([&](Index, Index, Index, const Rest_corner& c) { return weight(c); }); }
+  double total_weight() const
+  {
+    return m_level.loops().sum(0, number_of_vertices(), 0., [&](Index v) {
+      double sum = 0;
+      for_each_triangle(v, [&](Index, Index, const Rest_corner& c) { sum += weight(c); });
+      return sum;
+    });
+  }
 
   // What energies are reported in: the sum, or the mean over the area if triangles are weighted by it.
   double unit() const { return m_weight == Triangle_weight::AREA ? total_weight() : 1; }

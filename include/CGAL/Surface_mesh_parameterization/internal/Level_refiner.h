@@ -64,10 +64,18 @@ private:
       m_current = m_energy(m_uv);
   }
 
+  void count(const typename Vertex_relaxation<Energy>::Effect& effect)
+  {
+    lower_by(effect.decrease);
+    m_summary.vertex_visits += effect.visits;
+  }
+
+  // On a level with inserted vertices, those whose place is bad get as many steps as they need.
   void sweep(const Vertex_relaxation<Energy>& relaxation)
   {
-    lower_by(relaxation.sweep(m_uv));
-    m_summary.vertex_visits += size();
+    constexpr double notable_part = 0.5;      // of the mean excess of a vertex
+    const double never = (std::numeric_limits<double>::infinity)();
+    count(relaxation.sweep_and_follow_up(m_uv, m_level.index() == 0 ? never : little(notable_part / double(size()))));
   }
 
   // The paper's experiment: nothing but so many steps.
@@ -84,10 +92,8 @@ private:
   {
     constexpr int sweeps = 3;
     const Vertex_relaxation<Energy> relaxation(m_energy, 1, m_barrier.get());
-    for (int i = 0; i < sweeps && m_level.index() > 0; ++i) {
-      lower_by(relaxation.sweep_group(m_level.index(), m_uv));
-      m_summary.vertex_visits += size() - m_level.first_new_vertex();
-    }
+    for (int i = 0; i < sweeps && m_level.index() > 0; ++i)
+      count(relaxation.sweep_group(m_level.index(), m_uv));
   }
 
   // The coarsest of several levels gets as many sweeps as it needs: they cost nothing, and what it lacks no finer level can make good.
@@ -101,20 +107,16 @@ private:
     std::mt19937 random(m_options.random_seed);
     while (m_summary.iterations < most_sweeps && !m_summary.converged) {
       const double before = m_current;
-      if (is_random) {
-        lower_by(relaxation.random_steps(m_uv, size(), random));
-        m_summary.vertex_visits += size();
-      } else
-        sweep(relaxation);
+      lower_by(is_random ? relaxation.random_steps(m_uv, size(), random) : relaxation.sweep(m_uv));
+      m_summary.vertex_visits += size();
       m_summary.converged = is_little(before - m_current, m_options.tolerance);
       ++m_summary.iterations;
     }
   }
 
-  // Newton's method pays on the levels that the V-cycle has as grids; in between a few sweeps carry the map over.
+  // Newton's method pays on the levels that the V-cycle has as grids; in between a sweep carries the map over.
   void iterate_newton()
   {
-    constexpr std::size_t sweeps_between_grids = 2;
     const std::size_t groups_above = m_level.hierarchy().number_of_levels() - 1 - m_level.index();
     const bool is_grid = groups_above % V_cycle::groups_per_grid == 0 || m_level.index() == 0;
 
@@ -123,8 +125,7 @@ private:
       sweep_while_it_pays(relaxation);
       take_newton_steps(relaxation);
     } else
-      for (std::size_t i = 0; i < sweeps_between_grids; ++i)
-        sweep(relaxation);
+      sweep(relaxation);
   }
 
   // A sweep costs little beside a Newton step and is better at what is wrong in small places.
@@ -143,8 +144,8 @@ private:
   // Levels below the finest only have to hand on a good start.
   void take_newton_steps(const Vertex_relaxation<Energy>& relaxation)
   {
-    constexpr double coarse_tolerance = 3e-3, residual_tolerance = 0.07, short_step = 0.3, great_decrease = 0.01;
-    const double tolerance = m_level.is_finest() ? m_options.tolerance : (std::max)(m_options.tolerance, coarse_tolerance);
+    constexpr double coarse_tolerance = 5e-3, residual_tolerance = 0.07, short_step = 0.3, great_decrease = 0.01;
+    const double tolerance = m_level.is_finest() ? m_options.tolerance : coarse_tolerance;
 
     Newton_multigrid<Energy> newton(m_energy, m_barrier.get());
     while (m_summary.iterations < m_options.number_of_iterations && !m_summary.converged) {
@@ -163,12 +164,15 @@ private:
     }
   }
 
-  // Whether a decrease that led to the current energy is next to nothing. On a surface that lies in the plane without distortion, the excess is mere rounding.
-  bool is_little(double decrease, double tolerance) const
+  // A part of the excess energy. On a surface that lies in the plane without distortion, the excess is mere rounding.
+  double little(double part) const
   {
     constexpr double rounding = 1e-12;
-    return !(decrease > (std::max)(tolerance * excess(), rounding * m_total_weight));
+    return (std::max)(part * excess(), rounding * m_total_weight);
   }
+
+  // Whether a decrease that led to the current energy is next to nothing.
+  bool is_little(double decrease, double tolerance) const { return !(decrease > little(tolerance)); }
 
   const Level& m_level;
   Level::Uv& m_uv;

@@ -111,6 +111,7 @@ private:
   void assemble_row(const Level::Uv& uv, Index v, Block_matrix& matrix)
   {
     const Level::Ring ring = m_level.one_ring(v);
+    m_level.rings().prefetch_neighbors_after(v, uv);
     const Rest_corner* const corners = m_level.rest_corners(v);
     Block_matrix::Block* const row = matrix.blocks.data() + matrix.first[v];
     std::fill(row, row + ring.size(), Block_matrix::Block::Zero());
@@ -190,7 +191,7 @@ private:
   // The least t > 0 at which a triangle vanishes on the way to uv + t direction.
   double longest_step(const Level::Uv& uv) const
   {
-    return m_energy.min([&](Index v, Index a, Index b, const Rest_corner&) {
+    return m_energy.min(uv, [&](Index v, Index a, Index b, const Rest_corner&) {
       const Vector_2 p = uv[a] - uv[v], q = uv[b] - uv[v];
       const Pair d = m_direction[a] - m_direction[v], e = m_direction[b] - m_direction[v];
       const Vector_2 dp(d[0], d[1]), dq(e[0], e[1]);

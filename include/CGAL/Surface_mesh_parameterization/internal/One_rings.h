@@ -6,7 +6,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/prefetch.h>
 
+#include <boost/config.hpp>
 #include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
@@ -67,6 +69,14 @@ public:
 
   Ring operator[](Index v) const { return { m_neighbors.data() + m_first[v], m_neighbors.data() + m_first[v + 1] }; }
   std::size_t number_of_triangles(Index v) const { return m_first[v + 1] - m_first[v] - (is_border(v) ? 1 : 0); }
+
+  // In a loop over vertices, at v: asks for the elements of an array that the neighbors of the next vertices have.
+  template <class Array>
+  BOOST_FORCEINLINE void prefetch_neighbors_after(Index v, const Array& array) const
+  {
+    for (Index slot = m_first[v]; slot < m_first[v + 1]; ++slot)
+      prefetch_element_after(slot, neighbors(), number_of_slots(), array);
+  }
 
   // Where the ring of v starts in arrays that are parallel to all rings.
   std::size_t first_slot(Index v) const { return m_first[v]; }

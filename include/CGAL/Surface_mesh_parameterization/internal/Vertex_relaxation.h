@@ -11,6 +11,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <queue>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -25,35 +28,52 @@ public:
   { }
 
   // Relaxes every vertex, group by group, and returns by how much the energy fell.
-  double sweep(Level::Uv& uv) const
+  double sweep(Level::Uv& uv) const { return sweep_once(uv, infinity).decrease; }
+
+  struct Effect
   {
-    double decrease = 0;
-    for (std::size_t group = 0; group <= m_level.index(); ++group)
-      decrease += sweep_group(group, uv);
-    return decrease;
+    double decrease = 0;                    // of the energy
+    std::size_t visits = 0;                 // of vertices
+    std::vector<Index> lively_vertices;     // those whose own step lowered the energy by more than was asked
+  };
+
+  // A sweep, and then steps for the vertices that lower the energy by more than `least_decrease` each, and for their neighbors, as long as they do so. Vertices that
+  // were inserted into a bad place, a handful of them, can hold most of the excess energy of a large map, and need many more steps than all the others.
+  Effect sweep_and_follow_up(Level::Uv& uv, double least_decrease) const
+  {
+    Effect effect = sweep_once(uv, least_decrease);
+    follow_up(uv, least_decrease, effect);
+    return effect;
   }
 
   // Relaxes the vertices that the level `group` has in addition to the next coarser one. They share no edge, so that only those on the border, where the
   // angles involve two neighbors, have to go one by one. So have all of level 0.
-  double sweep_group(std::size_t group, Level::Uv& uv) const
+  Effect sweep_group(std::size_t group, Level::Uv& uv, double least_decrease = infinity) const
   {
     const Collapse_hierarchy_3& hierarchy = m_level.hierarchy();
     const Index first = group == 0 ? 0 : Index(hierarchy.number_of_vertices(group - 1)), last = Index(hierarchy.number_of_vertices(group));
     const auto relax_if = [&](Index begin, Index end, bool at_border, Star<Energy>& star) {
-      double decrease = 0;
+      Effect effect;
       for (Index v = begin; v < end; ++v)
-        if (m_level.is_border(v) == at_border)
-          decrease += relax(v, uv, star);
-      return decrease;
+        if (m_level.is_border(v) == at_border) {
+          m_level.rings().prefetch_neighbors_after(v, uv);
+          const double decrease = relax(v, uv, star);
+          effect.decrease += decrease;
+          if (decrease > least_decrease)
+            effect.lively_vertices.push_back(v);
+        }
+      return effect;
     };
     const Loops loops = group == 0 ? Loops() : m_level.loops();
-    const double decrease = loops.reduce(first, last, 0., [] { return Star<Energy>(); }, [&](Index begin, Index end, Star<Energy>& star) {
+    Effect effect = loops.reduce(first, last, Effect(), [] { return Star<Energy>(); }, [&](Index begin, Index end, Star<Energy>& star) {
       return relax_if(begin, end, false, star);
-    }, [](double& sum, double d) { sum += d; });
+    }, add);
     Star<Energy> star;
     if (m_barrier)
       m_barrier->set_reach(uv);
-    return decrease + relax_if(first, last, true, star);
+    add(effect, relax_if(first, last, true, star));
+    effect.visits = last - first;
+    return effect;
   }
 
   // Relaxes vertices that are chosen at random by a generator of 32-bit numbers, as the paper does; returns by how much the energy fell.
@@ -71,6 +91,54 @@ public:
   }
 
 private:
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+
+  static void add(Effect& sum, const Effect& effect)
+  {
+    sum.decrease += effect.decrease;
+    sum.visits += effect.visits;
+    sum.lively_vertices.insert(sum.lively_vertices.end(), effect.lively_vertices.begin(), effect.lively_vertices.end());
+  }
+
+  Effect sweep_once(Level::Uv& uv, double least_decrease) const
+  {
+    Effect effect;
+    for (std::size_t group = 0; group <= m_level.index(); ++group)
+      add(effect, sweep_group(group, uv, least_decrease));
+    return effect;
+  }
+
+  void follow_up(Level::Uv& uv, double least_decrease, Effect& effect) const
+  {
+    constexpr std::size_t most_visits_of_sweep = 4;     // a part of the sweep's own
+    const std::size_t most_visits = effect.visits + effect.visits / most_visits_of_sweep;
+    std::queue<Index> waiting;
+    std::vector<bool> is_waiting(effect.lively_vertices.empty() ? 0 : m_level.number_of_vertices(), false);
+    const auto wake = [&](Index v) {
+      if (m_level.is_border(v) || is_waiting[v])
+        return;
+      waiting.push(v);
+      is_waiting[v] = true;
+    };
+    const auto wake_star = [&](Index v) {
+      wake(v);
+      for (const Index w : m_level.one_ring(v))
+        wake(w);
+    };
+    for (const Index v : effect.lively_vertices)
+      wake_star(v);
+    Star<Energy> star;
+    for (; !waiting.empty() && effect.visits < most_visits; ++effect.visits) {
+      const Index v = waiting.front();
+      waiting.pop();
+      is_waiting[v] = false;
+      const double decrease = relax(v, uv, star);
+      effect.decrease += decrease;
+      if (decrease > least_decrease)
+        wake_star(v);
+    }
+  }
+
   // Returns by how much the energy fell.
   double relax(Index v, Level::Uv& uv, Star<Energy>& star) const
   {

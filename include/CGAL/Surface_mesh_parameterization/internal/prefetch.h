@@ -4,7 +4,11 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PREFETCH_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PREFETCH_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
 #include <boost/config.hpp>
+
+#include <cstddef>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -15,6 +19,16 @@ BOOST_FORCEINLINE void prefetch([[maybe_unused]] const void* address)
 #ifdef __GNUC__       // clang, too
   __builtin_prefetch(address);
 #endif
+}
+
+// In a loop over a list of indices into an array, at place k: asks for the element that is needed some places later. Neighbors come from
+// many groups of ranks, of which the processor alone cannot see in advance where they lie.
+template <class Array>
+BOOST_FORCEINLINE void prefetch_element_after(std::size_t k, const Index* indices, std::size_t number_of_indices, const Array& array)
+{
+  constexpr std::size_t ahead = 64;
+  if (k + ahead < number_of_indices)
+    prefetch(&array[indices[k + ahead]]);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -38,23 +38,46 @@ struct Place_of_vertex
   const Point_2& operator()(Index w, Index /*v*/) const { return uv[w]; }
 };
 
-// Whether the directions from v to its neighbors, that turn left by less than half a turn each, come back to the first one
-// before the last one: for a border vertex, whether its angles sum to at least one turn; for an interior one, whether they sum to more.
+// Whether the angles around an interior vertex sum to more than one turn. On each turn to the left the direction to the neighbors passes once from below to
+// above, by less than half a turn, so that comparing coordinates is exact.
 // Precondition: the star of v is positive.
 template <class Place>
-bool turns_too_far(const One_rings& rings, const Place& place, Index v)
+bool turns_more_than_once(const One_rings::Ring& ring, const Place& place, Index v)
 {
-  const One_rings::Ring ring = rings[v];
+  const auto is_below = [center_y = place(v, v).y(), &place, v](Index w) { return place(w, v).y() < center_y; };
+  int turns = 0;
+  bool was_below = is_below(ring.back());
+  for (const Index w : ring) {
+    const bool is_below_now = is_below(w);
+    turns += was_below && !is_below_now;
+    was_below = is_below_now;
+  }
+  return turns > 1;
+}
+
+// Whether the angles at a border vertex sum to at least one turn: whether the directions from v to its neighbors, that turn left by less than half a turn each,
+// come back to the first one before the last one.
+// Precondition: the star of v is positive.
+template <class Place>
+bool turns_back_to_start(const One_rings::Ring& ring, const Place& place, Index v)
+{
   const Point_2 &center = place(v, v), &first = place(ring.front(), v);
   bool is_past_half_turn = false;
   for (std::size_t i = 1; i < ring.size(); ++i) {
-    const Point_2& p = place(ring[i], v);
-    const bool is_ahead = orientation(center, first, p) != RIGHT_TURN;
+    const bool is_ahead = orientation(center, first, place(ring[i], v)) != RIGHT_TURN;
     if (is_ahead && is_past_half_turn)
       return true;
     is_past_half_turn = is_past_half_turn || !is_ahead;
   }
   return false;
+}
+
+// Whether the angles at a vertex break the invariant.
+// Precondition: the star of v is positive.
+template <class Place>
+bool turns_too_far(const One_rings& rings, const Place& place, Index v)
+{
+  return rings.is_border(v) ? turns_back_to_start(rings[v], place, v) : turns_more_than_once(rings[v], place, v);
 }
 
 // Whether the angles at a border vertex leave less than a small part of a turn. An energy can drive them there; but then a finer level has no room
@@ -95,6 +118,7 @@ inline bool is_map_valid(const One_rings& rings, const std::vector<Point_2>& uv,
 {
   const auto has_positive_triangles = [&](Index v) {    // those of which v is the least vertex
     const One_rings::Ring ring = rings[v];
+    rings.prefetch_neighbors_after(v, uv);
     for (std::size_t i = 0; i < rings.number_of_triangles(v); ++i) {
       const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
       if (v < a && v < b && !is_left_turn(uv[v], uv[a], uv[b]))
@@ -102,7 +126,10 @@ inline bool is_map_valid(const One_rings& rings, const std::vector<Point_2>& uv,
     }
     return true;
   };
-  const auto turns_right = [&](Index v) { return !turns_too_far(rings, Place_of_vertex{ uv }, v); };
+  const auto turns_right = [&](Index v) {
+    rings.prefetch_neighbors_after(v, uv);
+    return !turns_too_far(rings, Place_of_vertex{ uv }, v);
+  };
   const Index n = Index(rings.number_of_vertices());
   return loops.min(0, n, true, has_positive_triangles) && loops.min(0, n, true, turns_right);
 }
