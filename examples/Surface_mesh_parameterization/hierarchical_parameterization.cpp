@@ -64,7 +64,7 @@ bool read_options(int argc, char** argv, Options& options)
     ("flat", po::bool_switch(&options.flat), "run the method without the hierarchy; those of CGAL as they are shipped")
     ("tolerance", po::value(&options.tolerance), "mips, symmetric-dirichlet, arap: converged when a step lowers the energy by less than this part of its excess over the minimum "
                                                  "(default 1e-6); others: when the relative residual is not greater (default 1e-8, of CGAL's 1e-10)")
-    ("iterations", po::value(&options.iterations), "the most steps on a level: of Newton's method (default 100), or sweeps (default 10000); of CGAL's methods: the most steps of the linear solver (default 300)")
+    ("iterations", po::value(&options.iterations), "the most steps on a level: of Newton's method (default 200), or sweeps (default 10000); of CGAL's methods: the most steps of the linear solver (default 300)")
     ("weights", po::value(&weights), "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)")
     ("flips", po::value(&flips)->default_value("fail"), "of methods that can flip triangles: fail (an error), repair or keep")
     ("globally-injective", po::bool_switch(&options.is_globally_injective), "mips, symmetric-dirichlet: keep the free border from running over itself")

@@ -35,7 +35,7 @@ struct Refinement_options
   double tolerance = 1e-6;
 
   /// named parameter `number_of_iterations`: the most iterations on a level: Newton steps, or sweeps (of as many visits as there are vertices)
-  std::size_t number_of_iterations = 100;
+  std::size_t number_of_iterations = 200;
 
   /// named parameter `number_of_local_steps`: unless 0, exactly so many vertex visits on every level, of vertices chosen at random, whatever the others say: the paper's experiment
   std::size_t number_of_local_steps = 0;

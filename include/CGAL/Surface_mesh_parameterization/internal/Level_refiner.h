@@ -73,9 +73,8 @@ private:
   // On a level with inserted vertices, those whose place is bad get as many steps as they need.
   void sweep(const Vertex_relaxation<Energy>& relaxation)
   {
-    constexpr double notable_part = 0.5;      // of the mean excess of a vertex
-    const double never = (std::numeric_limits<double>::infinity)();
-    count(relaxation.sweep_and_follow_up(m_uv, m_level.index() == 0 ? never : little(notable_part / double(size()))));
+    const double never = (std::numeric_limits<double>::infinity)(), mean_of_vertex = little(1 / double(size()));
+    count(relaxation.sweep_and_follow_up(m_uv, m_level.index() == 0 ? never : mean_of_vertex));
   }
 
   // The paper's experiment: nothing but so many steps.
