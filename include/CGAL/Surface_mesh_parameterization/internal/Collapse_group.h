@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_COLLAPSE_GROUP_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/Halfedge_collapse.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/discrete_exponential_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
@@ -48,11 +49,14 @@ public:
     m_collapses.clear();
 
     shuffle_vertices(n, random);
-    for (std::size_t i = 0; i < n && m_collapses.size() + fewest_vertices < n; ++i) {
-      prefetch_vertices_after(i, points);
-      const Index v = m_order[i];
-      if (!m_is_locked[v] && !is_pinned[v])
-        try_collapse(v, points);
+    constexpr std::size_t least_batches = 32, least_batch_size = 64, greatest_batch_size = 4096;
+    const std::size_t batch_size = (std::min)((std::max)(n / least_batches, least_batch_size), greatest_batch_size);
+    for (std::size_t begin = 0; begin < n && m_collapses.size() + fewest_vertices < n; begin += batch_size) {
+      const std::size_t end = (std::min)(begin + batch_size, n);
+      examine_batch(Index(begin), Index(end), is_pinned, points, loops);
+      for (std::size_t i = begin; i < end && m_collapses.size() + fewest_vertices < n; ++i)
+        if (!m_is_locked[m_order[i]])
+          try_collapse(m_order[i], m_prospects[i - begin]);
     }
     std::sort(m_collapses.begin(), m_collapses.end(),
               [](const Collapse& a, const Collapse& b) { return a.removed_vertex < b.removed_vertex; });
@@ -92,44 +96,71 @@ private:
       }
   }
 
-  void try_collapse(Index v, const std::vector<Point_3>& points)
+  // What can be said of a vertex before it is its turn, since its star stays as it is: nearly all that is to be computed, and by several threads. Few vertices
+  // are examined in vain, because others of their batch lock them.
+  struct Prospect
+  {
+    std::vector<Vector_2> flat_ring;
+    std::vector<std::pair<double, Index>> candidates;   // quality, negative, and place in the ring of neighbors to collapse onto, the best first
+  };
+
+  // The vertices from `begin` to `end` in the random order.
+  void examine_batch(Index begin, Index end, const std::vector<bool>& is_pinned, const std::vector<Point_3>& points, const Loops& loops)
+  {
+    m_prospects.resize((std::max)(m_prospects.size(), std::size_t(end - begin)));
+    loops.for_each_block(begin, end, [] { return std::vector<Point_3>(); }, [&](Index block_begin, Index block_end, std::vector<Point_3>& ring_points) {
+      for (Index i = block_begin; i < block_end; ++i) {
+        prefetch_vertices_after(i, points);
+        examine(m_order[i], is_pinned, points, ring_points, m_prospects[i - begin]);
+      }
+    });
+  }
+
+  void examine(Index v, const std::vector<bool>& is_pinned, const std::vector<Point_3>& points, std::vector<Point_3>& ring_points, Prospect& prospect) const
   {
     // The choice of W0 is quadratic in the valence; a hub becomes cheaper as its neighbors go.
     constexpr std::size_t highest_valence = 32;
+    prospect.candidates.clear();
+    if (m_is_locked[v] || is_pinned[v])
+      return;
     const One_rings::Ring ring = m_rings[v];
     const bool is_closed = !m_rings.is_border(v);
     if (ring.size() > highest_valence || (ring.size() < 3 && is_closed))
       return;
-
-    m_ring_points.clear();
+    ring_points.clear();
     for (Index w : ring)
-      m_ring_points.push_back(points[w]);
-    discrete_exponential_map(points[v], m_ring_points, is_closed, m_flat_ring);
-    rank_candidates(ring.size(), is_closed);
+      ring_points.push_back(points[w]);
+    discrete_exponential_map(points[v], ring_points, is_closed, prospect.flat_ring);
+    rank_candidates(is_closed, prospect);
+  }
 
+  // The neighbors whose fan has no flipped triangle, the one with the best worst triangle first.
+  static void rank_candidates(bool is_closed, Prospect& prospect)
+  {
+    constexpr double least_quality = 1e-4;
+    const std::size_t ring_size = prospect.flat_ring.size(), step = is_closed ? 1 : ring_size - 1;   // a border vertex has two candidates, the ends of its ring
+    for (std::size_t w0 = 0; w0 < ring_size; w0 += step) {
+      const double quality = worst_quality_after_collapse(prospect.flat_ring, is_closed, w0);
+      if (quality > least_quality)
+        prospect.candidates.push_back({ -quality, Index(w0) });
+    }
+    std::sort(prospect.candidates.begin(), prospect.candidates.end());
+  }
+
+  void try_collapse(Index v, const Prospect& prospect)
+  {
+    if (prospect.candidates.empty())
+      return;
+    const One_rings::Ring ring = m_rings[v];
     for (Index w : ring)
       m_is_in_ring[w] = 1;
-    for (const auto& [quality, w0] : m_candidates)
+    for (const auto& [quality, w0] : prospect.candidates)
       if (satisfies_link_condition(v, ring, w0)) {
-        collapse(v, ring, w0);
+        collapse(v, ring, prospect.flat_ring, w0);
         break;
       }
     for (Index w : ring)
       m_is_in_ring[w] = 0;
-  }
-
-  // The neighbors whose fan has no flipped triangle, the one with the best worst triangle first.
-  void rank_candidates(std::size_t ring_size, bool is_closed)
-  {
-    constexpr double least_quality = 1e-4;
-    m_candidates.clear();
-    const std::size_t step = is_closed ? 1 : ring_size - 1;   // a border vertex has two candidates, the ends of its ring
-    for (std::size_t w0 = 0; w0 < ring_size; w0 += step) {
-      const double quality = worst_quality_after_collapse(m_flat_ring, is_closed, w0);
-      if (quality > least_quality)
-        m_candidates.push_back({ -quality, Index(w0) });
-    }
-    std::sort(m_candidates.begin(), m_candidates.end());
   }
 
   // The collapse keeps the mesh a manifold if V and W0 have no common neighbor besides the ones beside W0 in the ring; an ear
@@ -153,10 +184,10 @@ private:
   // Whether the edge that joins two border vertices has triangles on both sides: they are no border neighbors.
   bool is_interior_edge(Index a, Index b) const { return m_rings[a].front() != b && m_rings[a].back() != b; }
 
-  void collapse(Index v, const One_rings::Ring& ring, Index w0)
+  void collapse(Index v, const One_rings::Ring& ring, const std::vector<Vector_2>& flat_ring, Index w0)
   {
     const bool is_closed = !m_rings.is_border(v);
-    const Parent_triangle parent = is_closed ? find_parent_triangle(m_flat_ring, w0) : find_parent_border_edge(m_flat_ring, w0);
+    const Parent_triangle parent = is_closed ? find_parent_triangle(flat_ring, w0) : find_parent_border_edge(flat_ring, w0);
     m_collapses.push_back({ v, { ring[parent.slots[0]], ring[parent.slots[1]], ring[parent.slots[2]] }, parent.coordinates });
 
     const std::size_t size = ring.size();
@@ -185,10 +216,7 @@ private:
   std::vector<Index> m_first_added;               // per vertex: its list in m_added
   std::vector<Added_edge> m_added;
   std::vector<Collapse> m_collapses;
-
-  std::vector<Point_3> m_ring_points;             // scratch of try_collapse()
-  std::vector<Vector_2> m_flat_ring;
-  std::vector<std::pair<double, Index>> m_candidates;
+  std::vector<Prospect> m_prospects;              // of a batch of vertices in the order
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Collapse_group.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 
 #include <algorithm>
@@ -72,9 +73,9 @@ public:
       m_group.choose(m_points, m_triangles, m_is_pinned, fewest_vertices, random, loops);
       if (m_group.collapses().empty())
         break;
-      perform_group();
+      perform_group(loops);
     }
-    return number_by_removal();
+    return number_by_removal(loops);
   }
 
 private:
@@ -88,7 +89,7 @@ private:
     std::array<double, 2> coordinates;
   };
 
-  void perform_group()
+  void perform_group(const Loops& loops)
   {
     m_collapse_of.assign(m_points.size(), no_index);
     const std::size_t first_record = m_records.size();
@@ -99,7 +100,7 @@ private:
                             { no_index, no_index }, 0, c.coordinates });
     }
     collapse_triangles(first_record);
-    compact_vertices();
+    compact_vertices(loops);
   }
 
   // The record of the one removed vertex that a triangle can hold, no_index if it holds none.
@@ -154,7 +155,7 @@ private:
       m_fan_faces[m_fan_size[record - first_record]++] = face;
   }
 
-  void compact_vertices()
+  void compact_vertices(const Loops& loops)
   {
     std::size_t kept = 0;
     for (std::size_t v = 0; v < m_points.size(); ++v)
@@ -167,13 +168,14 @@ private:
     m_points.resize(kept);
     m_is_pinned.resize(kept);
     m_vertex.resize(kept);
-    for (Index_triangle& t : m_triangles)
-      for (Index& corner : t)
+    loops.for_each(0, Index(m_triangles.size()), [&](Index f) {
+      for (Index& corner : m_triangles[f])
         corner = m_collapse_of[corner];
+    });
   }
 
   // Turns the records, finest group first, into arrays by rank, coarsest group first.
-  Hierarchy_data number_by_removal()
+  Hierarchy_data number_by_removal(const Loops& loops)
   {
     m_group = Collapse_group();
     release(m_points);
@@ -190,7 +192,7 @@ private:
     data.level_faces.assign(m_level_faces.rbegin(), m_level_faces.rend());
     const std::vector<Index> order = records_by_rank();
     append_splits(order, data);
-    renumber(data);
+    renumber(data, loops);
     return data;
   }
 
@@ -230,26 +232,25 @@ private:
     release(m_fan_faces);
   }
 
-  void renumber(Hierarchy_data& data)
+  void renumber(Hierarchy_data& data, const Loops& loops)
   {
     std::vector<Index> rank(data.input_vertex.size());
     for (std::size_t v = 0; v < rank.size(); ++v)
       rank[data.input_vertex[v]] = Index(v);
-    for (Vertex_split& split : data.splits)
-      if (&split != &data.splits.back())
-        for (Index& v : split.parent)
-          v = rank[v];
-    data.triangles.reserve(data.input_face.size());
-    for (Index f : data.input_face) {
-      const Index_triangle& t = m_last_triangles[f];
-      data.triangles.push_back({ rank[t[0]], rank[t[1]], rank[t[2]] });
-    }
-    data.points.reserve(rank.size());
+    loops.for_each(0, Index(data.splits.size() - 1), [&](Index i) {     // the last one is the sentinel
+      for (Index& v : data.splits[i].parent)
+        v = rank[v];
+    });
+    data.triangles.resize(data.input_face.size());
+    loops.for_each(0, Index(data.triangles.size()), [&](Index f) {
+      const Index_triangle& t = m_last_triangles[data.input_face[f]];
+      data.triangles[f] = { rank[t[0]], rank[t[1]], rank[t[2]] };
+    });
+    data.points.resize(rank.size());
+    loops.for_each(0, Index(rank.size()), [&](Index v) { data.points[v] = m_input_points[data.input_vertex[v]]; });
     data.is_pinned.reserve(rank.size());
-    for (Index v : data.input_vertex) {
-      data.points.push_back(m_input_points[v]);
+    for (Index v : data.input_vertex)
       data.is_pinned.push_back(m_input_is_pinned[v]);
-    }
 
     data.is_on_outer_border.assign(rank.size(), false);
     for (Index v : m_outer_border)
@@ -265,8 +266,7 @@ private:
     rank.resize(data.input_face.size());
     for (std::size_t f = 0; f < rank.size(); ++f)
       rank[data.input_face[f]] = Index(f);
-    for (Index& face : data.fan_faces)
-      face = rank[face];
+    loops.for_each(0, Index(data.fan_faces.size()), [&](Index i) { data.fan_faces[i] = rank[data.fan_faces[i]]; });
   }
 
   template <class Array>

@@ -108,10 +108,10 @@ private:
     return effect;
   }
 
+  // Border vertices are left alone: the bound of their angles would hold them wherever a few local steps had driven them.
   void follow_up(Level::Uv& uv, double least_decrease, Effect& effect) const
   {
-    constexpr std::size_t most_visits_of_sweep = 4;     // a part of the sweep's own
-    const std::size_t most_visits = effect.visits + effect.visits / most_visits_of_sweep;
+    const std::size_t most_visits = effect.visits + effect.visits / 4;
     std::queue<Index> waiting;
     std::vector<bool> is_waiting(effect.lively_vertices.empty() ? 0 : m_level.number_of_vertices(), false);
     const auto wake = [&](Index v) {
