@@ -238,9 +238,10 @@ inline SMP::Parameterization_summary run_iterative_authalic(Input& input, const 
 inline const std::vector<Program_method>& methods()
 {
   constexpr SMP::Triangle_weight one = SMP::Triangle_weight::ONE, area = SMP::Triangle_weight::AREA;
+  static const std::size_t newton_steps = SMP::Refinement_options().number_of_iterations;
   static const std::vector<Program_method> all = {
-    { "mips", "least distortion of angles, free border", minimize_distortion<SMP::MIPS_parameterizer_3>, true, 1e-6, 200, one },
-    { "symmetric-dirichlet", "least distortion of lengths, free border", minimize_distortion<SMP::Symmetric_Dirichlet_parameterizer_3>, true, 1e-6, 200, area },
+    { "mips", "least distortion of angles, free border", minimize_distortion<SMP::MIPS_parameterizer_3>, true, 1e-6, newton_steps, one },
+    { "symmetric-dirichlet", "least distortion of lengths, free border", minimize_distortion<SMP::Symmetric_Dirichlet_parameterizer_3>, true, 1e-6, newton_steps, area },
     { "uniform", "every vertex the mean of its neighbors, border on a circle", minimize_edge_energy<SMP::Uniform_edge_weights_3>, false, 1e-8, 10000, one },
     { "chordal", "the same, weighted by the inverse lengths of the edges", minimize_edge_energy<SMP::Chordal_edge_weights_3>, false, 1e-8, 10000, one },
     { "harmonic", "the same, weighted by cotangents", minimize_edge_energy<SMP::Harmonic_edge_weights_3>, false, 1e-8, 10000, one },
@@ -251,7 +252,7 @@ inline const std::vector<Program_method>& methods()
     { "authalic", "CGAL's discrete authalic map, border on a circle", run_wrapped<SMP::Discrete_authalic_parameterizer_3<Mesh>>, false, 1e-10, 300, one, false },
     { "iterative-authalic", "CGAL's iterative authalic map, border on a circle", run_iterative_authalic, false, 1e-10, 300, one, false },
     { "lscm", "CGAL's least squares conformal map, free border", run_wrapped<SMP::LSCM_parameterizer_3<Mesh>>, false, 1e-10, 300, one, false },
-    { "arap", "as rigid as possible, free border", run_wrapped<SMP::ARAP_parameterizer_3<Mesh>>, false, 1e-6, 200, area } };
+    { "arap", "as rigid as possible, free border", run_wrapped<SMP::ARAP_parameterizer_3<Mesh>>, false, 1e-6, newton_steps, area } };
   return all;
 }
 

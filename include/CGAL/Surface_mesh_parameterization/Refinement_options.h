@@ -31,7 +31,8 @@ struct Refinement_options
   /// named parameter `optimizer`
   Optimizer optimizer = Optimizer::NEWTON;
 
-  /// named parameter `tolerance`: a level has converged when an iteration lowers the energy by less than this part of its excess over the minimum
+  /// named parameter `tolerance`: a level has converged when an iteration lowers the energy by less than this part of its excess over the minimum. By
+  /// Newton's method the levels below the finest converge to 5e-3, whatever is asked for: they only hand on a good start
   double tolerance = 1e-6;
 
   /// named parameter `number_of_iterations`: the most iterations on a level: Newton steps, or sweeps (of as many visits as there are vertices)

@@ -108,7 +108,8 @@ private:
     return effect;
   }
 
-  // Border vertices are left alone: the bound of their angles would hold them wherever a few local steps had driven them.
+  // At most a quarter of a sweep. Border vertices are left to the sweeps: it is the interior that new vertices distort, and a border that a few local steps
+  // have driven to the bound of its angles hardly leaves it again.
   void follow_up(Level::Uv& uv, double least_decrease, Effect& effect) const
   {
     const std::size_t most_visits = effect.visits + effect.visits / 4;
