@@ -71,7 +71,8 @@ public:
     for (std::size_t v = 0; v < surface.points.size(); ++v)
       is_pinned[v] = get(is_constrained, v);
     internal::pin_fixed_vertices(surface, is_pinned);
-    m_data = internal::Hierarchy_builder(std::move(surface), std::move(is_pinned)).build(coarsest_size, seed, internal::Loops::of<ConcurrencyTag>());
+    const internal::Loops loops = internal::Loops::of<ConcurrencyTag>();
+    m_data = internal::Hierarchy_builder(std::move(surface), std::move(is_pinned), loops).build(coarsest_size, seed, loops);
   }
 
   /// the default of the named parameter `coarsest_size`
@@ -134,7 +135,7 @@ public:
   /// index of a face in the array of triangles that the hierarchy was built from
   Index input_face(Index f) const { return m_data.input_face[f]; }
 
-  /// the corners of a face just before it vanishes on the way down; of a face of level 0, its corners there
+  /// the corners of a face just before it vanishes on the way down, counter-clockwise from any one; of a face of level 0, its corners there
   const Triangle& last_triangle(Index f) const { return m_data.triangles[f]; }
 
   /// @}

@@ -96,38 +96,39 @@ private:
 
   bool read_component(const TriangleMesh& mesh, halfedge_descriptor bhd)
   {
-    const std::vector<halfedge_descriptor> border = collect_faces(mesh, face(opposite(bhd, mesh), mesh));
-    for (face_descriptor f : m_faces)
-      if (!is_triangle(halfedge(f, mesh), mesh))
-        return fail(ERROR_NON_TRIANGULAR_MESH, Parameterization_error::FACE, number_of(f, faces(mesh)));
-
     const auto index_of = get(CGAL::dynamic_vertex_property_t<internal::Index>(), mesh);
     for (vertex_descriptor v : vertices(mesh))
       put(index_of, v, internal::no_index);
-    number_vertices(mesh, index_of);
+    std::vector<halfedge_descriptor> border;
+    if (!read_faces(mesh, face(opposite(bhd, mesh), mesh), index_of, border))
+      return false;
     // Where another component touches this one at a vertex, the mesh may lead from one border to the other.
     for (halfedge_descriptor h : border)
       if (get(index_of, target(next(h, mesh), mesh)) == internal::no_index)
         return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX, number_of(target(h, mesh), vertices(mesh)));
     if (!read_points(mesh))
       return false;
-    read_triangles(mesh, index_of);
     for (halfedge_descriptor h : halfedges_around_face(bhd, mesh))
       m_surface.outer_border.push_back(get(index_of, target(h, mesh)));
     return true;
   }
 
-  // Breadth first from one face. Returns the halfedges on all borders.
-  std::vector<halfedge_descriptor> collect_faces(const TriangleMesh& mesh, face_descriptor start)
+  // Breadth first from one face, with the vertices in the order in which the faces meet them. Adds the halfedges on all borders to `border`.
+  template <class VertexIndexMap>
+  bool read_faces(const TriangleMesh& mesh, face_descriptor start, const VertexIndexMap& index_of, std::vector<halfedge_descriptor>& border)
   {
-    std::vector<halfedge_descriptor> border;
     const auto is_reached = get(CGAL::dynamic_face_property_t<bool>(), mesh);
     for (face_descriptor f : faces(mesh))
       put(is_reached, f, false);
     m_faces.assign(1, start);
     put(is_reached, start, true);
-    for (std::size_t i = 0; i < m_faces.size(); ++i)
-      for (halfedge_descriptor h : halfedges_around_face(halfedge(m_faces[i], mesh), mesh)) {
+    for (std::size_t i = 0; i < m_faces.size(); ++i) {
+      halfedge_descriptor h = halfedge(m_faces[i], mesh);
+      if (!is_triangle(h, mesh))
+        return fail(ERROR_NON_TRIANGULAR_MESH, Parameterization_error::FACE, number_of(m_faces[i], faces(mesh)));
+      internal::Index_triangle triangle;
+      for (internal::Index& corner : triangle) {
+        corner = read_vertex(target(h, mesh), index_of);
         const face_descriptor neighbor = face(opposite(h, mesh), mesh);
         if (neighbor == Graph_traits::null_face())
           border.push_back(opposite(h, mesh));
@@ -135,20 +136,24 @@ private:
           put(is_reached, neighbor, true);
           m_faces.push_back(neighbor);
         }
+        h = next(h, mesh);
       }
-    return border;
+      m_surface.triangles.push_back(triangle);
+    }
+    return true;
   }
 
-  // In the order in which the faces meet them.
+  // Returns the vertex's index, a new one if need be.
   template <class VertexIndexMap>
-  void number_vertices(const TriangleMesh& mesh, const VertexIndexMap& index_of)
+  internal::Index read_vertex(vertex_descriptor v, const VertexIndexMap& index_of)
   {
-    for (face_descriptor f : m_faces)
-      for (vertex_descriptor v : vertices_around_face(halfedge(f, mesh), mesh))
-        if (get(index_of, v) == internal::no_index) {
-          put(index_of, v, internal::Index(m_vertices.size()));
-          m_vertices.push_back(v);
-        }
+    internal::Index index = get(index_of, v);
+    if (index == internal::no_index) {
+      index = internal::Index(m_vertices.size());
+      put(index_of, v, index);
+      m_vertices.push_back(v);
+    }
+    return index;
   }
 
   bool read_points(const TriangleMesh& mesh)
@@ -163,19 +168,6 @@ private:
       m_surface.points.push_back(q);
     }
     return true;
-  }
-
-  template <class VertexIndexMap>
-  void read_triangles(const TriangleMesh& mesh, const VertexIndexMap& index_of)
-  {
-    m_surface.triangles.reserve(m_faces.size());
-    for (face_descriptor f : m_faces) {
-      internal::Index_triangle t;
-      int i = 0;
-      for (vertex_descriptor v : vertices_around_face(halfedge(f, mesh), mesh))
-        t[i++] = get(index_of, v);
-      m_surface.triangles.push_back(t);
-    }
   }
 
   // The position of a vertex or face in the mesh's own order.

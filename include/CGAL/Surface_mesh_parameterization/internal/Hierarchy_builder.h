@@ -7,11 +7,13 @@
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Collapse_group.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Ring_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -45,19 +47,15 @@ struct Hierarchy_data
 class Hierarchy_builder
 {
 public:
-  Hierarchy_builder(Triangulated_surface_3 surface, std::vector<bool> is_pinned)
+  Hierarchy_builder(Triangulated_surface_3 surface, std::vector<bool> is_pinned, const Loops& loops)
     : m_input_points(std::move(surface.points)), m_input_is_pinned(std::move(is_pinned)), m_outer_border(std::move(surface.outer_border)),
       m_fixed_vertices(std::move(surface.fixed_vertices)), m_scale_exponent(surface.scale_exponent),
-      m_points(m_input_points), m_is_pinned(m_input_is_pinned), m_triangles(std::move(surface.triangles))
+      m_points(m_input_points), m_is_pinned(m_input_is_pinned), m_mesh(m_points.size(), surface.triangles, loops)
   {
     m_records.reserve(m_points.size());
-    m_last_triangles.resize(m_triangles.size());
+    m_last_triangles.resize(surface.triangles.size());
     m_vertex.resize(m_points.size());
-    for (std::size_t v = 0; v < m_vertex.size(); ++v)
-      m_vertex[v] = Index(v);
-    m_face.resize(m_triangles.size());
-    for (std::size_t f = 0; f < m_face.size(); ++f)
-      m_face[f] = Index(f);
+    std::iota(m_vertex.begin(), m_vertex.end(), Index(0));
   }
 
   // Makes collapse groups until the mesh has at most `coarsest_size` vertices or nothing can be collapsed any more.
@@ -67,10 +65,10 @@ public:
     std::mt19937 random(seed);
     for (;;) {
       m_level_vertices.push_back(m_points.size());
-      m_level_faces.push_back(m_triangles.size());
+      m_level_faces.push_back(m_last_triangles.size() - m_removed_faces);
       if (m_points.size() <= coarsest_size)
         break;
-      m_group.choose(m_points, m_triangles, m_is_pinned, fewest_vertices, random, loops);
+      m_group.choose(m_points, m_mesh, m_is_pinned, fewest_vertices, random, loops);
       if (m_group.collapses().empty())
         break;
       perform_group(loops);
@@ -91,87 +89,63 @@ private:
 
   void perform_group(const Loops& loops)
   {
-    m_collapse_of.assign(m_points.size(), no_index);
+    const std::vector<Collapse_group::Collapse>& collapses = m_group.collapses();
     const std::size_t first_record = m_records.size();
-    for (const Collapse_group::Collapse& c : m_group.collapses()) {
-      m_collapse_of[c.removed_vertex] = Index(m_records.size());
-      m_records.push_back({ m_vertex[c.removed_vertex],
-                            { m_vertex[c.parent[0]], m_vertex[c.parent[1]], m_vertex[c.parent[2]] },
-                            { no_index, no_index }, 0, c.coordinates });
+    m_records.resize(first_record + collapses.size());
+    m_is_removed.assign(m_points.size(), 0);
+    Index next_fan_face = Index(m_fan_faces.size());
+    for (std::size_t i = 0; i < collapses.size(); ++i) {
+      m_is_removed[collapses[i].removed_vertex] = 1;
+      m_records[first_record + i].first_fan_face = next_fan_face;
+      next_fan_face += m_mesh[collapses[i].removed_vertex].size - 2;
     }
-    collapse_triangles(first_record);
+    m_fan_faces.resize(next_fan_face);
+    loops.for_each(0, Index(collapses.size()), [&](Index i) { record(collapses[i], m_records[first_record + i]); });
+    for (std::size_t i = first_record; i < m_records.size(); ++i)
+      m_removed_faces += m_records[i].removed_faces[1] == no_index ? 1 : 2;
     compact_vertices(loops);
   }
 
-  // The record of the one removed vertex that a triangle can hold, no_index if it holds none.
-  Index record_of(const Index_triangle& t) const
+  // The faces at the edge VW0 vanish, the others around V become faces of W0.
+  void record(const Collapse_group::Collapse& c, Collapse_record& result)
   {
-    for (Index v : t)
-      if (m_collapse_of[v] != no_index)
-        return m_collapse_of[v];
-    return no_index;
-  }
-
-  // A triangle with a removed vertex V joins the fan of V, unless it holds the kept vertex, too: then it vanishes.
-  void collapse_triangles(std::size_t first_record)
-  {
-    m_fan_size.assign(m_records.size() - first_record, 0);
-    std::vector<std::pair<Index, Index>>& fans = m_fan_of_group;    // (record, face)
-    fans.clear();
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < m_triangles.size(); ++i) {
-      Index_triangle t = m_triangles[i];
-      const Index face = m_face[i], record_index = record_of(t);
-      if (record_index != no_index) {
-        Collapse_record& record = m_records[record_index];
-        const Collapse_group::Collapse& c = m_group.collapses()[record_index - first_record];
-        if (contains(t, c.parent[0])) {
-          record.removed_faces[record.removed_faces[0] == no_index ? 0 : 1] = face;
-          m_last_triangles[face] = { m_vertex[t[0]], m_vertex[t[1]], m_vertex[t[2]] };
-          continue;
-        }
-        replace_corner(t, c.removed_vertex, c.parent[0]);
-        fans.push_back({ record_index, face });
-        ++m_fan_size[record_index - first_record];
+    const Index v = c.removed_vertex, w0 = c.parent[0];
+    result.removed_vertex = m_vertex[v];
+    result.parent = { m_vertex[w0], m_vertex[c.parent[1]], m_vertex[c.parent[2]] };
+    result.removed_faces = { no_index, no_index };
+    result.coordinates = c.coordinates;
+    const Ring_mesh::Ring ring = m_mesh[v];
+    Index fan_face = result.first_fan_face;
+    for (Index i = 0; i < ring.size; ++i) {
+      const Index face = ring.faces[i], a = ring[i], b = ring[ring.following(i)];
+      if (face == no_index)
+        continue;
+      if (a != w0 && b != w0) {
+        m_fan_faces[fan_face++] = face;
+        continue;
       }
-      m_triangles[kept] = t;
-      m_face[kept++] = face;
+      result.removed_faces[result.removed_faces[0] == no_index ? 0 : 1] = face;
+      m_last_triangles[face] = { result.removed_vertex, m_vertex[a], m_vertex[b] };
     }
-    m_triangles.resize(kept);
-    m_face.resize(kept);
-    store_fans(first_record);
-  }
-
-  // Counting sort of the group's fans by record.
-  void store_fans(std::size_t first_record)
-  {
-    Index next = Index(m_fan_faces.size());
-    for (std::size_t i = 0; i < m_fan_size.size(); ++i) {
-      m_records[first_record + i].first_fan_face = next;
-      next += std::exchange(m_fan_size[i], next);
-    }
-    m_fan_faces.resize(next);
-    for (const auto& [record, face] : m_fan_of_group)
-      m_fan_faces[m_fan_size[record - first_record]++] = face;
   }
 
   void compact_vertices(const Loops& loops)
   {
+    m_number.resize(m_points.size());
     std::size_t kept = 0;
     for (std::size_t v = 0; v < m_points.size(); ++v)
-      if (m_collapse_of[v] == no_index) {
+      if (!m_is_removed[v]) {
         m_points[kept] = m_points[v];
         m_is_pinned[kept] = m_is_pinned[v];
         m_vertex[kept] = m_vertex[v];
-        m_collapse_of[v] = Index(kept++);     // from here on: the new number
+        m_number[v] = Index(kept++);
       }
     m_points.resize(kept);
     m_is_pinned.resize(kept);
     m_vertex.resize(kept);
-    loops.for_each(0, Index(m_triangles.size()), [&](Index f) {
-      for (Index& corner : m_triangles[f])
-        corner = m_collapse_of[corner];
-    });
+    for (const Collapse_group::Collapse& c : m_group.collapses())
+      m_number[c.removed_vertex] = m_number[c.parent[0]];
+    m_mesh.collapse(m_is_removed, m_number, loops);
   }
 
   // Turns the records, finest group first, into arrays by rank, coarsest group first.
@@ -179,21 +153,36 @@ private:
   {
     m_group = Collapse_group();
     release(m_points);
-    release(m_fan_of_group);
-    for (std::size_t i = 0; i < m_triangles.size(); ++i)
-      m_last_triangles[m_face[i]] = { m_vertex[m_triangles[i][0]], m_vertex[m_triangles[i][1]], m_vertex[m_triangles[i][2]] };
-    release(m_triangles);
+    std::vector<Index> coarsest_faces = record_coarsest_faces();
+    release(m_mesh);
 
     Hierarchy_data data;
     data.scale_exponent = m_scale_exponent;
     data.input_vertex = std::move(m_vertex);
-    data.input_face = std::move(m_face);
+    data.input_face = std::move(coarsest_faces);
     data.level_vertices.assign(m_level_vertices.rbegin(), m_level_vertices.rend());
     data.level_faces.assign(m_level_faces.rbegin(), m_level_faces.rend());
     const std::vector<Index> order = records_by_rank();
     append_splits(order, data);
     renumber(data, loops);
     return data;
+  }
+
+  // Returns the faces of the coarsest level.
+  std::vector<Index> record_coarsest_faces()
+  {
+    std::vector<Index> result;
+    for (Index v = 0; v < m_vertex.size(); ++v) {
+      const Ring_mesh::Ring ring = m_mesh[v];
+      for (Index i = 0; i < ring.size; ++i) {
+        const Index face = ring.faces[i], a = ring[i], b = ring[ring.following(i)];
+        if (face != no_index && v < a && v < b) {
+          result.push_back(face);
+          m_last_triangles[face] = { m_vertex[v], m_vertex[a], m_vertex[b] };
+        }
+      }
+    }
+    return result;
   }
 
   // The groups lie one behind the other, of the sizes by which the levels differ; inside a group the order stays.
@@ -270,7 +259,7 @@ private:
   }
 
   template <class Array>
-  static void release(Array& array) { Array().swap(array); }
+  static void release(Array& array) { array = Array(); }
 
   std::vector<Point_3> m_input_points;
   std::vector<bool> m_input_is_pinned;
@@ -281,8 +270,9 @@ private:
   // The mesh after the groups so far, compacted, and the input's numbers of its vertices and faces.
   std::vector<Point_3> m_points;
   std::vector<bool> m_is_pinned;
-  std::vector<Index_triangle> m_triangles;
-  std::vector<Index> m_vertex, m_face;
+  Ring_mesh m_mesh;
+  std::vector<Index> m_vertex;
+  std::size_t m_removed_faces = 0;
 
   std::vector<std::size_t> m_level_vertices, m_level_faces;    // finest first
   std::vector<Collapse_record> m_records;                      // finest group first
@@ -290,8 +280,8 @@ private:
   std::vector<Index_triangle> m_last_triangles;                // by input face, in the input's vertices
 
   Collapse_group m_group;
-  std::vector<Index> m_collapse_of, m_fan_size;                // scratch of a group
-  std::vector<std::pair<Index, Index>> m_fan_of_group;
+  std::vector<unsigned char> m_is_removed;
+  std::vector<Index> m_number;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -40,11 +40,13 @@ public:
     return result;
   }
 
+  static constexpr Index default_block_size = 1024;
+
   // Calls f(begin, end, scratch) for every block; make_scratch() makes the scratch of a thread.
   template <class Make_scratch, class Function>
-  void for_each_block(Index first, Index last, const Make_scratch& make_scratch, const Function& f) const
+  void for_each_block(Index first, Index last, const Make_scratch& make_scratch, const Function& f, Index block_size = default_block_size) const
   {
-    const Index blocks = number_of_blocks(first, last);
+    const Index blocks = number_of_blocks(first, last, block_size);
     const auto run = [&](Index block, auto& scratch) {
       const Index begin = first + block * block_size;
       f(begin, (std::min)(last - begin, block_size) + begin, scratch);
@@ -80,8 +82,8 @@ public:
   Result reduce(Index first, Index last, Result result, const Make_scratch& make_scratch, const Function& f, const Add& add) const
   {
     struct Slot { Result value; };      // a vector of bool would share its bytes among threads
-    std::vector<Slot> results(number_of_blocks(first, last), Slot{ result });
-    for_each_block(first, last, make_scratch, [&](Index begin, Index end, auto& scratch) { results[(begin - first) / block_size].value = f(begin, end, scratch); });
+    std::vector<Slot> results(number_of_blocks(first, last, default_block_size), Slot{ result });
+    for_each_block(first, last, make_scratch, [&](Index begin, Index end, auto& scratch) { results[(begin - first) / default_block_size].value = f(begin, end, scratch); });
     for (const Slot& slot : results)
       add(result, slot.value);
     return result;
@@ -114,9 +116,7 @@ public:
 private:
   struct No_scratch { };
 
-  static constexpr Index block_size = 1024;
-
-  static Index number_of_blocks(Index first, Index last) { return last <= first ? 0 : (last - first - 1) / block_size + 1; }
+  static Index number_of_blocks(Index first, Index last, Index block_size) { return last <= first ? 0 : (last - first - 1) / block_size + 1; }
 
   bool m_is_parallel = false;
 };

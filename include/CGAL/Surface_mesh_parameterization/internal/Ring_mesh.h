@@ -1,0 +1,176 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_RING_MESH_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_RING_MESH_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// A mesh as the one-rings of its vertices and the faces in them. Collapses of vertices that share no edge turn it into the next coarser mesh, each ring by
+// itself: no triangle is looked at, and nothing has to be sorted.
+class Ring_mesh
+{
+public:
+  // The ring of a vertex V, counter-clockwise: face i is that of V, neighbor i and the next neighbor. That of a border vertex is open; its last face is `no_index`.
+  struct Ring
+  {
+    const Index *neighbors, *faces;
+    Index size;
+    bool is_closed;
+
+    const Index* begin() const { return neighbors; }
+    const Index* end() const { return neighbors + size; }
+    Index operator[](Index i) const { return neighbors[i]; }
+
+    // The position of W, `size` if it is none of the neighbors.
+    Index position_of(Index w) const { return Index(std::find(begin(), end(), w) - begin()); }
+    bool contains(Index w) const { return position_of(w) != size; }
+
+    Index following(Index i) const { return i + 1 == size ? 0 : i + 1; }
+    bool are_adjacent(Index i, Index j) const { return i + 1 == j || j + 1 == i || (is_closed && (following(i) == j || following(j) == i)); }
+  };
+
+  Ring_mesh() = default;
+
+  // Precondition: every vertex is manifold.
+  Ring_mesh(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles, const Loops& loops)
+  {
+    One_rings rings;
+    rings.build(number_of_vertices, triangles, loops);
+    rings.release_scratch();
+    m_first.assign(rings.offsets(), rings.offsets() + number_of_vertices + 1);
+    m_neighbors.assign(rings.neighbors(), rings.neighbors() + rings.number_of_slots());
+    m_is_border.resize(number_of_vertices);
+    for (Index v = 0; v < number_of_vertices; ++v)
+      m_is_border[v] = rings.is_border(v);
+    m_faces.assign(m_neighbors.size(), no_index);
+    loops.for_each(0, Index(triangles.size()), [&](Index f) {
+      const Index_triangle& t = triangles[f];
+      for (int i = 0; i < 3; ++i)
+        set_face(t[i], t[(i + 1) % 3], t[(i + 2) % 3], f);
+    });
+  }
+
+  std::size_t number_of_vertices() const { return m_is_border.size(); }
+  Ring operator[](Index v) const { return { m_neighbors.data() + m_first[v], m_faces.data() + m_first[v], m_first[v + 1] - m_first[v], !m_is_border[v] }; }
+
+  // Where the rings begin: what has to be known of a vertex before its ring.
+  const Index* offsets() const { return m_first.data(); }
+
+  // Removes vertices that share no edge. `number[v]` is the new number of V, or of the W0 that V collapses onto.
+  void collapse(const std::vector<unsigned char>& is_removed, const std::vector<Index>& number, const Loops& loops)
+  {
+    const std::size_t kept = count_new_rings(is_removed, number);
+    m_new_neighbors.resize(m_new_first.back());
+    m_new_faces.resize(m_new_first.back());
+    loops.for_each_block(0, Index(number_of_vertices()), [] { return std::vector<Slot>(); }, [&](Index begin, Index end, std::vector<Slot>& ring) {
+      for (Index w = begin; w < end; ++w)
+        if (!is_removed[w]) {
+          make_new_ring(w, is_removed, number, ring);
+          write_new_ring(number[w], ring);
+        }
+    });
+
+    for (Index w = 0; w < number_of_vertices(); ++w)
+      if (!is_removed[w])
+        m_is_border[number[w]] = m_is_border[w];
+    m_is_border.resize(kept);
+    m_first.swap(m_new_first);
+    m_neighbors.swap(m_new_neighbors);
+    m_faces.swap(m_new_faces);
+  }
+
+private:
+  struct Slot { Index neighbor, face; };
+
+  void set_face(Index v, Index neighbor, Index next_neighbor, Index face)
+  {
+    const Ring ring = (*this)[v];
+    for (Index i = 0; i < ring.size; ++i)
+      if (ring[i] == neighbor && ring[ring.following(i)] == next_neighbor)
+        m_faces[m_first[v] + i] = face;
+  }
+
+  // Tells m_new_first where the new rings begin; returns how many there are. V gives its neighbors to W0, except for the two, or one of an open ring, that W0 has already:
+  // these lose V.
+  std::size_t count_new_rings(const std::vector<unsigned char>& is_removed, const std::vector<Index>& number)
+  {
+    std::size_t kept = 0;
+    m_new_first.assign(number_of_vertices() + 1, 0);
+    const auto size_of = [&](Index v) -> Index& { return m_new_first[number[v] + 1]; };
+    for (Index v = 0; v < number_of_vertices(); ++v) {
+      const Ring ring = (*this)[v];
+      if (!is_removed[v]) {
+        size_of(v) += ring.size;
+        ++kept;
+        continue;
+      }
+      const Index w0 = Index(std::find_if(ring.begin(), ring.end(), [&](Index w) { return number[w] == number[v]; }) - ring.begin());
+      for (Index i = 0; i < ring.size; ++i)
+        if (ring.are_adjacent(i, w0))
+          --size_of(ring[i]);
+        else
+          ++size_of(v);
+      size_of(v) -= 2;       // W0 is none of its own neighbors, and loses V
+    }
+    m_new_first.resize(kept + 1);
+    std::partial_sum(m_new_first.begin(), m_new_first.end(), m_new_first.begin());
+    return kept;
+  }
+
+  void make_new_ring(Index w, const std::vector<unsigned char>& is_removed, const std::vector<Index>& number, std::vector<Slot>& result) const
+  {
+    result.clear();
+    const Ring ring = (*this)[w];
+    Index i = ring.is_closed && is_removed[ring[0]] ? 1 : 0;      // a closed ring may start anywhere, so it does at a neighbor that stays
+    for (Index k = 0; k < ring.size; ++k, i = ring.following(i))
+      if (number[ring[i]] == number[w])
+        append_fan(w, ring[i], number, result);
+      else if (!result.empty() && result.back().neighbor == number[ring[i]])
+        result.back().face = ring.faces[i];                       // the face between V and W0 has vanished
+      else
+        result.push_back({ number[ring[i]], ring.faces[i] });
+    if (ring.is_closed && result.front().neighbor == result.back().neighbor)
+      result.pop_back();
+  }
+
+  // What W0 has instead of V after the collapse: the neighbors of V from W2 on that it has not already.
+  void append_fan(Index w0, Index v, const std::vector<Index>& number, std::vector<Slot>& result) const
+  {
+    const Ring ring = (*this)[v];
+    Index i = ring.position_of(w0);
+    if (ring.is_closed || i == 0) {       // W1 stands before V
+      i = ring.following(i);
+      result.back().face = ring.faces[i];
+    }
+    i = ring.following(i);
+    for (Index left = ring.size - (ring.is_closed ? 3 : 2); left > 0; --left, i = ring.following(i))
+      result.push_back({ number[ring[i]], ring.faces[i] });
+  }
+
+  void write_new_ring(Index w, const std::vector<Slot>& ring)
+  {
+    Index k = m_new_first[w];
+    for (const Slot& slot : ring) {
+      m_new_neighbors[k] = slot.neighbor;
+      m_new_faces[k++] = slot.face;
+    }
+  }
+
+  std::vector<Index> m_first, m_neighbors, m_faces;
+  std::vector<unsigned char> m_is_border;
+  std::vector<Index> m_new_first, m_new_neighbors, m_new_faces;      // of the next mesh
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_RING_MESH_H
