@@ -11,7 +11,9 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -30,18 +32,27 @@ public:
     return false;
   }
 
-  // Changes the direction of a step at the border vertices that turn too far in the trial map: bends it, or where that does not help or must not be, cuts it off.
-  // Returns whether there are any.
-  bool bend(const Level::Uv& uv, const Level::Uv& trial, Pair_vector& direction, bool may_bend) const
+  // What the angles at a border vertex lack of a full turn, as a linear function of where the vertex and its two border neighbors go.
+  struct Gap
   {
-    bool result = false;
+    std::array<Index, 3> vertices;
+    std::array<Pair, 3> gradients;
+    double missing;         // how much less the step to the trial should have taken
+
+    template <class Direction>
+    double change(const Direction& direction) const
+    {
+      return gradients[0].dot(direction(vertices[0])) + gradients[1].dot(direction(vertices[1])) + gradients[2].dot(direction(vertices[2]));
+    }
+  };
+
+  // The gaps at the border vertices that turn too far in the trial map.
+  std::vector<Gap> lost_gaps(const Level::Uv& uv, const Level::Uv& trial) const
+  {
+    std::vector<Gap> result;
     for (Index v = 0; v < m_level.number_of_vertices(); ++v)
-      if (m_level.is_border(v) && turns_too_far_at(v, uv, trial)) {
-        const Index first = m_level.one_ring(v).front(), last = m_level.one_ring(v).back();
-        if (!may_bend || !keep_gap(uv, v, first, last, direction))
-          direction[v] = direction[first] = direction[last] = Pair(0, 0);
-        result = true;
-      }
+      if (m_level.is_border(v) && turns_too_far_at(v, uv, trial))
+        result.push_back(gap_at(v, uv, trial));
     return result;
   }
 
@@ -53,23 +64,19 @@ private:
     return internal::turns_too_far(rings, Place_of_vertex{ trial }, v) || (leaves_no_room(rings, trial, v) && !leaves_no_room(rings, uv, v));
   }
 
-  // Changes the direction of a border vertex v and its border neighbors as little as is needed for the gap, what the angles at v lack of a full turn, to lose, to
-  // first order, no more than a part of what it has above a small angle. Returns whether a change was needed.
-  static bool keep_gap(const Level::Uv& uv, Index v, Index first, Index last, Pair_vector& direction)
+  // A step may take a part of what the gap has above a small angle.
+  Gap gap_at(Index v, const Level::Uv& uv, const Level::Uv& trial) const
   {
     constexpr double least_gap = 2e-3, part_to_lose = 0.8;
+    const Index first = m_level.one_ring(v).front(), last = m_level.one_ring(v).back();
+    const auto angle = [&](const Level::Uv& map) {
+      const Vector_2 a = map[first] - map[v], b = map[last] - map[v];
+      return std::atan2(cross(b, a), b * a);
+    };
+    const double before = angle(uv), gap = before < 0 ? before + 2 * CGAL_PI : before, change = std::remainder(angle(trial) - before, 2 * CGAL_PI);
     const Vector_2 a = uv[first] - uv[v], b = uv[last] - uv[v];
-    const double angle = std::atan2(cross(b, a), b * a), gap = angle < 0 ? angle + 2 * CGAL_PI : angle;
-    const Pair at_first = Pair(-a.y(), a.x()) / a.squared_length(), at_last = Pair(b.y(), -b.x()) / b.squared_length(), at_v = -at_first - at_last;
-    const double change = at_first.dot(direction[first]) + at_last.dot(direction[last]) + at_v.dot(direction[v]);
-    const double excess = -part_to_lose * (std::max)(gap - least_gap, 0.) - change;
-    if (!(excess > 0))
-      return false;
-    const double factor = excess / (at_first.squaredNorm() + at_last.squaredNorm() + at_v.squaredNorm());
-    direction[first] += factor * at_first;
-    direction[last] += factor * at_last;
-    direction[v] += factor * at_v;
-    return true;
+    const Pair at_first = Pair(-a.y(), a.x()) / a.squared_length(), at_last = Pair(b.y(), -b.x()) / b.squared_length();
+    return { { v, first, last }, { -at_first - at_last, at_first, at_last }, -part_to_lose * (std::max)(gap - least_gap, 0.) - change };
   }
 
   const Level& m_level;

@@ -83,7 +83,7 @@ private:
     const double slope = dot_with_gradient();
     result.predicted = -0.5 * slope;
     if (slope < 0)
-      search_line(uv, energy, slope, result);
+      search_line(uv, energy, slope, tolerance, result);
     return result;
   }
 
@@ -151,14 +151,20 @@ private:
   // Solves for the direction, in scaled variables; returns the number of V-cycles.
   std::size_t solve(double tolerance)
   {
-    constexpr std::size_t most_cycles = 10;
     const std::vector<double>& scale = m_cycle.matrix().scale;
     m_space.residual.resize(number_of_vertices());
     for_each_vertex([&](Index v) { m_space.residual[v] = -scale[v] * m_gradient[v]; });
+    const std::size_t cycles = solve_for_residual(tolerance);
+    for_each_vertex([&](Index v) { m_direction[v] = scale[v] * m_space.solution[v]; });
+    return cycles;
+  }
+
+  std::size_t solve_for_residual(double tolerance)
+  {
+    constexpr std::size_t most_cycles = 10;
     const std::size_t cycles = conjugate_gradients(m_level.loops(), m_cycle.matrix(), m_cycle, tolerance, most_cycles, m_space);
     for (const Index v : m_held)
       m_space.solution[v] = Pair(0, 0);
-    for_each_vertex([&](Index v) { m_direction[v] = scale[v] * m_space.solution[v]; });
     return cycles;
   }
 
@@ -205,15 +211,52 @@ private:
 
   // Goes along the direction as far as the energy falls and the map stays valid. Where the angles at a border vertex would reach a full turn, of which the
   // energy knows nothing, the direction is bent so that they do not, and at last cut off: the rest of the map need not wait for them.
-  void search_line(Level::Uv& uv, double energy, double slope, Step& result)
+  void search_line(Level::Uv& uv, double energy, double slope, double tolerance, Step& result)
   {
     constexpr int rounds_of_bending = 6, most_rounds = 10;
     for (int i = 0; i < most_rounds && slope < 0; ++i) {
       try_lengths(uv, energy, slope, result);
-      if (result.length > 0 || !Energy::is_flip_free || !m_border_guard.bend(uv, m_trial, m_direction, i < rounds_of_bending))
+      if (result.length > 0 || !Energy::is_flip_free)
         return;
+      const std::vector<Border_guard::Gap> gaps = m_border_guard.lost_gaps(uv, m_trial);
+      if (gaps.empty())
+        return;
+      if (i < rounds_of_bending)
+        result.cycles += bend(gaps, tolerance);
+      else
+        cut_off(gaps);
       slope = dot_with_gradient();
     }
+  }
+
+  // Changes the direction as little as is needed, in the norm of the Hessian, for no gap to lose too much, to first order: so the neighbors go along.
+  // Returns the number of V-cycles.
+  std::size_t bend(const std::vector<Border_guard::Gap>& gaps, double tolerance)
+  {
+    const std::vector<double>& scale = m_cycle.matrix().scale;
+    for_each_vertex([&](Index v) { m_space.residual[v] = Pair(0, 0); });
+    for (const Border_guard::Gap& gap : gaps)
+      for (int i = 0; i < 3 && gap.missing > 0; ++i)
+        m_space.residual[gap.vertices[i]] += scale[gap.vertices[i]] * gap.missing * gap.gradients[i];
+    const std::size_t cycles = solve_for_residual(tolerance);
+    const auto correction = [&](Index v) -> Pair { return scale[v] * m_space.solution[v]; };
+    double factor = 0;
+    std::vector<Border_guard::Gap> hopeless;
+    for (const Border_guard::Gap& gap : gaps)
+      if (const double change = gap.change(correction); gap.missing > 0 && change > 0)
+        factor = (std::max)(factor, gap.missing / change);
+      else
+        hopeless.push_back(gap);
+    for_each_vertex([&](Index v) { m_direction[v] += factor * correction(v); });
+    cut_off(hopeless);
+    return cycles;
+  }
+
+  void cut_off(const std::vector<Border_guard::Gap>& gaps)
+  {
+    for (const Border_guard::Gap& gap : gaps)
+      for (const Index v : gap.vertices)
+        m_direction[v] = Pair(0, 0);
   }
 
   // Halves the step until it is acceptable; ends early at one that fails only by the angles at the border.
