@@ -9,6 +9,9 @@
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Collapse_group.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Ring_mesh.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -22,8 +25,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -68,6 +73,63 @@ bool has_triangle(const std::vector<Index_triangle>& triangles, Index_triangle t
     std::rotate(t.begin(), t.begin() + 1, t.end());
   }
   return false;
+}
+
+// ---- Ring_mesh ----
+
+// Against the triangles with their corners replaced, group after group: every corner of every triangle that is left is in one ring, beside its neighbors.
+TEST(Ring_mesh, collapses_as_its_triangles_do)
+{
+  std::vector<std::pair<std::string, Flat_mesh>> meshes = named_meshes();
+  meshes.push_back({ "crumpled grid", crumpled_grid(20, 1) });
+  for (auto& [name, m] : meshes) {
+    SCOPED_TRACE(name);
+    internal::Ring_mesh rings(m.points.size(), m.triangles, internal::Loops());
+    std::vector<Index_triangle> triangles = m.triangles;
+    std::vector<Point_3> points = m.points;
+    std::mt19937 random(1);
+    internal::Collapse_group group;
+    for (int i = 0; i < 4; ++i) {
+      group.choose(points, rings, std::vector<bool>(points.size(), false), 3, random, internal::Loops());
+      std::vector<unsigned char> is_removed(points.size(), 0);
+      for (const internal::Collapse_group::Collapse& c : group.collapses())
+        is_removed[c.removed_vertex] = 1;
+      std::vector<Index> number(points.size());
+      std::vector<Point_3> kept_points;
+      for (Index v = 0; v < points.size(); ++v)
+        if (!is_removed[v]) {
+          number[v] = Index(kept_points.size());
+          kept_points.push_back(points[v]);
+        }
+      for (const internal::Collapse_group::Collapse& c : group.collapses())
+        number[c.removed_vertex] = number[c.parent[0]];
+
+      rings.collapse(is_removed, number, internal::Loops());
+      points = kept_points;
+      std::size_t corners = 0;
+      for (Index_triangle& t : triangles) {
+        if (t[0] != no_index)
+          t = { number[t[0]], number[t[1]], number[t[2]] };
+        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+          t = { no_index, no_index, no_index };
+        else
+          corners += 3;
+      }
+      ASSERT_EQ(rings.number_of_vertices(), points.size());
+      std::set<std::pair<Index, Index>> found;      // vertex, face
+      for (Index v = 0; v < points.size(); ++v) {
+        const internal::Ring_mesh::Ring ring = rings[v];
+        EXPECT_EQ(ring.is_closed, ring.faces[ring.size - 1] != no_index);
+        for (Index k = 0; k < ring.size; ++k)
+          if (ring.faces[k] != no_index) {
+            EXPECT_TRUE(has_triangle({ triangles[ring.faces[k]] }, { v, ring[k], ring[ring.following(k)] }));
+            found.insert({ v, ring.faces[k] });
+          } else
+            EXPECT_EQ(k + 1, ring.size);
+      }
+      EXPECT_EQ(found.size(), corners);
+    }
+  }
 }
 
 // ---- levels ----

@@ -620,8 +620,8 @@ TEST(Level_refiner, finds_the_isometry_of_a_developable_surface)
 }
 
 // A winding staircase: a developable surface whose angles at vertex 0, on the border, sum to more than a turn. The isometry is not allowed, so the best map has
-// hardly a gap there; Newton's method must slide along that bound, to where sweeps do not get further down either.
-TEST(Level_refiner, slides_along_the_bound_of_the_angles_at_the_border)
+// hardly a gap there.
+Flat_mesh staircase()
 {
   constexpr Index rings = 6, sectors = 40;
   Flat_mesh m;
@@ -639,7 +639,13 @@ TEST(Level_refiner, slides_along_the_bound_of_the_angles_at_the_border)
       m.triangles.push_back({ vertex(r, k), vertex(r + 1, k + 1), vertex(r, k + 1) });
     }
   }
+  return m;
+}
 
+// Newton's method must slide along that bound, to where sweeps do not get further down either.
+TEST(Level_refiner, slides_along_the_bound_of_the_angles_at_the_border)
+{
+  const Flat_mesh m = staircase();
   const Finest_level f(m);
   const Level::Uv start = first_map(f.level);
   double energy[2];
@@ -664,6 +670,26 @@ TEST(Level_refiner, slides_along_the_bound_of_the_angles_at_the_border)
   }
   EXPECT_GT(energy[int(Optimizer::NEWTON)], 1e-3);
   EXPECT_LT(energy[int(Optimizer::NEWTON)], 1.001 * energy[int(Optimizer::SWEEPS)]);
+}
+
+// Steps of the whole map come close to that place in full length, without sweeps that free them: where the bound turns a border vertex aside, its neighbors go along.
+TEST(Newton_multigrid, keeps_the_length_of_steps_at_the_bound_of_the_angles_at_the_border)
+{
+  const Flat_mesh m = staircase();
+  const Finest_level f(m);
+  const Level_energy<Symmetric_Dirichlet_energy_2> energy(f.level, Triangle_weight::ONE);
+  const auto excess = [&](const Level::Uv& uv) { return energy(uv) - 4 * double(m.triangles.size()); };
+  Level::Uv best = first_map(f.level), uv = best;
+  Refinement_options options;
+  options.number_of_iterations = 200;
+  Level_summary summary;
+  Level_refiner<Symmetric_Dirichlet_energy_2>(f.level, best, options, summary).run();
+
+  Newton_multigrid<Symmetric_Dirichlet_energy_2> newton(energy);
+  for (int i = 0; i < 10; ++i)
+    newton.step(uv, energy(uv), 0.07);
+  EXPECT_TRUE(is_map_valid(f.level.rings(), uv));
+  EXPECT_LT(excess(uv), 1.2 * excess(best));
 }
 
 TEST(Level_refiner, tells_what_it_did)

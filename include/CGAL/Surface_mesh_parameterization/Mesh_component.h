@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 
@@ -16,6 +17,7 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -46,14 +48,17 @@ public:
   typedef typename Graph_traits::halfedge_descriptor   halfedge_descriptor;   ///< a halfedge of the mesh
   typedef typename Graph_traits::face_descriptor       face_descriptor;       ///< a face of the mesh
 
-  /// reads the component of `mesh` around the border halfedge `bhd`. Whether this succeeded is told by `status()`.
-  Mesh_component(const TriangleMesh& mesh, halfedge_descriptor bhd)
+  /// reads the component of `mesh` around the border halfedge `bhd`. Whether this succeeded is told by `error()`.
+  ///
+  /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`: how the component is checked
+  template <class ConcurrencyTag = CGAL::Sequential_tag>
+  Mesh_component(const TriangleMesh& mesh, halfedge_descriptor bhd, ConcurrencyTag = ConcurrencyTag())
   {
     if (is_empty(mesh))
       m_error.code = ERROR_EMPTY_MESH;
     else if (bhd == Graph_traits::null_halfedge() || !is_border(bhd, mesh) || is_border(opposite(bhd, mesh), mesh))
       m_error.code = ERROR_WRONG_PARAMETER;
-    else if (read_component(mesh, bhd) && is_disk_with_holes(mesh))
+    else if (read_component(mesh, bhd) && is_disk_with_holes(mesh, internal::Loops::of<ConcurrencyTag>()))
       normalize();
   }
 
@@ -178,9 +183,10 @@ private:
   }
 
   // A connected surface whose vertices have one umbrella each is a disk with holes exactly if V - E + F = 2 - (number of borders).
-  bool is_disk_with_holes(const TriangleMesh& mesh)
+  bool is_disk_with_holes(const TriangleMesh& mesh, const internal::Loops& loops)
   {
-    const internal::One_rings rings(m_surface.points.size(), m_surface.triangles);
+    internal::One_rings rings;
+    rings.build(m_surface.points.size(), m_surface.triangles, loops);
     const internal::Index bad_vertex = rings.first_non_manifold_vertex();
     if (bad_vertex != internal::no_index)
       return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX, number_of(m_vertices[bad_vertex], vertices(mesh)));

@@ -42,6 +42,9 @@ public:
 
   static constexpr Index default_block_size = 1024;
 
+  // Into how many parts to divide work that needs scratch of its own for each part.
+  Index number_of_parts() const { return m_is_parallel ? 4 : 1; }
+
   // Calls f(begin, end, scratch) for every block; make_scratch() makes the scratch of a thread.
   template <class Make_scratch, class Function>
   void for_each_block(Index first, Index last, const Make_scratch& make_scratch, const Function& f, Index block_size = default_block_size) const

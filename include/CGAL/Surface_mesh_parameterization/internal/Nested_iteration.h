@@ -81,7 +81,7 @@ private:
     m_summary = Parameterization_summary();
     CGAL::Real_timer timer;
     timer.start();
-    Mesh_component<Triangle_mesh> component(mesh, bhd);
+    Mesh_component<Triangle_mesh> component(mesh, bhd, typename Method::Concurrency_tag());
     m_summary.error = component.error();
     if (m_summary.error.code == OK)
       m_summary.error.code = place_border(m_method, mesh, bhd, component);

@@ -159,6 +159,7 @@ private:
     return cycles;
   }
 
+  // Solves for m_space.solution; the right side stands in m_space.residual.
   std::size_t solve_for_residual(double tolerance)
   {
     constexpr std::size_t most_cycles = 10;

@@ -35,33 +35,31 @@ public:
   // Reuses the arrays of an earlier build; release_scratch() gives back the half of them that only building needs.
   void build(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles, const Loops& loops)
   {
-    collect_opposite_edges(number_of_vertices, triangles);
+    collect_opposite_edges(number_of_vertices, triangles, loops);
 
     m_first.resize(number_of_vertices + 1);
     m_first[0] = 0;
     for (std::size_t v = 0; v < number_of_vertices; ++v)
-      m_first[v + 1] = m_first[v] + (m_edge_end[v] - edge_begin(Index(v))) + (m_is_border[v] ? 1 : 0);
+      m_first[v + 1] = m_first[v] + (edge_end(Index(v)) - edge_begin(Index(v))) + (m_is_border[v] ? 1 : 0);
 
     m_neighbors.resize(m_first.back());
     m_first_bad_vertex = loops.min(0, Index(number_of_vertices), no_index, [&](Index v) { return link_ring(v) ? no_index : v; });
   }
 
   // Makes room for a mesh of that size, so that no later build() has to move the arrays.
-  void reserve(std::size_t number_of_vertices, std::size_t number_of_triangles)
+  void reserve(std::size_t number_of_vertices, std::size_t number_of_triangles, const Loops& loops)
   {
     m_first.reserve(number_of_vertices + 1);
     m_neighbors.reserve(3 * number_of_triangles + number_of_vertices);
     m_is_border.reserve(number_of_vertices);
     m_edges.reserve(3 * number_of_triangles);
-    for (std::vector<Index>* array : { &m_edge_end, &m_balance })
-      array->reserve(number_of_vertices);
+    m_next_edge.reserve(loops.number_of_parts() * number_of_vertices);
   }
 
   void release_scratch()
   {
     std::vector<Directed_edge>().swap(m_edges);
-    for (std::vector<Index>* array : { &m_edge_end, &m_balance })
-      std::vector<Index>().swap(*array);
+    std::vector<Index>().swap(m_next_edge);
   }
 
   std::size_t number_of_vertices() const { return m_is_border.size(); }
@@ -104,28 +102,43 @@ public:
   }
 
 private:
-  Index edge_begin(Index v) const { return v == 0 ? 0 : m_edge_end[v - 1]; }
+  Index edge_begin(Index v) const { return v == 0 ? 0 : edge_end(v - 1); }
+  Index edge_end(Index v) const { return m_next_edge[m_next_edge.size() - number_of_vertices() + v]; }
 
-  // A closed fan leaves every neighbor once and enters it once; so in an open one the neighbors entered and left differ in sum.
-  void collect_opposite_edges(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles)
+  // Counting sort by vertex, of several parts of the triangles side by side.
+  void collect_opposite_edges(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles, const Loops& loops)
   {
-    m_edge_end.assign(number_of_vertices, 0);
-    m_balance.assign(number_of_vertices, 0);
-    for (const Index_triangle& t : triangles)
-      for (int i = 0; i < 3; ++i) {
-        ++m_edge_end[t[i]];
-        m_balance[t[i]] += t[(i + 1) % 3] - t[(i + 2) % 3];
-      }
-    m_is_border.resize(number_of_vertices);
+    const Index parts = loops.number_of_parts();
+    const auto for_each_triangle = [&](const auto& f) {
+      loops.for_each_block(0, parts, [] { return 0; }, [&](Index part, Index, int) {
+        const std::size_t n = triangles.size(), end = n * (part + 1) / parts;
+        for (std::size_t i = n * part / parts; i < end; ++i)
+          f(triangles[i], m_next_edge.data() + part * number_of_vertices);
+      }, 1);
+    };
+    m_next_edge.assign(parts * number_of_vertices, 0);
+    for_each_triangle([](const Index_triangle& t, Index* count) {
+      for (const Index v : t)
+        ++count[v];
+    });
     Index sum = 0;
-    for (std::size_t v = 0; v < number_of_vertices; ++v) {
-      m_is_border[v] = m_balance[v] != 0;
-      sum += std::exchange(m_edge_end[v], sum);
-    }
+    for (std::size_t v = 0; v < number_of_vertices; ++v)
+      for (Index part = 0; part < parts; ++part)
+        sum += std::exchange(m_next_edge[part * number_of_vertices + v], sum);
     m_edges.resize(sum);
-    for (const Index_triangle& t : triangles)
+    for_each_triangle([this](const Index_triangle& t, Index* next) {
       for (int i = 0; i < 3; ++i)
-        m_edges[m_edge_end[t[i]]++] = { t[(i + 1) % 3], t[(i + 2) % 3] };
+        m_edges[next[t[i]]++] = { t[(i + 1) % 3], t[(i + 2) % 3] };
+    });
+
+    // A closed fan leaves every neighbor once and enters it once; so in an open one the neighbors entered and left differ in sum.
+    m_is_border.resize(number_of_vertices);
+    loops.for_each(0, Index(number_of_vertices), [&](Index v) {
+      Index balance = 0;
+      for (Index e = edge_begin(v); e < edge_end(v); ++e)
+        balance += m_edges[e].first - m_edges[e].second;
+      m_is_border[v] = balance != 0;
+    });
   }
 
   // Sorts the edges opposite to v, so that each starts where the one before ends. Quadratic in the valence, but in
@@ -133,7 +146,7 @@ private:
   bool link_ring(Index v)
   {
     Directed_edge* const begin = m_edges.data() + edge_begin(v);
-    Directed_edge* const end = m_edges.data() + m_edge_end[v];
+    Directed_edge* const end = m_edges.data() + edge_end(v);
     Index* out = m_neighbors.data() + m_first[v];
     if (begin == end)
       return false;
@@ -159,7 +172,7 @@ private:
 
   bool link_large_ring(Index v)
   {
-    const auto begin = m_edges.begin() + edge_begin(v), end = m_edges.begin() + m_edge_end[v];
+    const auto begin = m_edges.begin() + edge_begin(v), end = m_edges.begin() + edge_end(v);
     std::sort(begin, end);
     Index start = begin->first;
     if (is_border(v)) {
@@ -202,7 +215,7 @@ private:
   Index m_first_bad_vertex = no_index;
 
   std::vector<Directed_edge> m_edges;       // scratch of build()
-  std::vector<Index> m_edge_end, m_balance;
+  std::vector<Index> m_next_edge;           // in every part of the triangles, of every vertex; at the end those of the last part end its edges
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
