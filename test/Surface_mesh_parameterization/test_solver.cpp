@@ -668,9 +668,9 @@ TEST(Multigrid_solver_traits, solves_what_sits_on_a_mesh)
 
 // How many iterations it takes to 1e-8.
 template <class EdgeWeights>
-std::size_t iterations(const Flat_mesh& m, EdgeWeights edge_weights)
+std::size_t iterations(const Flat_mesh& m, EdgeWeights edge_weights, unsigned int seed = 0)
 {
-  Solver_on_mesh on(m, parameters::tolerance(1e-8));
+  Solver_on_mesh on(m, parameters::tolerance(1e-8).random_seed(seed));
   const Sparse_matrix matrix = edge_matrix(m, edge_weights);
   Vector b(matrix.row_dimension()), x;
   const One_rings rings(m.points.size(), m.triangles);
@@ -703,15 +703,23 @@ class Iterations : public testing::Test { };
 typedef testing::Types<Uniform_edge_weights_3, Harmonic_edge_weights_3, Mean_value_edge_weights_3> Edge_weights;
 TYPED_TEST_SUITE(Iterations, Edge_weights, );
 
+// On average over several hierarchies of a mesh: from one to the next the number varies by two.
 TYPED_TEST(Iterations, are_few_and_do_not_grow)
 {
-  const auto check = [](const auto& mesh_of_size) {
-    const std::size_t small = iterations(mesh_of_size(2000), TypeParam());
-    for (const Index n : { 8000, 32000 }) {
-      const std::size_t larger = iterations(mesh_of_size(n), TypeParam());
-      EXPECT_LE(larger, 12u) << n << " vertices";
-      EXPECT_LE(larger, small + 3) << n << " vertices";
+  const auto mean_iterations = [](const Flat_mesh& m) {
+    constexpr unsigned int seeds = 4;
+    std::size_t sum = 0;
+    for (unsigned int seed = 0; seed < seeds; ++seed) {
+      const std::size_t n = iterations(m, TypeParam(), seed);
+      EXPECT_LE(n, 12u) << m.points.size() << " vertices, seed " << seed;
+      sum += n;
     }
+    return double(sum) / seeds;
+  };
+  const auto check = [&](const auto& mesh_of_size) {
+    const double small = mean_iterations(mesh_of_size(2000));
+    for (const Index n : { 8000, 32000 })
+      EXPECT_LE(mean_iterations(mesh_of_size(n)), small + 4) << n << " vertices";
   };
   check([](Index n) { return delaunay_patch(n, 1, wavy); });
   check([](Index n) { return cap(Index(std::sqrt(n / 4.)), Index(std::sqrt(4. * n)), 0.5 * CGAL_PI); });

@@ -100,8 +100,8 @@ private:
         m_faces[m_first[v] + i] = face;
   }
 
-  // Tells m_new_first where the new rings begin; returns how many there are. V gives its neighbors to W0, except for the two, or one of an open ring, that W0 has already:
-  // these lose V.
+  // Tells m_new_first where the new rings begin; returns how many there are. V gives its neighbors to W0, except for the two, or one of an open ring, that W0 has
+  // already: these lose V.
   std::size_t count_new_rings(const std::vector<unsigned char>& is_removed, const std::vector<Index>& number)
   {
     std::size_t kept = 0;
