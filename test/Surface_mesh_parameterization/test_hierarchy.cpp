@@ -625,7 +625,7 @@ TEST(Mesh_component, is_numbered_breadth_first)
     Index seen = 0;
     for (std::size_t f = 0; f < triangles.size(); ++f) {
       const auto are_neighbors = [&](std::size_t g) {
-        return std::count_if(triangles[f].begin(), triangles[f].end(), [&](Index v) { return internal::contains(triangles[g], v); }) >= 2;
+        return std::count_if(triangles[f].begin(), triangles[f].end(), [&](Index v) { return contains(triangles[g], v); }) >= 2;
       };
       while (f > 0 && parent < f && !are_neighbors(parent))
         ++parent;

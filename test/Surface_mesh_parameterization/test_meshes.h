@@ -64,6 +64,8 @@ private:
 
 // ---- meshes ----
 
+inline bool contains(const Index_triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] == v; }
+
 inline double flat(double, double) { return 0; }
 inline double wavy(double x, double y) { return 0.15 * std::sin(7 * x) * std::cos(5 * y); }
 inline double rolled(double x, double) { return 0.3 * std::sin(4 * x); }

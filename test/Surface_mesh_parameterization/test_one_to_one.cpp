@@ -474,7 +474,7 @@ Flat_mesh random_surface(unsigned int seed)
     bool is_inside = true;
     for (const Index w : rings[hole])
       is_inside = is_inside && !rings.is_border(w);
-    const auto t = std::find_if(result.triangles.begin(), result.triangles.end(), [&](const Index_triangle& x) { return SMP::internal::contains(x, hole); });
+    const auto t = std::find_if(result.triangles.begin(), result.triangles.end(), [&](const Index_triangle& x) { return contains(x, hole); });
     if (is_inside)
       result.triangles.erase(t);
   }

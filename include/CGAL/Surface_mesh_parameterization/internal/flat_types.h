@@ -29,7 +29,6 @@ constexpr Index no_index = (std::numeric_limits<Index>::max)();
 inline double cross(const Vector_2& a, const Vector_2& b) { return a.x() * b.y() - a.y() * b.x(); }
 inline bool is_finite(const Point_2& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
 inline bool is_left_turn(const Point_2& a, const Point_2& b, const Point_2& c) { return orientation(a, b, c) == LEFT_TURN; }
-inline bool contains(const Index_triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] == v; }
 
 inline void replace_corner(Index_triangle& t, Index from, Index to)
 {
