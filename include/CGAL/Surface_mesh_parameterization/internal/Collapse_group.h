@@ -168,12 +168,11 @@ private:
   // additionally needs a triangle on the other side of its base.
   bool satisfies_link_condition(const Examined_mesh& mesh, Index v, Index w0_slot) const
   {
-    const Ring_mesh::Ring ring = mesh.rings[v];
-    const Index w0 = ring[w0_slot], allowed = ring.is_closed ? 2 : 1;
-    Index common = 0;
-    for (Index w : mesh.rings[w0])
-      common += ring.contains(w);
-    if (common != allowed || has_added_edge(w0, ring))
+    const Ring_mesh::Ring ring = mesh.rings[v], kept_ring = mesh.rings[ring[w0_slot]];
+    for (Index i = 0; i < ring.size; ++i)
+      if (i != w0_slot && !ring.are_adjacent(i, w0_slot) && kept_ring.contains(ring[i]))
+        return false;
+    if (has_added_edge(ring[w0_slot], ring))
       return false;
     const bool is_ear = !ring.is_closed && ring.size == 2;
     return !is_ear || is_interior_edge(mesh, ring[0], ring[1]);
