@@ -624,7 +624,7 @@ TEST(Parent_triangle, holds_the_origin)
     for (const Point_2& p : random_star_polygon(n, Point_2(0, 0), random))
       flat_ring.push_back(p - CGAL::ORIGIN);
     for (std::size_t w0 = 0; w0 < n; ++w0) {
-      if (worst_quality_after_collapse(flat_ring, true, w0) <= 1e-4)
+      if (worst_quality_after_collapse(flat_ring, w0) <= 1e-4)
         continue;
       ++tried;
       const Parent_triangle parent = find_parent_triangle(flat_ring, w0);
@@ -674,7 +674,10 @@ TEST(Collapse_quality, is_negative_exactly_if_a_triangle_flips)
         for (std::size_t i = 0; i + (is_closed ? 0 : 1) < n; ++i)
           if (i != w0 && (i + 1) % n != w0)
             flips = flips || !is_left_turn(polygon[w0], polygon[i], polygon[(i + 1) % n]);
-        EXPECT_EQ(worst_quality_after_collapse(flat_ring, is_closed, w0) <= 0, flips);
+        const double worst = worst_quality_after_collapse(flat_ring, w0);
+        EXPECT_EQ(worst <= 0, flips);
+        for (const double bound : { worst - 0.1, worst, worst + 0.1 })      // a search that may stop early
+          EXPECT_EQ(worst_quality_after_collapse(flat_ring, w0, bound) > bound, worst > bound);
       }
   }
 }

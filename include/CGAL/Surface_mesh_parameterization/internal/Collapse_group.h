@@ -109,7 +109,7 @@ private:
   {
     std::vector<Point_3> ring_points;
     std::vector<Vector_2> flat_ring;
-    std::vector<double> qualities;        // of the worst triangle, for every neighbor to collapse onto; 0 if that is out of the question
+    std::vector<unsigned char> is_forbidden;      // by the link condition, to collapse onto this neighbor
   };
 
   // Finds the best collapses of the vertices from `begin` to `end` in the random order before it is their turn: that is nearly all there is to compute, and can be
@@ -140,28 +140,33 @@ private:
     for (Index w : ring)
       scratch.ring_points.push_back(mesh.points[w]);
     discrete_exponential_map(mesh.points[v], scratch.ring_points, ring.is_closed, scratch.flat_ring);
-    rate_neighbors(ring.is_closed, scratch);
+    scratch.is_forbidden.assign(ring.size, false);
     for (;;) {
-      const auto best = std::max_element(scratch.qualities.begin(), scratch.qualities.end());
-      if (*best == 0)
+      const Index w0 = best_neighbor(ring.is_closed, scratch);
+      if (w0 == no_index)
         return no_collapse;
-      const Index w0 = Index(best - scratch.qualities.begin());
       if (satisfies_link_condition(mesh, v, w0)) {
         const Parent_triangle parent = ring.is_closed ? find_parent_triangle(scratch.flat_ring, w0) : find_parent_border_edge(scratch.flat_ring, w0);
         return { v, { ring[parent.slots[0]], ring[parent.slots[1]], ring[parent.slots[2]] }, parent.coordinates };
       }
-      *best = 0;
+      scratch.is_forbidden[w0] = true;
     }
   }
 
-  static void rate_neighbors(bool is_closed, Scratch& scratch)
+  // The position of the neighbor whose fan has the best worst triangle, `no_index` if every fan is too bad.
+  static Index best_neighbor(bool is_closed, const Scratch& scratch)
   {
     constexpr double least_quality = 1e-4;
-    const std::size_t size = scratch.flat_ring.size(), step = is_closed ? 1 : size - 1;   // a border vertex has two candidates, the ends of its ring
-    scratch.qualities.assign(size, 0);
-    for (std::size_t w0 = 0; w0 < size; w0 += step)
-      if (const double quality = worst_quality_after_collapse(scratch.flat_ring, is_closed, w0); quality > least_quality)
-        scratch.qualities[w0] = quality;
+    const Index size = Index(scratch.flat_ring.size()), step = is_closed ? 1 : size - 1;   // a border vertex has two candidates, the ends of its ring
+    Index best = no_index;
+    double best_quality = least_quality;
+    for (Index w0 = 0; w0 < size; w0 += step)
+      if (!scratch.is_forbidden[w0])
+        if (const double quality = worst_quality_after_collapse(scratch.flat_ring, w0, best_quality); quality > best_quality) {
+          best = w0;
+          best_quality = quality;
+        }
+    return best;
   }
 
   // The collapse keeps the mesh a manifold if V and W0 have no common neighbor besides the ones beside W0 in the ring; an ear

@@ -40,16 +40,18 @@ inline double shape_quality(const Vector_2& a, const Vector_2& b, const Vector_2
   return longest > 0 ? 0.5 * cross(ab, ac) / longest : 0;
 }
 
-// The quality of the worst triangle that a collapse onto ring position w0 leaves, with the flattened ring; of an ear's, that leaves none, 1.
-inline double worst_quality_after_collapse(const std::vector<Vector_2>& flat_ring, bool is_closed, std::size_t w0)
+// The quality of the worst triangle that a collapse onto ring position w0, an end of an open ring, leaves, with the flattened ring; of an ear's, that leaves
+// none, 1. It stops at the first triangle that is not better than `bound`, and returns what it has found then.
+inline double worst_quality_after_collapse(const std::vector<Vector_2>& flat_ring, std::size_t w0, double bound = -(std::numeric_limits<double>::infinity)())
 {
   const std::size_t size = flat_ring.size();
+  const auto following = [size](std::size_t i) { return i + 1 == size ? 0 : i + 1; };
   double worst = 1;
-  const std::size_t edges = is_closed ? size : size - 1;
-  for (std::size_t i = 0; i < edges; ++i) {
-    const std::size_t j = i + 1 == size ? 0 : i + 1;
-    if (i != w0 && j != w0)
-      worst = (std::min)(worst, shape_quality(flat_ring[w0], flat_ring[i], flat_ring[j]));
+  std::size_t i = following(w0);
+  for (std::size_t k = 2; k < size && worst > bound; ++k) {
+    const std::size_t j = following(i);
+    worst = (std::min)(worst, shape_quality(flat_ring[w0], flat_ring[i], flat_ring[j]));
+    i = j;
   }
   return worst;
 }
