@@ -80,6 +80,7 @@ set(table "
 3 internal/Multigrid_session.h
 3 internal/Constrained_session.h
 3 internal/Newton_multigrid.h
+3 internal/Newton_system.h
 3 internal/Level_refiner.h
 3 internal/Edge_system.h
 3 internal/solve_directly.h

@@ -16,17 +16,15 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // A sparse matrix A with its incomplete factorization L U ~ A without fill-in (ILU(0)), the smoother of a multigrid method. It smooths
 // also where Gauss-Seidel does not: where the coupling is much stronger in one direction than in the other, as uniform weights are on triangles that are
 // long in space. Of a symmetric matrix, the factorization is symmetric.
-//
-// What is factorized has a diagonal that is a little greater: where angles are obtuse, cotangent weights are negative and the factors of A itself need
-// not exist. Much more costs cycles: 10 % a third.
 template <class Real>
 class Incomplete_LU
 {
 public:
-  explicit Incomplete_LU(Sparse_rows<Real> matrix) : m_matrix(std::move(matrix))
+  // What is factorized is the matrix with its diagonal multiplied by `enlargement`, see Multigrid_preconditioner.
+  Incomplete_LU(Sparse_rows<Real> matrix, Real enlargement) : m_matrix(std::move(matrix))
   {
     split_rows();
-    factorize();
+    factorize(enlargement);
   }
 
   Index size() const { return m_matrix.number_of_rows(); }
@@ -112,9 +110,8 @@ private:
     m_matrix.values.resize(end);
   }
 
-  void factorize()
+  void factorize(Real enlargement)
   {
-    constexpr Real enlargement = Real(1.02);
     const std::vector<Index> &first = m_matrix.first, &columns = m_matrix.columns;
     m_factors = m_matrix.values;
     m_inverse_pivots.resize(size());

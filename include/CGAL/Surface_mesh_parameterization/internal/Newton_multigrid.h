@@ -7,9 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Border_guard.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Level_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/V_cycle.h>
-#include <CGAL/Surface_mesh_parameterization/internal/conjugate_gradients.h>
-#include <CGAL/Surface_mesh_parameterization/internal/corner_hessian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star_validity.h>
 
 #include <algorithm>
@@ -21,8 +19,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Newton's method for the energy of a level: the exact gradient, a Hessian that is made positive semidefinite, the step by conjugate gradients that are
-// preconditioned by a V-cycle, and a line search that keeps the map valid, if the energy keeps triangles positive. Patterns are made once, for all steps.
+// Newton's method for the energy of a level, with a line search that keeps the map valid, if the energy keeps triangles positive.
 template <class Energy>
 class Newton_multigrid
 {
@@ -37,26 +34,25 @@ public:
 
   // `barrier`, if there is one, keeps the borders apart; its energy is minimized along with the level's.
   explicit Newton_multigrid(const Level_energy<Energy>& energy, Border_barrier* barrier = nullptr)
-    : m_energy(energy), m_level(energy.level()), m_barrier(barrier), m_border_guard(energy.level()), m_cycle(energy.level())
+    : m_energy(energy), m_level(energy.level()), m_barrier(barrier), m_border_guard(energy.level()), m_system(energy)
   {
-    const One_rings& rings = m_level.rings();
-    m_cycle.matrix().set_pattern(rings.number_of_vertices(), rings.offsets(), rings.neighbors());
-    m_gradient.resize(rings.number_of_vertices());
-    m_direction.resize(rings.number_of_vertices());
+    m_system.lend_twist(!Energy::is_flip_free);
+    m_direction.resize(m_level.number_of_vertices());
   }
 
-  // Lets no step move the given vertices. They have to be vertices of the coarsest level, so that all grids have them.
-  void hold(std::vector<Index> vertices) { m_held = std::move(vertices); }
+  // Lets no step move the given vertices, see Newton_system.
+  void hold(std::vector<Index> vertices) { m_system.hold(std::move(vertices)); }
 
   // One step from `uv`, whose energy is given; the linear system is solved to the relative residual `tolerance`.
   Step step(Level::Uv& uv, double energy, double tolerance)
   {
     Step result = try_step(uv, energy, tolerance);
-    if (result.length == 0 && m_lent > 0) {
-      lend(0);
+    if (result.length == 0 && m_system.lends_twist()) {
+      m_system.lend_twist(false);
       result = try_step(uv, energy, tolerance);
     }
-    lend(Energy::is_flip_free || result.length < 1 ? 0 : most_lent);
+    // Where a step cannot be taken in full length the model is indefinite, or no good.
+    m_system.lend_twist(!Energy::is_flip_free && result.length == 1);
     return result;
   }
 
@@ -68,17 +64,12 @@ private:
       m_barrier->set_gaps(uv);
       energy += (*m_barrier)(uv);
     }
-    assemble(uv);
-    if (m_needs_setup)
-      m_cycle.setup();
-    else
-      m_cycle.scale();
-    if (!m_cycle.is_ready())
+    if (!m_system.assemble(uv, m_barrier))
       return result;
-    result.cycles = solve(tolerance);
+    result.cycles = m_system.solve(tolerance);
     if (m_trial.size() == uv.size())
-      add_previous_step(uv);
-    m_needs_setup = result.cycles > most_cycles_without_setup;
+      m_system.add_previous_step(m_trial, uv);      // the line search left the map before that step in m_trial
+    for_each_vertex([&](Index v) { m_direction[v] = m_system.move(v); });
 
     const double slope = dot_with_gradient();
     result.predicted = -0.5 * slope;
@@ -87,113 +78,13 @@ private:
     return result;
   }
 
-  // Gradient and Hessian row by row, so that no two rows write to one place.
-  void assemble(const Level::Uv& uv)
-  {
-    Block_matrix& matrix = m_cycle.matrix();
-    for_each_vertex([&](Index v) { assemble_row(uv, v, matrix); });
-    constexpr double stiffness = 1e12;      // of a spring that holds a vertex, to those of its triangles
-    for (const Index v : m_held) {
-      m_gradient[v] = Pair(0, 0);
-      matrix.set_diagonal(v, stiffness * matrix.unscaled_diagonal_block(v));
-    }
-    if (m_barrier)
-      m_barrier->derivatives(uv, [&](Index v, const Pair& gradient, const Block_matrix::Block& block) {
-        m_gradient[v] += gradient;
-        matrix.set_diagonal(v, matrix.unscaled_diagonal_block(v) + block);
-        m_needs_setup = true;
-      });
-  }
-
   // The energy that steps lower.
   double objective(const Level::Uv& uv) const { return m_energy(uv) + (m_barrier ? (*m_barrier)(uv) : 0); }
 
-  void assemble_row(const Level::Uv& uv, Index v, Block_matrix& matrix)
-  {
-    const Level::Ring ring = m_level.one_ring(v);
-    m_level.rings().prefetch_neighbors_after(v, uv);
-    const Rest_corner* const corners = m_level.rest_corners(v);
-    Block_matrix::Block* const row = matrix.blocks.data() + matrix.first[v];
-    std::fill(row, row + ring.size(), Block_matrix::Block::Zero());
-    Block_matrix::Block diagonal = Block_matrix::Block::Zero();
-    m_gradient[v] = Pair(0, 0);
-    for (std::size_t i = 0; i < m_level.rings().number_of_triangles(v); ++i) {
-      const std::size_t j = i + 1 == ring.size() ? 0 : i + 1;
-      const Corner_hessian h = corner_hessian(m_energy.triangle_energy(corners[i]), corners[i], m_energy.weight(corners[i]),
-                                              uv[ring[i]] - uv[v], uv[ring[j]] - uv[v], m_lent);
-      m_gradient[v] += h.gradient;
-      diagonal += h.to_v;
-      row[j] += h.to_b;
-      row[i] -= h.to_v + h.to_b;
-    }
-    matrix.set_diagonal(v, diagonal);
-  }
-
-  Index number_of_vertices() const { return Index(m_level.number_of_vertices()); }
-
   template <class Function>
-  void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, number_of_vertices(), f); }
+  void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, Index(m_direction.size()), f); }
 
-  // See Jacobian_hessian. An energy that lets triangles flip has a negative twist wherever they are compressed, and without a loan Newton's method
-  // creeps: on a camel's head it takes six times as many steps. Where a step cannot be taken in full length the model is indefinite, or no good: the next one
-  // goes without, with a Hessian that is surely positive semidefinite.
-  static constexpr double most_lent = 0.95;
-
-  void lend(double part)
-  {
-    m_needs_setup = m_needs_setup || part != m_lent;
-    m_lent = part;
-  }
-
-  // The coarse grids of an earlier step serve as long as they work: to make them costs as much as three cycles.
-  static constexpr std::size_t most_cycles_without_setup = 8;
-
-  // Solves for the direction, in scaled variables; returns the number of V-cycles.
-  std::size_t solve(double tolerance)
-  {
-    const std::vector<double>& scale = m_cycle.matrix().scale;
-    m_space.residual.resize(number_of_vertices());
-    for_each_vertex([&](Index v) { m_space.residual[v] = -scale[v] * m_gradient[v]; });
-    const std::size_t cycles = solve_for_residual(tolerance);
-    for_each_vertex([&](Index v) { m_direction[v] = scale[v] * m_space.solution[v]; });
-    return cycles;
-  }
-
-  // Solves for m_space.solution; the right side stands in m_space.residual.
-  std::size_t solve_for_residual(double tolerance)
-  {
-    constexpr std::size_t most_cycles = 10;
-    const std::size_t cycles = conjugate_gradients(m_level.loops(), m_cycle.matrix(), m_cycle, tolerance, most_cycles, m_space);
-    for (const Index v : m_held)
-      m_space.solution[v] = Pair(0, 0);
-    return cycles;
-  }
-
-  // Takes the direction that is best for the quadratic model among all combinations of the one found and the step before, as nonlinear conjugate
-  // gradients do: where the V-cycle is weak, in almost conformal changes of an almost conformal map, this saves more than half of the steps.
-  void add_previous_step(const Level::Uv& uv)
-  {
-    const Block_matrix& a = m_cycle.matrix();
-    Pair_vector &x = m_space.solution, &s = m_space.direction;
-    for_each_vertex([&](Index v) {    // the line search left the map before that step in m_trial
-      s[v] = Pair(uv[v].x() - m_trial[v].x(), uv[v].y() - m_trial[v].y()) / a.scale[v];
-    });
-    typedef Eigen::Matrix<double, 5, 1> Products;     // x A x, x A s, s A s, b x, b s
-    const Products p = m_level.loops().sum(0, number_of_vertices(), Products(Products::Zero()), [&](Index v) {
-      const Pair as = a.row_times(v, s), b = -a.scale[v] * m_gradient[v];
-      Products result;
-      result << x[v].dot(b - m_space.residual[v]), x[v].dot(as), s[v].dot(as), b.dot(x[v]), b.dot(s[v]);
-      return result;
-    });
-    constexpr double least_relative_determinant = 1e-10;
-    const double determinant = p[0] * p[2] - p[1] * p[1];
-    if (!(determinant > least_relative_determinant * p[0] * p[2]))
-      return;
-    const double factor_x = (p[3] * p[2] - p[4] * p[1]) / determinant, factor_s = (p[4] * p[0] - p[3] * p[1]) / determinant;
-    for_each_vertex([&](Index v) { m_direction[v] = a.scale[v] * (factor_x * x[v] + factor_s * s[v]); });
-  }
-
-  double dot_with_gradient() const { return dot(m_level.loops(), m_gradient, m_direction); }
+  double dot_with_gradient() const { return dot(m_level.loops(), m_system.gradient(), m_direction); }
 
   // The least t > 0 at which a triangle vanishes on the way to uv + t direction.
   double longest_step(const Level::Uv& uv) const
@@ -234,13 +125,12 @@ private:
   // Returns the number of V-cycles.
   std::size_t bend(const std::vector<Border_guard::Gap>& gaps, double tolerance)
   {
-    const std::vector<double>& scale = m_cycle.matrix().scale;
-    for_each_vertex([&](Index v) { m_space.residual[v] = Pair(0, 0); });
+    std::vector<typename Newton_system<Energy>::Force> forces;
     for (const Border_guard::Gap& gap : gaps)
       for (int i = 0; i < 3 && gap.missing > 0; ++i)
-        m_space.residual[gap.vertices[i]] += scale[gap.vertices[i]] * gap.missing * gap.gradients[i];
-    const std::size_t cycles = solve_for_residual(tolerance);
-    const auto correction = [&](Index v) -> Pair { return scale[v] * m_space.solution[v]; };
+        forces.push_back({ gap.vertices[i], gap.missing * gap.gradients[i] });
+    const std::size_t cycles = m_system.solve(forces, tolerance);
+    const auto correction = [&](Index v) { return m_system.move(v); };
     double factor = 0;
     std::vector<Border_guard::Gap> hopeless;
     for (const Border_guard::Gap& gap : gaps)
@@ -290,12 +180,8 @@ private:
   const Level& m_level;
   Border_barrier* m_barrier;
   Border_guard m_border_guard;
-  V_cycle m_cycle;
-  bool m_needs_setup = true;
-  double m_lent = Energy::is_flip_free ? 0 : most_lent;
-  std::vector<Index> m_held;
-  Pair_vector m_gradient, m_direction;
-  Conjugate_gradients_space m_space;
+  Newton_system<Energy> m_system;
+  Pair_vector m_direction;
   Level::Uv m_trial;
 };
 

@@ -15,13 +15,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The prolongation over several collapse groups, each row pruned to its three greatest weights, or fewer if those are small, whose sum is made 1 again:
-// that keeps coarse operators sparse. The first rows, those of the coarse vertices, are the identity's.
+// The prolongation over several collapse groups, each row pruned to its three greatest weights, whose sum is made 1 again: that keeps coarse
+// operators sparse. The first rows, those of the coarse vertices, are the identity's.
 class Pruned_prolongation
 {
 public:
   static constexpr int row_size = 3;
-  static constexpr double least_weight = 0.05;     // less would not save iterations, but make coarse operators a fifth denser
 
   struct Row
   {
@@ -82,17 +81,16 @@ private:
       else
         entries[size++] = e;
     entries.resize(size);
-    std::size_t used = (std::min)(std::size_t(row_size), size);
-    std::partial_sort(entries.begin(), entries.begin() + used, entries.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-    while (used > 1 && entries[used - 1].second < least_weight)
-      --used;
+    const auto end = entries.begin() + (std::min)(std::size_t(row_size), size);
+    std::partial_sort(entries.begin(), end, entries.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
     double sum = 0;
-    for (std::size_t k = 0; k < used; ++k)
-      sum += entries[k].second;
+    for (auto e = entries.begin(); e != end; ++e)
+      sum += e->second;
     Row row;
-    for (std::size_t k = 0; k < row_size; ++k) {
-      row.columns[k] = entries[k < used ? k : 0].first;
-      row.weights[k] = k < used ? float(entries[k].second / sum) : 0.f;
+    for (int k = 0; k < row_size; ++k) {
+      const bool is_used = entries.begin() + k < end;
+      row.columns[k] = entries[is_used ? k : 0].first;
+      row.weights[k] = is_used ? float(entries[k].second / sum) : 0.f;
     }
     return row;
   }
