@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Border_guard.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Newton_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/conjugate_gradients.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star_validity.h>
 
 #include <algorithm>
