@@ -167,7 +167,7 @@ Solution solve_by_multigrid(const Problem& problem)
   check(component->error().code);
   std::shared_ptr<const SMP::internal::Hierarchy_interpolation> hierarchy;
   solution.seconds_hierarchy = seconds_of([&] {
-    hierarchy = std::make_shared<SMP::internal::Hierarchy_interpolation>(SMP::Collapse_hierarchy_3(std::move(component->surface())));
+    hierarchy = std::make_shared<SMP::internal::Hierarchy_interpolation>(std::move(component->surface()), SMP::parameters::default_values());
   });
   component.reset();
 

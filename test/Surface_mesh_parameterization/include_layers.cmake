@@ -49,6 +49,8 @@ set(table "
 1 internal/relax_vertex.h
 2 Triangulated_surface_3.h
 2 Mesh_component.h
+2 internal/Vertex_hierarchy.h
+2 internal/Face_hierarchy.h
 2 Collapse_hierarchy_3.h
 2 Progressive_mesh_3.h
 2 Level.h
@@ -58,7 +60,7 @@ set(table "
 2 Hierarchy_visitor_3.h
 2 internal/longest_border.h
 2 internal/Filled_mesh.h
-2 internal/pin_fixed_vertices.h
+2 internal/pinned_vertices.h
 2 internal/place_border.h
 2 internal/write_map.h
 2 internal/Hierarchy_interpolation.h

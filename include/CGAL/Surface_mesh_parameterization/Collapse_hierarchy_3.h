@@ -7,13 +7,15 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Face_hierarchy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_builder.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Vertex_hierarchy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
-#include <CGAL/Surface_mesh_parameterization/internal/pin_fixed_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pinned_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/property_map.h>
 
 #include <Eigen/SparseCore>
 
@@ -60,83 +62,77 @@ public:
   explicit Collapse_hierarchy_3(Triangulated_surface_3 surface, const NamedParameters& np = parameters::default_values(),
                                 ConcurrencyTag = ConcurrencyTag())
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    const unsigned int seed = choose_parameter(get_parameter(np, internal_np::random_seed), 0u);
-    const std::size_t coarsest_size = choose_parameter(get_parameter(np, internal_np::coarsest_size), default_coarsest_size);
-    const auto is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
-                                                 CGAL::Constant_property_map<std::size_t, bool>(false));
-
-    std::vector<bool> is_pinned(surface.points.size());
-    for (std::size_t v = 0; v < surface.points.size(); ++v)
-      is_pinned[v] = get(is_constrained, v);
-    internal::pin_fixed_vertices(surface, is_pinned);
     const internal::Loops loops = internal::Loops::of<ConcurrencyTag>();
-    m_data = internal::Hierarchy_builder(std::move(surface), std::move(is_pinned), loops).build(coarsest_size, seed, loops);
+    std::vector<bool> is_pinned = internal::pinned_vertices(surface, np);
+    m_vertices = internal::Hierarchy_builder(surface.points, is_pinned, surface.triangles, loops).build(internal::hierarchy_options_of(np), loops);
+    m_faces = internal::Face_hierarchy(m_vertices, std::move(surface.triangles));
+    number_by_rank(surface, is_pinned, loops);
   }
 
   /// the default of the named parameter `coarsest_size`
-  static constexpr std::size_t default_coarsest_size = 100;
+  static constexpr std::size_t default_coarsest_size = internal::Hierarchy_options::default_coarsest_size;
 
   /// \name Levels
   /// @{
 
   /// number of levels, at least 1; level 0 is the coarsest, the last one is the input
-  std::size_t number_of_levels() const { return m_data.level_vertices.size(); }
+  std::size_t number_of_levels() const { return m_vertices.level_vertices.size(); }
 
   /// number of vertices of a level: their ranks are the numbers below it
-  std::size_t number_of_vertices(std::size_t level) const { return m_data.level_vertices[level]; }
+  std::size_t number_of_vertices(std::size_t level) const { return m_vertices.level_vertices[level]; }
 
   /// number of triangles of a level: their ranks are the numbers below it
-  std::size_t number_of_faces(std::size_t level) const { return m_data.level_faces[level]; }
+  std::size_t number_of_faces(std::size_t level) const { return m_faces.first_face[number_of_vertices(level) - number_of_vertices(0) + 1]; }
 
   /// number of vertices of the finest level, the input
-  std::size_t number_of_vertices() const { return m_data.points.size(); }
+  std::size_t number_of_vertices() const { return m_points.size(); }
 
   /// number of triangles of the finest level, the input
-  std::size_t number_of_faces() const { return m_data.triangles.size(); }
+  std::size_t number_of_faces() const { return m_faces.last_triangle.size(); }
 
   /// the exponent `k` for which a length on any level is `2^k` times the length in the user's units
-  int scale_exponent() const { return m_data.scale_exponent; }
+  int scale_exponent() const { return m_scale_exponent; }
 
   /// @}
   /// \name Vertices and faces, by rank
   /// @{
 
   /// the point of a vertex, as it was given in `surface`; the same on every level
-  const Point_3& point(Index v) const { return m_data.points[v]; }
+  const Point_3& point(Index v) const { return m_points[v]; }
 
   /// \cond SKIP_IN_MANUAL
   // The points of all vertices, by rank.
-  const std::vector<Point_3>& points() const { return m_data.points; }
+  const std::vector<Point_3>& points() const { return m_points; }
+
+  const internal::Vertex_hierarchy& vertices() const { return m_vertices; }
   /// \endcond
 
   /// whether a vertex stays on every level: because it was constrained to, or because its place in the plane is given and no coarse level can do without it
-  bool is_pinned(Index v) const { return m_data.is_pinned[v]; }
+  bool is_pinned(Index v) const { return m_is_pinned[v]; }
 
   /// whether the place of a vertex in the plane is given
-  bool is_fixed(Index v) const { return m_data.is_fixed[v]; }
+  bool is_fixed(Index v) const { return m_is_fixed[v]; }
 
   /// the given place of a vertex, in the units of `point()`; found in logarithmic time.
   /// \pre `is_fixed(v)`
   const Point_2& fixed_place(Index v) const
   {
     CGAL_precondition(is_fixed(v));
-    return std::lower_bound(m_data.fixed_places.begin(), m_data.fixed_places.end(), v,
+    return std::lower_bound(m_fixed_places.begin(), m_fixed_places.end(), v,
                             [](const std::pair<Index, Point_2>& fixed, Index rank) { return fixed.first < rank; })->second;
   }
 
   /// whether a vertex lies on the outer border. A border vertex that does not lies on the border of a hole.
-  bool is_on_outer_border(Index v) const { return m_data.is_on_outer_border[v]; }
+  bool is_on_outer_border(Index v) const { return m_is_on_outer_border[v]; }
 
   /// index of a vertex in the array of points that the hierarchy was built from
-  Index input_vertex(Index v) const { return m_data.input_vertex[v]; }
+  Index input_vertex(Index v) const { return m_vertices.input_vertex[v]; }
 
   /// index of a face in the array of triangles that the hierarchy was built from
-  Index input_face(Index f) const { return m_data.input_face[f]; }
+  Index input_face(Index f) const { return m_faces.input_face[f]; }
 
   /// the corners of a face just before it vanishes on the way down, counter-clockwise from any one; of a face of level 0, its corners there
-  const Triangle& last_triangle(Index f) const { return m_data.triangles[f]; }
+  const Triangle& last_triangle(Index f) const { return m_faces.last_triangle[f]; }
 
   /// @}
   /// \name Vertex splits
@@ -158,12 +154,13 @@ public:
   }
 
   /// the faces that vanish with `v`, as a range of ranks [first, second): two, or one if `v` lies on the border
-  std::pair<Index, Index> removed_faces(Index v) const { return { split(v).first_removed_face, split_end(v).first_removed_face }; }
+  std::pair<Index, Index> removed_faces(Index v) const { return { m_faces.first_face[split_index(v) + 1], m_faces.first_face[split_index(v) + 2] }; }
 
   /// the ranks of the faces whose corner `v` becomes `kept_vertex(v)`
   boost::iterator_range<const Index*> fan_faces(Index v) const
   {
-    return { m_data.fan_faces.data() + split(v).first_fan_face, m_data.fan_faces.data() + split_end(v).first_fan_face };
+    const Index* const faces = m_faces.fan_faces.data();
+    return { faces + m_faces.first_fan_face[split_index(v)], faces + m_faces.first_fan_face[split_index(v) + 1] };
   }
 
   /// @}
@@ -202,8 +199,9 @@ public:
   std::size_t memory() const
   {
     const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
-    return bytes(m_data.points) + bytes(m_data.triangles) + bytes(m_data.input_vertex) + bytes(m_data.input_face) + bytes(m_data.splits) + bytes(m_data.fan_faces)
-         + bytes(m_data.fixed_places) + (m_data.is_pinned.capacity() + m_data.is_fixed.capacity() + m_data.is_on_outer_border.capacity()) / 8 + bytes(m_data.level_vertices) + bytes(m_data.level_faces);
+    return bytes(m_vertices.level_vertices) + bytes(m_vertices.input_vertex) + bytes(m_vertices.splits) + bytes(m_faces.last_triangle) + bytes(m_faces.input_face)
+         + bytes(m_faces.first_face) + bytes(m_faces.first_fan_face) + bytes(m_faces.fan_faces) + bytes(m_points) + bytes(m_fixed_places)
+         + (m_is_pinned.capacity() + m_is_fixed.capacity() + m_is_on_outer_border.capacity()) / 8;
   }
 
 private:
@@ -222,15 +220,45 @@ private:
     }
   }
 
-  const internal::Vertex_split& split(Index v) const
+  // What the surface tells of its vertices, from the input's order to that of the ranks.
+  void number_by_rank(const Triangulated_surface_3& surface, const std::vector<bool>& is_pinned, const internal::Loops& loops)
   {
-    CGAL_precondition(v >= number_of_vertices(0) && v < number_of_vertices());
-    return m_data.splits[v - number_of_vertices(0)];
+    const std::vector<Index> rank = m_vertices.ranks();
+    m_scale_exponent = surface.scale_exponent;
+    m_points.resize(rank.size());
+    loops.for_each(0, Index(rank.size()), [&](Index v) { m_points[v] = surface.points[input_vertex(v)]; });
+    m_is_pinned.reserve(rank.size());
+    for (const Index v : m_vertices.input_vertex)
+      m_is_pinned.push_back(is_pinned[v]);
+    m_is_on_outer_border.assign(rank.size(), false);
+    for (const Index v : surface.outer_border)
+      m_is_on_outer_border[rank[v]] = true;
+
+    m_is_fixed.assign(rank.size(), false);
+    for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices) {
+      m_is_fixed[rank[fixed.vertex]] = true;
+      m_fixed_places.push_back({ rank[fixed.vertex], fixed.place });
+    }
+    std::sort(m_fixed_places.begin(), m_fixed_places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   }
 
-  const internal::Vertex_split& split_end(Index v) const { return m_data.splits[v - number_of_vertices(0) + 1]; }
+  std::size_t split_index(Index v) const
+  {
+    CGAL_precondition(v >= number_of_vertices(0) && v < number_of_vertices());
+    return v - number_of_vertices(0);
+  }
 
-  internal::Hierarchy_data m_data;
+  const internal::Vertex_split& split(Index v) const { return m_vertices.splits[split_index(v)]; }
+
+  internal::Vertex_hierarchy m_vertices;
+  internal::Face_hierarchy m_faces;
+
+  // By rank.
+  std::vector<Point_3> m_points;
+  std::vector<bool> m_is_pinned, m_is_fixed, m_is_on_outer_border;
+  std::vector<std::pair<Index, Point_2>> m_fixed_places;
+
+  int m_scale_exponent = 0;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -6,7 +6,6 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_interpolation.h>
@@ -125,7 +124,7 @@ public:
     m_error = component.error();
     if (m_error.code != OK)
       return;
-    const auto hierarchy = std::make_shared<const internal::Hierarchy_interpolation>(Collapse_hierarchy_3(std::move(component.surface()), np));
+    const auto hierarchy = std::make_shared<const internal::Hierarchy_interpolation>(std::move(component.surface()), np);
     std::vector<std::pair<std::ptrdiff_t, internal::Index>> order;      // index, rank
     for (internal::Index rank = 0; rank < hierarchy->number_of_vertices(); ++rank)
       if (const std::ptrdiff_t index = get(vimap, component.vertices_of_component()[hierarchy->input_vertex(rank)]); index >= 0)

@@ -5,11 +5,17 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_INTERPOLATION_H
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_builder.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Vertex_hierarchy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pinned_vertices.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -19,20 +25,21 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Hierarchy_interpolation
 {
 public:
-  Hierarchy_interpolation(const Collapse_hierarchy_3& hierarchy)
+  Hierarchy_interpolation(const Collapse_hierarchy_3& hierarchy) : Hierarchy_interpolation(hierarchy.vertices()) { }
+
+  explicit Hierarchy_interpolation(Vertex_hierarchy vertices)
+    : m_level_vertices(std::move(vertices.level_vertices)), m_input_vertex(std::move(vertices.input_vertex))
   {
-    for (std::size_t level = 0; level < hierarchy.number_of_levels(); ++level)
-      m_level_vertices.push_back(hierarchy.number_of_vertices(level));
-    m_input_vertex.reserve(hierarchy.number_of_vertices());
-    m_parents.reserve(hierarchy.number_of_vertices() - m_level_vertices.front());
-    for (Index v = 0; v < hierarchy.number_of_vertices(); ++v) {
-      m_input_vertex.push_back(hierarchy.input_vertex(v));
-      if (v < m_level_vertices.front())
-        continue;
-      const std::array<double, 3> coordinates = hierarchy.barycentric_coordinates(v);
-      m_parents.push_back({ hierarchy.parent_triangle(v), { float(coordinates[1]), float(coordinates[2]) } });
-    }
+    m_parents.reserve(vertices.splits.size());
+    for (const Vertex_split& split : vertices.splits)
+      m_parents.push_back({ split.parent, { float(split.coordinates[0]), float(split.coordinates[1]) } });
   }
+
+  // Builds the hierarchy of a surface, with the named parameters of Collapse_hierarchy_3.
+  template <class NamedParameters>
+  Hierarchy_interpolation(Triangulated_surface_3 surface, const NamedParameters& np)
+    : Hierarchy_interpolation(build(std::move(surface), np))
+  { }
 
   // As of Collapse_hierarchy_3, the coordinates rounded to single precision.
   std::size_t number_of_levels() const { return m_level_vertices.size(); }
@@ -48,6 +55,13 @@ public:
   }
 
 private:
+  template <class NamedParameters>
+  static Vertex_hierarchy build(Triangulated_surface_3 surface, const NamedParameters& np)
+  {
+    std::vector<bool> is_pinned = pinned_vertices(surface, np);
+    return Hierarchy_builder(std::move(surface.points), std::move(is_pinned), surface.triangles, Loops()).build(hierarchy_options_of(np), Loops());
+  }
+
   struct Parent
   {
     Index_triangle triangle;

@@ -10,6 +10,8 @@
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
+#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Multigrid_linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rebound_run.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -61,7 +63,7 @@ protected:
   template <class TriangleMesh>
   Rebound_run<TriangleMesh> start_run(const TriangleMesh& mesh, typename Rebound_run<TriangleMesh>::halfedge_descriptor bhd) const
   {
-    return Rebound_run<TriangleMesh>(mesh, bhd, m_build, *m_visitor, m_summary);
+    return Rebound_run<TriangleMesh>(mesh, bhd, m_build, m_summary);
   }
 
   const Multigrid_linear_solver::Options& solver_options() const { return m_options; }
@@ -92,18 +94,28 @@ private:
   template <class NamedParameters>
   void set_options(const NamedParameters& np)
   {
-    m_build = [np](Triangulated_surface_3 surface) { return Collapse_hierarchy_3(std::move(surface), np); };
+    m_build = [np](Triangulated_surface_3 surface) { return build(std::move(surface), np); };
     m_options = linear_solver_options_of(np);
-    m_visitor = hierarchy_visitor_of(np);
     m_fills_holes = parameters::choose_parameter(parameters::get_parameter(np, internal_np::fill_holes), m_fills_holes);
     m_flip_policy = parameters::choose_parameter(parameters::get_parameter(np, internal_np::flip_policy), m_flip_policy);
     m_summary = summary_of(np);
   }
 
   std::function<std::unique_ptr<Rebound>()> m_make;
-  std::function<Collapse_hierarchy_3(Triangulated_surface_3)> m_build;
+  // Null if the visitor has stopped the run. A hierarchy that no visitor wants to see is built without its faces.
+  template <class NamedParameters>
+  static std::shared_ptr<const Hierarchy_interpolation> build(Triangulated_surface_3 surface, const NamedParameters& np)
+  {
+    if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value)
+      return std::make_shared<const Hierarchy_interpolation>(std::move(surface), np);
+    else {
+      const Collapse_hierarchy_3 hierarchy(std::move(surface), np);
+      return hierarchy_visitor_of(np)->hierarchy_built(hierarchy) ? std::make_shared<const Hierarchy_interpolation>(hierarchy) : nullptr;
+    }
+  }
+
+  std::function<std::shared_ptr<const Hierarchy_interpolation>(Triangulated_surface_3)> m_build;
   Multigrid_linear_solver::Options m_options;
-  std::shared_ptr<Any_hierarchy_visitor> m_visitor;
   bool m_has_arguments = false, m_fills_holes = false;
   Flip_policy m_flip_policy = Flip_policy::FAIL;
   Parameterization_summary* m_summary = nullptr;

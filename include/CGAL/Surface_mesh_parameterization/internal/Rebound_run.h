@@ -4,10 +4,8 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_REBOUND_RUN_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_REBOUND_RUN_H
 
-#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
@@ -41,10 +39,10 @@ public:
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor                                  halfedge_descriptor;
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int>>::const_type     Index_map;
 
-  // Reads the component of `bhd`, and has `build(surface)` make its hierarchy, which is shown to the visitor; `summary` may be null.
-  // Whether the run can go on is told by error().
+  // Reads the component of `bhd`, and has `build(surface)` make the interpolation on its hierarchy: a shared pointer, null if the user has stopped the run.
+  // `summary` may be null. Whether the run can go on is told by error().
   template <class Build>
-  Rebound_run(const TriangleMesh& mesh, halfedge_descriptor bhd, const Build& build, Any_hierarchy_visitor& visitor, Parameterization_summary* summary)
+  Rebound_run(const TriangleMesh& mesh, halfedge_descriptor bhd, const Build& build, Parameterization_summary* summary)
     : m_index(get(CGAL::dynamic_vertex_property_t<int>(), mesh)), m_users_summary(summary)
   {
     this->summary() = Parameterization_summary();
@@ -57,14 +55,12 @@ public:
     m_triangles = component.surface().triangles;
     for (std::size_t i = 0; i < m_vertices.size(); ++i)
       put(m_index, m_vertices[i], int(i));
-    const Collapse_hierarchy_3 hierarchy = build(std::move(component.surface()));
+    m_interpolation = build(std::move(component.surface()));
     this->summary().seconds_hierarchy = m_timer.time();
-    if (!visitor.hierarchy_built(hierarchy)) {
+    if (!m_interpolation) {
       this->summary().stopped = true;
       this->summary().error.code = ERROR_NO_1_TO_1_MAPPING;
-      return;
     }
-    m_interpolation = std::make_shared<const Hierarchy_interpolation>(hierarchy);
   }
 
   Error_code error() const { return (m_users_summary ? *m_users_summary : m_own_summary).error.code; }
@@ -73,7 +69,6 @@ public:
   const std::vector<vertex_descriptor>& vertices() const { return m_vertices; }
   const Index_map& index() const { return m_index; }
 
-  // What is kept of the hierarchy, which is needed no more once the visitor has seen it.
   const std::shared_ptr<const Hierarchy_interpolation>& interpolation() const { return m_interpolation; }
 
   // The ranks of the vertices, in their order.

@@ -15,15 +15,15 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A mesh as the one-rings of its vertices and the faces in them. Collapses of vertices that share no edge turn it into the next coarser mesh, each ring by
+// A mesh as the one-rings of its vertices. Collapses of vertices that share no edge turn it into the next coarser mesh, each ring by
 // itself: no triangle is looked at, and nothing has to be sorted.
 class Ring_mesh
 {
 public:
-  // The ring of a vertex V, counter-clockwise: face i is that of V, neighbor i and the next neighbor. That of a border vertex is open; its last face is `no_index`.
+  // The ring of a vertex, counter-clockwise; that of a border vertex is open.
   struct Ring
   {
-    const Index *neighbors, *faces;
+    const Index* neighbors;
     Index size;
     bool is_closed;
 
@@ -52,16 +52,10 @@ public:
     m_is_border.resize(number_of_vertices);
     for (Index v = 0; v < number_of_vertices; ++v)
       m_is_border[v] = rings.is_border(v);
-    m_faces.assign(m_neighbors.size(), no_index);
-    loops.for_each(0, Index(triangles.size()), [&](Index f) {
-      const Index_triangle& t = triangles[f];
-      for (int i = 0; i < 3; ++i)
-        set_face(t[i], t[(i + 1) % 3], t[(i + 2) % 3], f);
-    });
   }
 
   std::size_t number_of_vertices() const { return m_is_border.size(); }
-  Ring operator[](Index v) const { return { m_neighbors.data() + m_first[v], m_faces.data() + m_first[v], m_first[v + 1] - m_first[v], !m_is_border[v] }; }
+  Ring operator[](Index v) const { return { m_neighbors.data() + m_first[v], m_first[v + 1] - m_first[v], !m_is_border[v] }; }
 
   // Where the rings begin: what has to be known of a vertex before its ring.
   const Index* offsets() const { return m_first.data(); }
@@ -71,12 +65,11 @@ public:
   {
     const std::size_t kept = count_new_rings(is_removed, number);
     m_new_neighbors.resize(m_new_first.back());
-    m_new_faces.resize(m_new_first.back());
-    loops.for_each_block(0, Index(number_of_vertices()), [] { return std::vector<Slot>(); }, [&](Index begin, Index end, std::vector<Slot>& ring) {
+    loops.for_each_block(0, Index(number_of_vertices()), [] { return std::vector<Index>(); }, [&](Index begin, Index end, std::vector<Index>& ring) {
       for (Index w = begin; w < end; ++w)
         if (!is_removed[w]) {
           make_new_ring(w, is_removed, number, ring);
-          write_new_ring(number[w], ring);
+          std::copy(ring.begin(), ring.end(), m_new_neighbors.begin() + m_new_first[number[w]]);
         }
     });
 
@@ -86,20 +79,9 @@ public:
     m_is_border.resize(kept);
     m_first.swap(m_new_first);
     m_neighbors.swap(m_new_neighbors);
-    m_faces.swap(m_new_faces);
   }
 
 private:
-  struct Slot { Index neighbor, face; };
-
-  void set_face(Index v, Index neighbor, Index next_neighbor, Index face)
-  {
-    const Ring ring = (*this)[v];
-    for (Index i = 0; i < ring.size; ++i)
-      if (ring[i] == neighbor && ring[ring.following(i)] == next_neighbor)
-        m_faces[m_first[v] + i] = face;
-  }
-
   // Tells m_new_first where the new rings begin; returns how many there are. V gives its neighbors to W0, except for the two, or one of an open ring, that W0 has
   // already: these lose V.
   std::size_t count_new_rings(const std::vector<unsigned char>& is_removed, const std::vector<Index>& number)
@@ -127,7 +109,7 @@ private:
     return kept;
   }
 
-  void make_new_ring(Index w, const std::vector<unsigned char>& is_removed, const std::vector<Index>& number, std::vector<Slot>& result) const
+  void make_new_ring(Index w, const std::vector<unsigned char>& is_removed, const std::vector<Index>& number, std::vector<Index>& result) const
   {
     result.clear();
     const Ring ring = (*this)[w];
@@ -135,40 +117,27 @@ private:
     for (Index k = 0; k < ring.size; ++k, i = ring.following(i))
       if (number[ring[i]] == number[w])
         append_fan(w, ring[i], number, result);
-      else if (!result.empty() && result.back().neighbor == number[ring[i]])
-        result.back().face = ring.faces[i];                       // the face between V and W0 has vanished
-      else
-        result.push_back({ number[ring[i]], ring.faces[i] });
-    if (ring.is_closed && result.front().neighbor == result.back().neighbor)
+      else if (result.empty() || result.back() != number[ring[i]])    // V and W0 have become one
+        result.push_back(number[ring[i]]);
+    if (ring.is_closed && result.front() == result.back())
       result.pop_back();
   }
 
   // What W0 has instead of V after the collapse: the neighbors of V from W2 on that it has not already.
-  void append_fan(Index w0, Index v, const std::vector<Index>& number, std::vector<Slot>& result) const
+  void append_fan(Index w0, Index v, const std::vector<Index>& number, std::vector<Index>& result) const
   {
     const Ring ring = (*this)[v];
     Index i = ring.position_of(w0);
-    if (ring.is_closed || i == 0) {       // W1 stands before V
+    if (ring.is_closed || i == 0)         // W1 stands before V
       i = ring.following(i);
-      result.back().face = ring.faces[i];
-    }
     i = ring.following(i);
     for (Index left = ring.size - (ring.is_closed ? 3 : 2); left > 0; --left, i = ring.following(i))
-      result.push_back({ number[ring[i]], ring.faces[i] });
+      result.push_back(number[ring[i]]);
   }
 
-  void write_new_ring(Index w, const std::vector<Slot>& ring)
-  {
-    Index k = m_new_first[w];
-    for (const Slot& slot : ring) {
-      m_new_neighbors[k] = slot.neighbor;
-      m_new_faces[k++] = slot.face;
-    }
-  }
-
-  std::vector<Index> m_first, m_neighbors, m_faces;
+  std::vector<Index> m_first, m_neighbors;
   std::vector<unsigned char> m_is_border;
-  std::vector<Index> m_new_first, m_new_neighbors, m_new_faces;      // of the next mesh
+  std::vector<Index> m_new_first, m_new_neighbors;      // of the next mesh
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -1,13 +1,17 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PIN_FIXED_VERTICES_H
-#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PIN_FIXED_VERTICES_H
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PINNED_VERTICES_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PINNED_VERTICES_H
 
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/property_map.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -39,6 +43,20 @@ inline void pin_fixed_vertices(const Triangulated_surface_3& surface, std::vecto
       is_pinned[fixed.vertex] = true;
 }
 
+// The vertices that stay on every level: those of the named parameter `vertex_is_constrained_map`, and of the given places those that are needed.
+template <class NamedParameters>
+std::vector<bool> pinned_vertices(const Triangulated_surface_3& surface, const NamedParameters& np)
+{
+  const auto is_constrained = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_is_constrained),
+                                                           CGAL::Constant_property_map<std::size_t, bool>(false));
+  std::vector<bool> is_pinned(surface.points.size());
+  for (std::size_t v = 0; v < is_pinned.size(); ++v)
+    is_pinned[v] = get(is_constrained, v);
+  if (!surface.fixed_vertices.empty())
+    pin_fixed_vertices(surface, is_pinned);
+  return is_pinned;
+}
+
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
-#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PIN_FIXED_VERTICES_H
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PINNED_VERTICES_H
