@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Solver_use.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
 #include <CGAL/Eigen_solver_traits.h>
@@ -99,6 +100,7 @@ struct Problem
 {
   const Mesh& mesh;
   double tolerance;
+  bool has_uniform_weights;
   Assembled_system<CGAL_matrix> system;
   Assembled_system<SMP::Multigrid_solver_traits::Matrix> multigrid_system;
 
@@ -167,7 +169,7 @@ Solution solve_by_multigrid(const Problem& problem)
   check(component->error().code);
   std::shared_ptr<const SMP::internal::Hierarchy_interpolation> hierarchy;
   solution.seconds_hierarchy = seconds_of([&] {
-    hierarchy = std::make_shared<SMP::internal::Hierarchy_interpolation>(std::move(component->surface()), SMP::parameters::default_values());
+    hierarchy = std::make_shared<SMP::internal::Hierarchy_interpolation>(std::move(component->surface()), CGAL::parameters::unit_edges(problem.has_uniform_weights));
   });
   component.reset();
 
@@ -361,7 +363,8 @@ void compare_solvers(Named_mesh& input, const std::string& method, bool is_symme
   for (std::size_t i = 0; i < component.vertices_of_component().size(); ++i)
     index[component.vertices_of_component()[i]] = int(i);
 
-  Problem problem = { input.mesh, choice.tolerance, {}, {} };
+  typedef Parameterizer<Mesh, SMP::Circular_border_arc_length_parameterizer_3<Mesh>, SMP::Multigrid_solver_traits>   Rebound;
+  Problem problem = { input.mesh, choice.tolerance, SMP::internal::Solver_use<Rebound>::has_uniform_weights, {}, {} };
   assemble<Parameterizer>(input.mesh, index, problem.system);
   assemble<Parameterizer>(input.mesh, index, problem.multigrid_system);
   for (const Named_solver& solver : all_solvers()) {

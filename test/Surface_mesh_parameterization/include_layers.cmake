@@ -38,6 +38,7 @@ set(table "
 0 Mean_value_edge_weights_3.h
 1 internal/One_rings.h
 1 internal/Ring_mesh.h
+1 internal/Unit_edge_metric.h
 1 internal/Star.h
 1 internal/star_validity.h
 1 internal/border_crossings.h

@@ -10,8 +10,11 @@
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Collapse_group.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Halfedge_collapse.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Ring_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Unit_edge_metric.h>
+#include <CGAL/Surface_mesh_parameterization/internal/discrete_exponential_map.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -90,7 +93,7 @@ TEST(Ring_mesh, collapses_as_its_triangles_do)
     std::mt19937 random(1);
     internal::Collapse_group group;
     for (int i = 0; i < 4; ++i) {
-      group.choose(points, rings, std::vector<bool>(points.size(), false), 3, random, internal::Loops());
+      group.choose({ rings, points, std::vector<bool>(points.size(), false) }, 3, random, internal::Loops());
       std::vector<unsigned char> is_removed(points.size(), 0);
       for (const internal::Collapse_group::Collapse& c : group.collapses())
         is_removed[c.removed_vertex] = 1;
@@ -121,6 +124,56 @@ TEST(Ring_mesh, collapses_as_its_triangles_do)
         EXPECT_EQ(neighbors, std::vector<Index>(expected[v].begin(), expected[v].end()));
       }
     }
+  }
+}
+
+// ---- Unit_edge_metric ----
+
+// Every star of a regular grid becomes a regular hexagon, however the grid was stretched.
+TEST(Unit_edge_metric, makes_edges_equally_long)
+{
+  const Flat_mesh m = affine_image(grid(6, 6, flat), 5, 2, -1, 0.3);
+  const internal::Ring_mesh rings(m.points.size(), m.triangles, internal::Loops());
+  const internal::Unit_edge_metric metric(m.points, rings);
+  for (Index v = 0; v < m.points.size(); ++v) {
+    const internal::Ring_mesh::Ring ring = rings[v];
+    if (!ring.is_closed)
+      continue;
+    std::vector<Point_3> ring_points;
+    for (const Index w : ring)
+      ring_points.push_back(m.points[w]);
+    std::vector<Vector_2> star;
+    internal::discrete_exponential_map(m.points[v], ring_points, true, star);
+    metric.transform(v, m.points[v], ring_points, star);
+    for (Index i = 0; i < ring.size; ++i)
+      EXPECT_NEAR((star[i] - star[ring.following(i)]).squared_length() / star[0].squared_length(), 1, 1e-5);
+  }
+}
+
+// The mean quality of the triangles of all coarse levels, were every vertex where it is in `m`.
+double mean_quality(const Collapse_hierarchy_3& h, const Flat_mesh& m)
+{
+  const auto place = [&](Index v) { return Vector_2(m.points[h.input_vertex(v)].x(), m.points[h.input_vertex(v)].y()); };
+  double sum = 0;
+  std::size_t triangles = 0;
+  for (std::size_t level = 0; level + 1 < h.number_of_levels(); ++level)
+    for (const Index_triangle& t : triangles_of_level(h, level)) {
+      sum += internal::shape_quality(place(t[0]), place(t[1]), place(t[2]));
+      ++triangles;
+    }
+  return sum / double(triangles);
+}
+
+// However a plane mesh was stretched, the coarse triangles are as round as if it had not been.
+TEST(Unit_edge_metric, keeps_coarse_triangles_of_stretched_meshes_round)
+{
+  for (const Flat_mesh& m : { delaunay_patch(2000, 1, flat), affine_image(grid(40, 40, flat), 1, -0.5, 0, std::sqrt(0.75)) }) {
+    const Flat_mesh image = affine_image(m, 5, 2, -1, 0.3);
+    const auto hierarchy = [](const Flat_mesh& mesh, bool unit_edges) { return Collapse_hierarchy_3(surface(mesh), parameters::unit_edges(unit_edges)); };
+    const double expected = mean_quality(hierarchy(m, false), m);
+    EXPECT_NEAR(mean_quality(hierarchy(m, true), m), expected, 0.03 * expected);
+    EXPECT_NEAR(mean_quality(hierarchy(image, true), m), expected, 0.03 * expected);
+    EXPECT_LT(mean_quality(hierarchy(image, false), m), 0.9 * expected);
   }
 }
 

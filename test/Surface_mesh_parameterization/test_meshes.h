@@ -88,6 +88,14 @@ Flat_mesh grid(Index columns, Index rows, Height height)
   return m;
 }
 
+// The image of a mesh in the plane z = 0 under (x, y) -> (xx x + xy y, yx x + yy y).
+inline Flat_mesh affine_image(Flat_mesh m, double xx, double xy, double yx, double yy)
+{
+  for (Point_3& p : m.points)
+    p = Point_3(xx * p.x() + xy * p.y(), yx * p.x() + yy * p.y(), 0);
+  return m;
+}
+
 inline Flat_mesh crumpled_grid(Index n, unsigned int seed)
 {
   Random random(seed);

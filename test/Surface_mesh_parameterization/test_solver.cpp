@@ -666,9 +666,9 @@ TEST(Multigrid_solver_traits, solves_what_sits_on_a_mesh)
 
 // How many iterations it takes to 1e-8.
 template <class EdgeWeights>
-std::size_t iterations(const Flat_mesh& m, EdgeWeights edge_weights, unsigned int seed = 0)
+std::size_t iterations(const Flat_mesh& m, EdgeWeights edge_weights, unsigned int seed = 0, bool unit_edges = false)
 {
-  Solver_on_mesh on(m, parameters::tolerance(1e-8).random_seed(seed));
+  Solver_on_mesh on(m, parameters::tolerance(1e-8).unit_edges(unit_edges).random_seed(seed));
   const Sparse_matrix matrix = edge_matrix(m, edge_weights);
   Vector b(matrix.row_dimension()), x;
   const One_rings rings(m.points.size(), m.triangles);
@@ -731,6 +731,22 @@ TYPED_TEST(Iterations, are_few_on_real_meshes)
       GTEST_SKIP() << "no real meshes at hand";
     EXPECT_LE(iterations(m, TypeParam()), 20u) << name;
   }
+}
+
+// Half the edges are opposite to angles of up to 166 degrees: with cotangents so negative, incomplete factors of the matrix as it is make no smoother.
+TEST(Multigrid_solver_traits, copes_with_obtuse_triangles)
+{
+  for (const Index n : { 60, 120 })
+    EXPECT_LE(iterations(affine_image(grid(n, n, flat), 1, -4, 0, 1), Harmonic_edge_weights_3()), 12u) << n;
+}
+
+// Uniform weights do not feel that a mesh is stretched, and neither does the iteration.
+TEST(Multigrid_solver_traits, unit_edges_suit_uniform_weights)
+{
+  const Flat_mesh m = grid(120, 120, flat), stretched = affine_image(m, 6, 0, 0, 1);
+  const std::size_t expected = iterations(m, Uniform_edge_weights_3());
+  EXPECT_LE(iterations(stretched, Uniform_edge_weights_3(), 0, true), expected + 1);
+  EXPECT_GE(iterations(stretched, Uniform_edge_weights_3(), 0, false), expected + 3);
 }
 
 TEST(Multigrid_solver_traits, factor_keeps_the_matrix_for_several_right_sides)

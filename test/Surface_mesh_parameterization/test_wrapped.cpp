@@ -405,6 +405,30 @@ TEST(Wrapped_constructor, visitor_sees_the_hierarchy_and_can_stop_the_run)
   }
 }
 
+// Without a visitor the hierarchy has no faces; the map is the same to the last digit.
+TEST(Wrapped_constructor, visitor_that_looks_on_changes_nothing)
+{
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
+  Mapped<Surface_mesh> seen(mesh), unseen(mesh);
+  EXPECT_EQ(seen.parameterize(Hierarchical_mean_value(parameters::visitor(Hierarchy_visitor_3())), longest_border(mesh)), OK);
+  EXPECT_EQ(unseen.parameterize(Hierarchical_mean_value(), longest_border(mesh)), OK);
+  for (const auto v : vertices(mesh))
+    ASSERT_EQ(get(seen.uvmap, v), get(unseen.uvmap, v));
+}
+
+// The weights are the same on a stretched mesh, and the hierarchy is as good.
+TEST(Wrapped_barycentric, takes_no_more_iterations_on_stretched_triangles)
+{
+  Surface_mesh mesh = make<Surface_mesh>(affine_image(grid(120, 120, flat), 6, 0, 0, 1));
+  const auto iterations = [&](const auto& np) {
+    Parameterization_summary summary;
+    EXPECT_EQ(Mapped<Surface_mesh>(mesh).parameterize(Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Surface_mesh>>(np.summary(std::ref(summary))),
+                                                      longest_border(mesh)), OK);
+    return summary.linear_solver.iterations;
+  };
+  EXPECT_LT(iterations(parameters::tolerance(1e-8)), iterations(parameters::tolerance(1e-8).unit_edges(false)));
+}
+
 TEST(Wrapped_constructor, copies_give_the_same_map)
 {
   Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));

@@ -56,6 +56,8 @@ public:
   /// \param np
   /// - `random_seed`: the seed of the random choice of vertices; default 0
   /// - `coarsest_size`: collapse groups are made until a level has at most that many vertices, or until nothing can be collapsed; default 100
+  /// - `unit_edges`: whether a collapse is chosen by the triangles that it leaves in space (`false`, the default), or as they would be if all edges of the surface
+  ///   were equally long (`true`), which suits methods that know nothing of lengths, such as barycentric mapping
   /// - `vertex_is_constrained_map`: a readable property map from an index of `surface.points`, a `std::size_t`, to `bool`: vertices that stay on every level; default: none
   /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the hierarchy is the same
   template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>

@@ -81,7 +81,8 @@ struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 /// A parameterizer that solves linear systems, as most of CGAL's do, gives the same map as without this class, found by multigrid
 /// (`Multigrid_solver_traits`, `Rebind_solver`). The constructor takes what that parameterizer's constructor takes, but for the solver, and then named parameters:
 /// - `tolerance`, `number_of_iterations`: of the solver, see `Multigrid_solver_traits`
-/// - `coarsest_size`, `random_seed`: of the hierarchy, see `Collapse_hierarchy_3`
+/// - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see `Collapse_hierarchy_3`; `unit_edges` is `true` by default for
+///   `Barycentric_mapping_parameterizer_3`, whose weights know nothing of lengths
 /// - `flip_policy`: a `Flip_policy`: what becomes of a map with flips; default `FAIL`. Where a repair had to move more than a tenth of the vertices of LSCM's map,
 ///   the map of `MIPS_parameterizer_3` takes its place
 /// - `fill_holes`: whether every further border is closed by a virtual vertex in the middle of it; default `false`: the border of a hole is free. On a `Surface_mesh`, and on a

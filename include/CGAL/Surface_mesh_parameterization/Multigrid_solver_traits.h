@@ -114,6 +114,7 @@ public:
   /// - `tolerance`: relative residual to be reached, of rows scaled to unit diagonal; default 1e-10
   /// - `number_of_iterations`: the most iterations before the direct solver takes over; default 300
   /// - `coarsest_size`, `random_seed`: of the hierarchy, see `Collapse_hierarchy_3`
+  /// - `unit_edges`: likewise; `true` for a matrix of uniform weights, as of `Barycentric_mapping_parameterizer_3`, saves iterations where triangles are not round
   ///
   /// Whether the mesh could be read is told by `error()`; if not, nothing can be solved.
   template <class TriangleMesh, class VertexIndexMap, class NamedParameters = parameters::Default_named_parameters>

@@ -47,7 +47,7 @@ public:
   /// \param np
   /// - `coarsest_size`: the coarsest level has at most that many vertices, where the mesh allows it; default 100. It is made smaller when the
   ///   method fails to lay out the coarsest level without a flip
-  /// - `random_seed`: seed of the hierarchy; default 0
+  /// - `random_seed`, `unit_edges`: of the hierarchy, see `Collapse_hierarchy_3`; default 0 and `false`
   /// - `visitor`: a model of `HierarchyVisitor_3`; default: none
   /// - `fill_holes`: whether every further border is closed by a virtual vertex in the middle of it, so that a hole is laid out as if it were a part of the surface; default `false`
   /// - `flip_policy`: a `Flip_policy`: what becomes of a map with flips; default `FAIL`

@@ -12,7 +12,7 @@
 #include <type_traits>
 
 /// \file parameters.h
-/// The named parameters of this package that CGAL does not have: `coarsest_size`, `tolerance`, `triangle_weight`, `number_of_local_steps`,
+/// The named parameters of this package that CGAL does not have: `coarsest_size`, `unit_edges`, `tolerance`, `triangle_weight`, `number_of_local_steps`,
 /// `optimizer`, `lambda`, `globally_injective`, `flip_policy`, `fill_holes` and `summary`. CGAL's own (`random_seed`, `number_of_iterations`, `visitor`, `vertex_is_constrained_map`) can follow
 /// them in one chain, so the package's come first:
 /// \code
@@ -24,6 +24,7 @@ namespace CGAL {
 namespace internal_np {
 
 enum coarsest_size_t { coarsest_size };
+enum unit_edges_t { unit_edges };
 enum tolerance_t { tolerance };
 enum triangle_weight_t { triangle_weight };
 enum number_of_local_steps_t { number_of_local_steps };
@@ -39,7 +40,7 @@ enum summary_t { summary };
 namespace Surface_mesh_parameterization::internal {
 
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_NAMED_PARAMETERS(X) \
-  X(coarsest_size) X(tolerance) X(triangle_weight) X(number_of_local_steps) X(optimizer) X(lambda) X(globally_injective) X(flip_policy) X(fill_holes) \
+  X(coarsest_size) X(unit_edges) X(tolerance) X(triangle_weight) X(number_of_local_steps) X(optimizer) X(lambda) X(globally_injective) X(flip_policy) X(fill_holes) \
   X(summary)
 
 // CGAL's parameters with the package's as further members.

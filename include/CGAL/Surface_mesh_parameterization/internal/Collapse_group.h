@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Halfedge_collapse.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Ring_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Unit_edge_metric.h>
 #include <CGAL/Surface_mesh_parameterization/internal/discrete_exponential_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/prefetch.h>
@@ -37,12 +38,19 @@ public:
     std::array<double, 2> coordinates;    // of the removed vertex, with respect to Wi and Wi+1
   };
 
-  // Chooses collapses of `mesh`. `is_pinned` marks vertices that must stay; `random` is used and advanced. At least `fewest_vertices` remain.
-  template <class RandomGenerator>
-  void choose(const std::vector<Point_3>& points, const Ring_mesh& mesh, const std::vector<bool>& is_pinned, std::size_t fewest_vertices,
-              RandomGenerator& random, const Loops& loops)
+  struct Mesh
   {
-    const std::size_t n = points.size();
+    const Ring_mesh& rings;
+    const std::vector<Point_3>& points;
+    const std::vector<bool>& is_pinned;           // these vertices must stay
+    const Unit_edge_metric* metric = nullptr;     // in which triangles are rated; null for that of space
+  };
+
+  // Chooses collapses of `mesh`; `random` is used and advanced. At least `fewest_vertices` remain.
+  template <class RandomGenerator>
+  void choose(const Mesh& mesh, std::size_t fewest_vertices, RandomGenerator& random, const Loops& loops)
+  {
+    const std::size_t n = mesh.points.size();
     m_is_locked.assign(n, 0);
     m_first_added.assign(n, no_index);
     m_added.clear();
@@ -51,13 +59,12 @@ public:
     shuffle_vertices(n, random);
     constexpr std::size_t least_batches = 32, least_batch_size = 64, greatest_batch_size = 2048;
     const std::size_t batch_size = (std::min)((std::max)(n / least_batches, least_batch_size), greatest_batch_size);
-    const Examined_mesh examined = { mesh, points, is_pinned };
     for (std::size_t begin = 0; begin < n && m_collapses.size() + fewest_vertices < n; begin += batch_size) {
       const std::size_t end = (std::min)(begin + batch_size, n);
-      examine_batch(examined, Index(begin), Index(end), loops);
+      examine_batch(mesh, Index(begin), Index(end), loops);
       for (std::size_t i = begin; i < end && m_collapses.size() + fewest_vertices < n; ++i)
         if (!m_is_locked[m_order[i]])
-          try_collapse(examined, m_prospects[i - begin]);
+          try_collapse(mesh, m_prospects[i - begin]);
     }
     sort_collapses();
   }
@@ -66,13 +73,6 @@ public:
   const std::vector<Collapse>& collapses() const { return m_collapses; }
 
 private:
-  struct Examined_mesh
-  {
-    const Ring_mesh& rings;
-    const std::vector<Point_3>& points;
-    const std::vector<bool>& is_pinned;
-  };
-
   // In random order block by block, so that most of what the vertices of a block need stays in the cache. std::shuffle is not the same everywhere.
   template <class RandomGenerator>
   void shuffle_vertices(std::size_t n, RandomGenerator& random)
@@ -86,7 +86,7 @@ private:
   }
 
   // In random order, nearly everything about a vertex would have to be waited for: that is asked for step by step while the vertices before it are examined.
-  BOOST_FORCEINLINE void prefetch_vertices_after(const Examined_mesh& mesh, std::size_t i) const
+  BOOST_FORCEINLINE void prefetch_vertices_after(const Mesh& mesh, std::size_t i) const
   {
     constexpr std::size_t vertex_ahead = 12, ring_ahead = 6, ring_points_ahead = 3;
     if (i + vertex_ahead >= m_order.size())
@@ -94,6 +94,8 @@ private:
     const Index vertex = m_order[i + vertex_ahead];
     prefetch(&m_is_locked[vertex]);
     prefetch(&mesh.points[vertex]);
+    if (mesh.metric)
+      mesh.metric->prefetch_vertex(vertex);
     prefetch(mesh.rings.offsets() + vertex);
     if (const Index v = m_order[i + ring_ahead]; !m_is_locked[v])
       prefetch(mesh.rings[v].begin());
@@ -114,7 +116,7 @@ private:
 
   // Finds the best collapses of the vertices from `begin` to `end` in the random order before it is their turn: that is nearly all there is to compute, and can be
   // done by several threads. Few vertices are examined in vain, because others of their batch lock them.
-  void examine_batch(const Examined_mesh& mesh, Index begin, Index end, const Loops& loops)
+  void examine_batch(const Mesh& mesh, Index begin, Index end, const Loops& loops)
   {
     m_prospects.resize((std::max)(m_prospects.size(), std::size_t(end - begin)));
     constexpr Index block_size = 256;       // a vertex is much work
@@ -129,7 +131,7 @@ private:
   static constexpr Collapse no_collapse = { no_index, {}, {} };
 
   // The collapse of V, onto the neighbor whose fan has the best worst triangle, that the link condition allows after the collapses so far.
-  Collapse best_collapse(const Examined_mesh& mesh, Index v, Scratch& scratch) const
+  Collapse best_collapse(const Mesh& mesh, Index v, Scratch& scratch) const
   {
     // The choice of W0 is quadratic in the valence; a hub becomes cheaper as its neighbors go.
     constexpr Index highest_valence = 32;
@@ -140,6 +142,8 @@ private:
     for (Index w : ring)
       scratch.ring_points.push_back(mesh.points[w]);
     discrete_exponential_map(mesh.points[v], scratch.ring_points, ring.is_closed, scratch.flat_ring);
+    if (mesh.metric)
+      mesh.metric->transform(v, mesh.points[v], scratch.ring_points, scratch.flat_ring);
     scratch.is_forbidden.assign(ring.size, false);
     for (;;) {
       const Index w0 = best_neighbor(ring.is_closed, scratch);
@@ -171,7 +175,7 @@ private:
 
   // The collapse keeps the mesh a manifold if V and W0 have no common neighbor besides the ones beside W0 in the ring; an ear
   // additionally needs a triangle on the other side of its base.
-  bool satisfies_link_condition(const Examined_mesh& mesh, Index v, Index w0_slot) const
+  bool satisfies_link_condition(const Mesh& mesh, Index v, Index w0_slot) const
   {
     const Ring_mesh::Ring ring = mesh.rings[v], kept_ring = mesh.rings[ring[w0_slot]];
     for (Index i = 0; i < ring.size; ++i)
@@ -184,7 +188,7 @@ private:
   }
 
   // Whether the edge that joins two border vertices has triangles on both sides: they are no border neighbors.
-  static bool is_interior_edge(const Examined_mesh& mesh, Index a, Index b)
+  static bool is_interior_edge(const Mesh& mesh, Index a, Index b)
   {
     const Ring_mesh::Ring ring = mesh.rings[a];
     return ring[0] != b && ring[ring.size - 1] != b;
@@ -200,7 +204,7 @@ private:
   }
 
   // Performs a collapse that was found before others of its batch were performed, or the next best one if these have forbidden it.
-  void try_collapse(const Examined_mesh& mesh, Collapse c)
+  void try_collapse(const Mesh& mesh, Collapse c)
   {
     if (c.removed_vertex == no_index)
       return;

@@ -61,14 +61,14 @@ private:
   {
     const Index coarsest_vertices = Index(vertices.level_vertices.front());
     for (;;) {
-      Index& v = *std::max_element(t.begin(), t.end());
+      const Index v = (std::max)((std::max)(t[0], t[1]), t[2]);
       if (v < coarsest_vertices)
         return { t, 0 };
       const Index split = v - coarsest_vertices, w0 = vertices.splits[split].parent[0];
-      if (std::find(t.begin(), t.end(), w0) != t.end())
+      if ((t[0] == w0) | (t[1] == w0) | (t[2] == w0))     // one branch: which corner it is cannot be foreseen
         return { t, split + 1 };
       be_taken_over(split);
-      v = w0;
+      replace_corner(t, v, w0);
     }
   }
 };

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Collapse_group.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Ring_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Unit_edge_metric.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Vertex_hierarchy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -24,6 +25,7 @@ struct Hierarchy_options
   static constexpr std::size_t default_coarsest_size = 100;
   std::size_t coarsest_size = default_coarsest_size;
   unsigned int random_seed = 0;
+  bool has_unit_edges = false;      // triangles are rated in the Unit_edge_metric
 };
 
 // The named parameters of Collapse_hierarchy_3, less the vertices that stay.
@@ -35,6 +37,7 @@ Hierarchy_options hierarchy_options_of(const NamedParameters& np)
   Hierarchy_options options;
   options.coarsest_size = choose_parameter(get_parameter(np, internal_np::coarsest_size), options.coarsest_size);
   options.random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), options.random_seed);
+  options.has_unit_edges = choose_parameter(get_parameter(np, internal_np::unit_edges), options.has_unit_edges);
   return options;
 }
 
@@ -56,14 +59,19 @@ public:
   {
     constexpr std::size_t fewest_vertices = 3;
     std::mt19937 random(options.random_seed);
+    Unit_edge_metric metric;
+    if (options.has_unit_edges)
+      metric = Unit_edge_metric(m_points, m_mesh);
     for (;;) {
       m_level_vertices.push_back(m_points.size());
       if (m_points.size() <= options.coarsest_size)
         break;
-      m_group.choose(m_points, m_mesh, m_is_pinned, fewest_vertices, random, loops);
+      m_group.choose({ m_mesh, m_points, m_is_pinned, options.has_unit_edges ? &metric : nullptr }, fewest_vertices, random, loops);
       if (m_group.collapses().empty())
         break;
       perform_group(loops);
+      if (options.has_unit_edges)
+        metric.collapse(m_group.collapses(), m_is_removed);
     }
     return number_by_removal(loops);
   }

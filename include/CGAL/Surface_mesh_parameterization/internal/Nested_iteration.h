@@ -34,6 +34,7 @@ struct Nested_iteration_options
 {
   std::size_t coarsest_size = Collapse_hierarchy_3::default_coarsest_size;    // a flat run: as many as there are
   unsigned int seed = 0;
+  bool unit_edges = false;
   bool fills_holes = false;
   Flip_policy flip_policy = Flip_policy::FAIL;      // for what methods leave that do not keep triangles positive
 
@@ -45,6 +46,7 @@ struct Nested_iteration_options
     using parameters::get_parameter;
     coarsest_size = choose_parameter(get_parameter(np, internal_np::coarsest_size), coarsest_size);
     seed = choose_parameter(get_parameter(np, internal_np::random_seed), seed);
+    unit_edges = choose_parameter(get_parameter(np, internal_np::unit_edges), unit_edges);
     fills_holes = choose_parameter(get_parameter(np, internal_np::fill_holes), fills_holes);
     flip_policy = choose_parameter(get_parameter(np, internal_np::flip_policy), flip_policy);
   }
@@ -90,8 +92,8 @@ private:
     if (m_options.fills_holes)
       component.fill_holes();
 
-    const Collapse_hierarchy_3 hierarchy(std::move(component.surface()), parameters::coarsest_size(m_options.coarsest_size).random_seed(m_options.seed),
-                                         typename Method::Concurrency_tag());
+    const auto np = parameters::unit_edges(m_options.unit_edges).coarsest_size(m_options.coarsest_size).random_seed(m_options.seed);
+    const Collapse_hierarchy_3 hierarchy(std::move(component.surface()), np, typename Method::Concurrency_tag());
     m_size_of_coarsest_level = hierarchy.number_of_vertices(0);
     m_summary.seconds_hierarchy = timer.time();
 

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Multigrid_linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/Rebound_run.h>
+#include <CGAL/Surface_mesh_parameterization/internal/Solver_use.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <cstddef>
@@ -31,7 +32,7 @@ class Rebound_parameterizer_base_3
 {
 public:
   // The arguments are those of `Parameterizer`'s constructor, less the solver; named parameters may follow them:
-  // - `coarsest_size`, `random_seed`: of the hierarchy, see Collapse_hierarchy_3
+  // - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see Collapse_hierarchy_3; `unit_edges` is the default for a parameterizer with uniform weights
   // - `tolerance`, `number_of_iterations`: of the solver, see Multigrid_solver_traits
   // - `flip_policy`: what becomes of a map with flips
   // - `fill_holes`: whether every further border is closed by a virtual vertex
@@ -94,7 +95,9 @@ private:
   template <class NamedParameters>
   void set_options(const NamedParameters& np)
   {
-    m_build = [np](Triangulated_surface_3 surface) { return build(std::move(surface), np); };
+    const bool unit_edges = parameters::choose_parameter(parameters::get_parameter(np, internal_np::unit_edges), Solver_use<Parameterizer>::has_uniform_weights);
+    const Named_parameters<bool, internal_np::unit_edges_t, NamedParameters> hierarchy_np(unit_edges, np);
+    m_build = [hierarchy_np](Triangulated_surface_3 surface) { return build(std::move(surface), hierarchy_np); };
     m_options = linear_solver_options_of(np);
     m_fills_holes = parameters::choose_parameter(parameters::get_parameter(np, internal_np::fill_holes), m_fills_holes);
     m_flip_policy = parameters::choose_parameter(parameters::get_parameter(np, internal_np::flip_policy), m_flip_policy);

@@ -17,21 +17,28 @@ template <class, class, class> class Mean_value_coordinates_parameterizer_3;
 
 namespace internal {
 
-// How a parameterizer uses its solver.
-template <class Parameterizer>
-struct Solver_use
+struct Plain_solver_use
 {
   static constexpr bool solves_in_pairs = false;          // for u and for v, before it looks at either
   static constexpr bool locks_placed_vertices = false;    // those that are parameterized already are no unknowns
+  static constexpr bool has_uniform_weights = false;
 };
 
-struct Solves_in_pairs
+// How a parameterizer uses its solver.
+template <class Parameterizer>
+struct Solver_use : Plain_solver_use { };
+
+struct Solves_in_pairs : Plain_solver_use
 {
   static constexpr bool solves_in_pairs = true;
-  static constexpr bool locks_placed_vertices = false;
 };
 
-template <class M, class B, class S> struct Solver_use<Barycentric_mapping_parameterizer_3<M, B, S>> : Solves_in_pairs { };
+template <class M, class B, class S>
+struct Solver_use<Barycentric_mapping_parameterizer_3<M, B, S>> : Solves_in_pairs
+{
+  static constexpr bool has_uniform_weights = true;
+};
+
 template <class M, class B, class S> struct Solver_use<Discrete_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs { };
 template <class M, class B, class S> struct Solver_use<Discrete_conformal_map_parameterizer_3<M, B, S>> : Solves_in_pairs { };
 template <class M, class B, class S> struct Solver_use<Iterative_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs { };
@@ -51,9 +58,8 @@ struct Flip_free_relative<LSCM_parameterizer_3<M, B, S>>
 };
 
 template <class M, class B, class S>
-struct Solver_use<LSCM_parameterizer_3<M, B, S>>
+struct Solver_use<LSCM_parameterizer_3<M, B, S>> : Plain_solver_use
 {
-  static constexpr bool solves_in_pairs = false;
   static constexpr bool locks_placed_vertices = true;
 };
 
