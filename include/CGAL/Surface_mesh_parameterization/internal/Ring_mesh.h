@@ -63,63 +63,44 @@ public:
   // Removes vertices that share no edge. `number[v]` is the new number of V, or of the W0 that V collapses onto.
   void collapse(const std::vector<unsigned char>& is_removed, const std::vector<Index>& number, const Loops& loops)
   {
-    const std::size_t kept = count_new_rings(is_removed, number);
-    m_new_neighbors.resize(m_new_first.back());
-    loops.for_each_block(0, Index(number_of_vertices()), [] { return std::vector<Index>(); }, [&](Index begin, Index end, std::vector<Index>& ring) {
+    m_new_rings.resize((std::max)(m_new_rings.size(), number_of_vertices() / Loops::default_block_size + 1));
+    m_new_first.assign(std::count(is_removed.begin(), is_removed.end(), 0) + 1, 0);
+    loops.for_each_block(0, Index(number_of_vertices()), [] { return 0; }, [&](Index begin, Index end, int) {
+      std::vector<Index>& rings = m_new_rings[begin / Loops::default_block_size];
+      rings.clear();
       for (Index w = begin; w < end; ++w)
         if (!is_removed[w]) {
-          make_new_ring(w, is_removed, number, ring);
-          std::copy(ring.begin(), ring.end(), m_new_neighbors.begin() + m_new_first[number[w]]);
+          const std::size_t first = rings.size();
+          append_new_ring(w, is_removed, number, rings);
+          m_new_first[number[w] + 1] = Index(rings.size() - first);
         }
     });
+    std::partial_sum(m_new_first.begin(), m_new_first.end(), m_new_first.begin());
+    m_first.swap(m_new_first);
 
+    m_neighbors.clear();
+    for (std::size_t begin = 0; begin < number_of_vertices(); begin += Loops::default_block_size) {
+      const std::vector<Index>& rings = m_new_rings[begin / Loops::default_block_size];
+      m_neighbors.insert(m_neighbors.end(), rings.begin(), rings.end());
+    }
     for (Index w = 0; w < number_of_vertices(); ++w)
       if (!is_removed[w])
         m_is_border[number[w]] = m_is_border[w];
-    m_is_border.resize(kept);
-    m_first.swap(m_new_first);
-    m_neighbors.swap(m_new_neighbors);
+    m_is_border.resize(m_first.size() - 1);
   }
 
 private:
-  // Tells m_new_first where the new rings begin; returns how many there are. V gives its neighbors to W0, except for the two, or one of an open ring, that W0 has
-  // already: these lose V.
-  std::size_t count_new_rings(const std::vector<unsigned char>& is_removed, const std::vector<Index>& number)
+  void append_new_ring(Index w, const std::vector<unsigned char>& is_removed, const std::vector<Index>& number, std::vector<Index>& result) const
   {
-    std::size_t kept = 0;
-    m_new_first.assign(number_of_vertices() + 1, 0);
-    const auto size_of = [&](Index v) -> Index& { return m_new_first[number[v] + 1]; };
-    for (Index v = 0; v < number_of_vertices(); ++v) {
-      const Ring ring = (*this)[v];
-      if (!is_removed[v]) {
-        size_of(v) += ring.size;
-        ++kept;
-        continue;
-      }
-      const Index w0 = Index(std::find_if(ring.begin(), ring.end(), [&](Index w) { return number[w] == number[v]; }) - ring.begin());
-      for (Index i = 0; i < ring.size; ++i)
-        if (ring.are_adjacent(i, w0))
-          --size_of(ring[i]);
-        else
-          ++size_of(v);
-      size_of(v) -= 2;       // W0 is none of its own neighbors, and loses V
-    }
-    m_new_first.resize(kept + 1);
-    std::partial_sum(m_new_first.begin(), m_new_first.end(), m_new_first.begin());
-    return kept;
-  }
-
-  void make_new_ring(Index w, const std::vector<unsigned char>& is_removed, const std::vector<Index>& number, std::vector<Index>& result) const
-  {
-    result.clear();
+    const std::size_t first = result.size();
     const Ring ring = (*this)[w];
     Index i = ring.is_closed && is_removed[ring[0]] ? 1 : 0;      // a closed ring may start anywhere, so it does at a neighbor that stays
     for (Index k = 0; k < ring.size; ++k, i = ring.following(i))
       if (number[ring[i]] == number[w])
         append_fan(w, ring[i], number, result);
-      else if (result.empty() || result.back() != number[ring[i]])    // V and W0 have become one
+      else if (result.size() == first || result.back() != number[ring[i]])    // V and W0 have become one
         result.push_back(number[ring[i]]);
-    if (ring.is_closed && result.front() == result.back())
+    if (ring.is_closed && result[first] == result.back())
       result.pop_back();
   }
 
@@ -137,7 +118,10 @@ private:
 
   std::vector<Index> m_first, m_neighbors;
   std::vector<unsigned char> m_is_border;
-  std::vector<Index> m_new_first, m_new_neighbors;      // of the next mesh
+
+  // Scratch of collapse(): of the next mesh, and its rings by blocks of vertices of this one.
+  std::vector<Index> m_new_first;
+  std::vector<std::vector<Index>> m_new_rings;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
