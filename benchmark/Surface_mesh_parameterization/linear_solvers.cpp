@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
@@ -405,7 +407,7 @@ void compare_whole_calls(Named_mesh& input, const std::string& method, const Cho
       std::cout << ',' << SMP::parameterization_quality(input.mesh, uv).flips;
     });
   };
-  compare("hierarchical", [] { return SMP::Hierarchical_parameterizer_3<Hierarchical>(); });
+  compare("hierarchical", [] { return SMP::Hierarchical_parameterizer_3<Hierarchical>(CGAL::parameters::flip_policy(SMP::Flip_policy::KEEP)); });
   if (input.mesh.number_of_faces() <= most_flat_triangles)
     compare("flat", [] { return Flat(); });
 }
