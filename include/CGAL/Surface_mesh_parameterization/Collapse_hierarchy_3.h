@@ -65,7 +65,7 @@ public:
                                 ConcurrencyTag = ConcurrencyTag())
   {
     const internal::Loops loops = internal::Loops::of<ConcurrencyTag>();
-    std::vector<bool> is_pinned = internal::pinned_vertices(surface, np);
+    const std::vector<bool> is_pinned = internal::pinned_vertices(surface, np);
     m_vertices = internal::Hierarchy_builder(surface.points, is_pinned, surface.triangles, loops).build(internal::hierarchy_options_of(np), loops);
     m_faces = internal::Face_hierarchy(m_vertices, std::move(surface.triangles));
     number_by_rank(surface, is_pinned, loops);
@@ -106,6 +106,7 @@ public:
   // The points of all vertices, by rank.
   const std::vector<Point_3>& points() const { return m_points; }
 
+  // All that does not speak of faces.
   const internal::Vertex_hierarchy& vertices() const { return m_vertices; }
   /// \endcond
 

@@ -104,7 +104,6 @@ private:
     m_summary = summary_of(np);
   }
 
-  std::function<std::unique_ptr<Rebound>()> m_make;
   // Null if the visitor has stopped the run. A hierarchy that no visitor wants to see is built without its faces.
   template <class NamedParameters>
   static std::shared_ptr<const Hierarchy_interpolation> build(Triangulated_surface_3 surface, const NamedParameters& np)
@@ -117,6 +116,7 @@ private:
     }
   }
 
+  std::function<std::unique_ptr<Rebound>()> m_make;
   std::function<std::shared_ptr<const Hierarchy_interpolation>(Triangulated_surface_3)> m_build;
   Multigrid_linear_solver::Options m_options;
   bool m_has_arguments = false, m_fills_holes = false;
