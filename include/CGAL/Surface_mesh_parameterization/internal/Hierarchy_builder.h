@@ -71,7 +71,7 @@ public:
         break;
       perform_group(loops);
       if (options.has_unit_edges)
-        metric.collapse(m_group.collapses(), m_is_removed);
+        metric.compact(m_is_removed);
     }
     return number_by_removal(loops);
   }

@@ -66,16 +66,9 @@ public:
       w = Vector_2(scale * (c * w.x() - b * w.y()), scale * (a * w.y() - b * w.x()));
   }
 
-  // When a vertex is removed, those of its parent triangle take its tensor over: so that of a coarse vertex is the sum of all that it stands for.
-  template <class Collapses>
-  void collapse(const Collapses& collapses, const std::vector<unsigned char>& is_removed)
+  // A vertex keeps its metric on every level.
+  void compact(const std::vector<unsigned char>& is_removed)
   {
-    for (const auto& c : collapses) {
-      const std::array<double, 3> weights = { 1 - c.coordinates[0] - c.coordinates[1], c.coordinates[0], c.coordinates[1] };
-      for (int i = 0; i < 3; ++i)
-        for (std::size_t k = 0; k < size; ++k)
-          m_tensors[c.parent[i]][k] += float(weights[i]) * m_tensors[c.removed_vertex][k];
-    }
     std::size_t kept = 0;
     for (std::size_t v = 0; v < m_tensors.size(); ++v)
       if (!is_removed[v])
@@ -84,8 +77,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t size = 6;
-  typedef std::array<float, size>   Tensor;       // symmetric: xx, xy, xz, yy, yz, zz
+  typedef std::array<float, 6>   Tensor;       // symmetric: xx, xy, xz, yy, yz, zz
 
   static void add_edge(Tensor& t, const Vector_3& e)
   {
