@@ -65,7 +65,8 @@ private:
       if (v < coarsest_vertices)
         return { t, 0 };
       const Index split = v - coarsest_vertices, w0 = vertices.splits[split].parent[0];
-      if ((t[0] == w0) | (t[1] == w0) | (t[2] == w0))     // one branch: which corner it is cannot be foreseen
+      const int corners_at_w0 = (t[0] == w0) + (t[1] == w0) + (t[2] == w0);     // with one branch: which corner it is cannot be foreseen
+      if (corners_at_w0 > 0)
         return { t, split + 1 };
       be_taken_over(split);
       replace_corner(t, v, w0);
