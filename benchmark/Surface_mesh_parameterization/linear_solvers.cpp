@@ -17,7 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Solver_use.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
 #include <CGAL/Eigen_solver_traits.h>

@@ -13,7 +13,7 @@
 #include "program_soup.h"
 #include "program_triangulate.h"
 
-#include <CGAL/Surface_mesh_parameterization/internal/longest_border.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/longest_border.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

@@ -10,8 +10,8 @@
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/corner_hessian.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star_validity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/corner_hessian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/Mean_value_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/Shape_preserving_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Relaxation_factor.h>
+#include <CGAL/Surface_mesh_parameterization/internal/edge_energy/Relaxation_factor.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
 #include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>

@@ -9,12 +9,12 @@
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Collapse_group.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Halfedge_collapse.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Ring_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Unit_edge_metric.h>
-#include <CGAL/Surface_mesh_parameterization/internal/discrete_exponential_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Collapse_group.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Halfedge_collapse.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Ring_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Unit_edge_metric.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/discrete_exponential_map.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

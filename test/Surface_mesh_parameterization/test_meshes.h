@@ -5,8 +5,8 @@
 #define TEST_MESHES_H
 
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
-#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>

@@ -12,9 +12,9 @@
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Border_barrier.h>
-#include <CGAL/Surface_mesh_parameterization/internal/overlapping_pairs.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star_validity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/settle_flips.h>

@@ -5,7 +5,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Orbifold_Tutte_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Constraint_elimination.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Constraint_elimination.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

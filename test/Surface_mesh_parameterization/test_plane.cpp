@@ -8,15 +8,15 @@
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Halfedge_collapse.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Mapped_triangle.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Polygon_kernel_2.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Scale_bounded_energy_2.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Star.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Vertex_inserter.h>
-#include <CGAL/Surface_mesh_parameterization/internal/discrete_exponential_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/relax_vertex.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star_validity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Halfedge_collapse.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Polygon_kernel_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Vertex_inserter.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/discrete_exponential_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/relax_vertex.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <gtest/gtest.h>
 

@@ -11,15 +11,15 @@
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Level_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Level_refiner.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Newton_multigrid.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Vertex_relaxation.h>
-#include <CGAL/Surface_mesh_parameterization/internal/corner_hessian.h>
-#include <CGAL/Surface_mesh_parameterization/internal/insert_new_vertices.h>
-#include <CGAL/Surface_mesh_parameterization/internal/scale_to_area.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star_validity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/scale_to_area.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_multigrid.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Vertex_relaxation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/corner_hessian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <CGAL/property_map.h>
 

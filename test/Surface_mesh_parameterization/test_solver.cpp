@@ -12,12 +12,12 @@
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Grid_transfer.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_interpolation.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Incomplete_LU.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Krylov_methods.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Multigrid_preconditioner.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Sparse_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Grid_transfer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Incomplete_LU.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_preconditioner.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Simple_cartesian.h>

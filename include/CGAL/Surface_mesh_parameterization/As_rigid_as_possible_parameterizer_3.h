@@ -10,11 +10,11 @@
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Conformal_refiner.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Level_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Level_refiner.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
-#include <CGAL/Surface_mesh_parameterization/internal/scale_to_area.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/scale_to_area.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Conformal_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/assertions.h>

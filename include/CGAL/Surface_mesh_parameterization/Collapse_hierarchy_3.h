@@ -7,12 +7,12 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Face_hierarchy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_builder.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Vertex_hierarchy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
-#include <CGAL/Surface_mesh_parameterization/internal/pinned_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Face_hierarchy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_builder.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Vertex_hierarchy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/pinned_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/assertions.h>

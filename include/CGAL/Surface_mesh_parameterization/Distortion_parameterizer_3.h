@@ -8,13 +8,13 @@
 
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Level_refiner.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Scale_bounded_energy_2.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Tutte_embedding.h>
-#include <CGAL/Surface_mesh_parameterization/internal/border_crossings.h>
-#include <CGAL/Surface_mesh_parameterization/internal/scale_to_area.h>
-#include <CGAL/Surface_mesh_parameterization/internal/separate_borders.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star_validity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/separate_borders.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/scale_to_area.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <utility>

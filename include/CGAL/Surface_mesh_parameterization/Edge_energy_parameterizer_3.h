@@ -9,9 +9,9 @@
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Edge_system.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Relaxation_factor.h>
-#include <CGAL/Surface_mesh_parameterization/internal/solve_directly.h>
+#include <CGAL/Surface_mesh_parameterization/internal/edge_energy/Edge_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/edge_energy/Relaxation_factor.h>
+#include <CGAL/Surface_mesh_parameterization/internal/edge_energy/solve_directly.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/tags.h>

@@ -10,9 +10,9 @@
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Rebound_as_rigid_as_possible_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Rebound_orbifold_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Rebound_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_as_rigid_as_possible_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_orbifold_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_parameterizer_3.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -54,19 +54,19 @@ struct Hierarchical_base
                 "Hierarchical_parameterizer_3<P>: P can be wrapped in neither way. Either P models RefinableParameterizer_3, that is, it has the types "
                 "Triangle_mesh and Concurrency_tag, the constant is_flip_free and the members parameterize_coarsest(level, uv) and "
                 "refine(level, uv, summary); or P solves linear systems through solver traits and Rebind_solver<P, Multigrid_solver_traits> has a type.");
-  typedef std::conditional_t<is_refinable, Nested_iteration_parameterizer_3<Parameterizer>, Rebound_parameterizer_3<Parameterizer>>   type;
+  typedef std::conditional_t<is_refinable, Nested_iteration_parameterizer_3<Parameterizer>, Wrapped_parameterizer_3<Parameterizer>>   type;
 };
 
 template <class TriangleMesh, class BorderParameterizer, class SolverTraits>
 struct Hierarchical_base<ARAP_parameterizer_3<TriangleMesh, BorderParameterizer, SolverTraits>>
 {
-  typedef Rebound_as_rigid_as_possible_3<TriangleMesh, BorderParameterizer>   type;
+  typedef Wrapped_as_rigid_as_possible_3<TriangleMesh, BorderParameterizer>   type;
 };
 
 template <class SeamMesh, class SolverTraits>
 struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 {
-  typedef Rebound_orbifold_parameterizer_3<SeamMesh, SolverTraits>   type;
+  typedef Wrapped_orbifold_parameterizer_3<SeamMesh, SolverTraits>   type;
 };
 
 } // namespace internal

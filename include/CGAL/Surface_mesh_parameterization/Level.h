@@ -8,9 +8,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Loops.h>
-#include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Rest_triangle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -8,10 +8,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Hierarchy_interpolation.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Mesh_unknowns.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Multigrid_session.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Sparse_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Eigen_vector.h>

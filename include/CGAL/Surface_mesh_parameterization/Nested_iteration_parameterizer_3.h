@@ -9,8 +9,8 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Nested_iteration.h>
-#include <CGAL/Surface_mesh_parameterization/internal/place_border.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <boost/graph/graph_traits.hpp>

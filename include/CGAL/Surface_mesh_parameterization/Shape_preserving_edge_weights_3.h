@@ -6,8 +6,8 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <CGAL/Surface_mesh_parameterization/internal/discrete_exponential_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/discrete_exponential_map.h>
 
 #include <algorithm>
 #include <array>

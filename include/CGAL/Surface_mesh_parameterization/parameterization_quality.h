@@ -7,8 +7,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
-#include <CGAL/Surface_mesh_parameterization/internal/Mapped_triangle.h>
-#include <CGAL/Surface_mesh_parameterization/internal/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>

@@ -10,8 +10,8 @@
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
-#include <CGAL/Surface_mesh_parameterization/internal/One_rings.h>
-#include <CGAL/Surface_mesh_parameterization/internal/settle_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/settle_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/number_utils.h>

@@ -1,0 +1,53 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_SPARSE_ROWS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_SPARSE_ROWS_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// The numbers of several right sides or solutions at one unknown. Systems with one matrix are solved side by side: its entries are fetched once for all.
+template <class Real, int columns>
+using Values = Eigen::Array<Real, columns, 1>;
+
+template <class Real, int columns>
+using Value_vector = std::vector<Values<Real, columns>>;
+
+// A sparse matrix, row by row.
+template <class Real>
+struct Sparse_rows
+{
+  std::vector<Index> first;       // one more than rows: where each row begins
+  std::vector<Index> columns;
+  std::vector<Real> values;
+
+  Index number_of_rows() const { return Index(first.size() - 1); }
+
+  // The product of row i and x.
+  template <class Vector>
+  typename Vector::value_type row_times(Index i, const Vector& x) const
+  {
+    return range_times(first[i], first[i + 1], x);
+  }
+
+  // The part of it that the entries from `begin` to `end` give.
+  template <class Vector>
+  typename Vector::value_type range_times(Index begin, Index end, const Vector& x) const
+  {
+    typename Vector::value_type sum = Vector::value_type::Zero();
+    for (Index k = begin; k < end; ++k)
+      sum += values[k] * x[columns[k]];
+    return sum;
+  }
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_SPARSE_ROWS_H

@@ -1,0 +1,106 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HALFEDGE_COLLAPSE_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HALFEDGE_COLLAPSE_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// A half-edge collapse moves V onto a neighbor W0, whose position does not change:
+//
+//        W3------W2                 W3------W2
+//       /  \    /  \               /  \      \             the star of V becomes the fan of W0:
+//      /    \  /    \             /     \     \            triangles (W0, Wi, Wi+1), i = 1 .. n-1,
+//    W4------V-----W1    --->    W4-___  \     W1          the two triangles at the edge VW0 vanish
+//      \    /  \    /             \     ---\  /
+//       \  /    \  /               \        \/             a border vertex V collapses along the border:
+//        W5-----W0                  W5------W0             its ring is open, W0 is one of its ends
+
+// The triangle of the fan that holds V, and V's barycentric coordinates in it.
+struct Parent_triangle
+{
+  std::array<Index, 3> slots;              // W0, Wi, Wi+1 as positions in the ring of V
+  std::array<double, 2> coordinates;       // with respect to Wi and Wi+1: sigma and tau; rho = 1 - sigma - tau
+};
+
+// The quality of a triangle in the plane: its signed area by its longest squared edge; at most sqrt(3)/4, negative for a flipped one.
+inline double shape_quality(const Vector_2& a, const Vector_2& b, const Vector_2& c)
+{
+  const Vector_2 ab = b - a, ac = c - a, bc = c - b;
+  const double longest = (std::max)({ ab.squared_length(), ac.squared_length(), bc.squared_length() });
+  return longest > 0 ? 0.5 * cross(ab, ac) / longest : 0;
+}
+
+// The quality of the worst triangle that a collapse onto ring position w0, an end of an open ring, leaves, with the flattened ring; of an ear's, that leaves
+// none, 1. It stops at the first triangle that is not better than `bound`, and returns what it has found then.
+inline double worst_quality_after_collapse(const std::vector<Vector_2>& flat_ring, std::size_t w0, double bound = -(std::numeric_limits<double>::infinity)())
+{
+  const std::size_t size = flat_ring.size();
+  const auto following = [size](std::size_t i) { return i + 1 == size ? 0 : i + 1; };
+  double worst = 1;
+  std::size_t i = following(w0);
+  for (std::size_t k = 2; k < size && worst > bound; ++k) {
+    const std::size_t j = following(i);
+    worst = (std::min)(worst, shape_quality(flat_ring[w0], flat_ring[i], flat_ring[j]));
+    i = j;
+  }
+  return worst;
+}
+
+// Where V, the origin, lies in the fan of ring position w0: the triangle in which its least barycentric coordinate is greatest.
+// Precondition: an interior vertex; the triangles of the fan are positive.
+inline Parent_triangle find_parent_triangle(const std::vector<Vector_2>& flat_ring, std::size_t w0)
+{
+  const std::size_t size = flat_ring.size();
+  const Vector_2& a = flat_ring[w0];
+  Parent_triangle best;
+  double best_least = -(std::numeric_limits<double>::infinity)();
+  for (std::size_t k = 1; k + 1 < size; ++k) {
+    const std::size_t i = (w0 + k) % size, j = (w0 + k + 1) % size;
+    const Vector_2 &b = flat_ring[i], &c = flat_ring[j];
+    const std::array<double, 3> areas = { cross(b, c), cross(c, a), cross(a, b) };
+    const double area = areas[0] + areas[1] + areas[2];
+    const double least = *std::min_element(areas.begin(), areas.end()) / area;
+    if (!(least > best_least))
+      continue;
+    best_least = least;
+    const std::array<double, 3> inside = { (std::max)(areas[0], 0.), (std::max)(areas[1], 0.), (std::max)(areas[2], 0.) };
+    const double sum = inside[0] + inside[1] + inside[2];
+    best.slots = { Index(w0), Index(i), Index(j) };
+    best.coordinates = { inside[1] / sum, inside[2] / sum };
+  }
+  return best;
+}
+
+// Where a border vertex V that collapses onto one end W0 of its open ring lies on the coarse border edge from W0 to the other end Wn,
+// by arc length. V may lie outside the coarse fan, so its third coordinate is 0. An ear leaves no fan: its parent is the edge, Wn twice.
+inline Parent_triangle find_parent_border_edge(const std::vector<Vector_2>& flat_ring, std::size_t w0)
+{
+  const std::size_t last = flat_ring.size() - 1, other = w0 == 0 ? last : 0;
+  const bool is_ear = last == 1;
+  const std::size_t beside = is_ear ? other : w0 == 0 ? last - 1 : 1;     // of the coarse triangle at the edge
+  const double to_kept = std::sqrt(flat_ring[w0].squared_length()), to_other = std::sqrt(flat_ring[other].squared_length());
+  const double fraction = to_kept + to_other > 0 ? to_kept / (to_kept + to_other) : 0.5;
+  Parent_triangle parent;
+  if (w0 == 0) {
+    parent.slots = { Index(w0), Index(beside), Index(other) };
+    parent.coordinates = { 0, fraction };
+  } else {
+    parent.slots = { Index(w0), Index(other), Index(beside) };
+    parent.coordinates = { fraction, 0 };
+  }
+  return parent;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HALFEDGE_COLLAPSE_H

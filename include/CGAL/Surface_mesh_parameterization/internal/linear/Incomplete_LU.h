@@ -1,0 +1,147 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_INCOMPLETE_LU_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_INCOMPLETE_LU_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// A sparse matrix A with its incomplete factorization L U ~ A without fill-in (ILU(0)), the smoother of a multigrid method. It smooths
+// also where Gauss-Seidel does not: where the coupling is much stronger in one direction than in the other, as uniform weights are on triangles that are
+// long in space. Of a symmetric matrix, the factorization is symmetric.
+template <class Real>
+class Incomplete_LU
+{
+public:
+  // What is factorized is the matrix with its diagonal multiplied by `enlargement`, see Multigrid_preconditioner.
+  Incomplete_LU(Sparse_rows<Real> matrix, Real enlargement) : m_matrix(std::move(matrix))
+  {
+    split_rows();
+    factorize(enlargement);
+  }
+
+  Index size() const { return m_matrix.number_of_rows(); }
+
+  Real diagonal(Index i) const { return m_diagonal[i]; }
+
+  // The entries of row i beside the diagonal: f(column, value).
+  template <class Function>
+  void for_each_entry(Index i, const Function& f) const
+  {
+    for (Index k = m_matrix.first[i]; k < m_matrix.first[i + 1]; ++k)
+      f(m_matrix.columns[k], m_matrix.values[k]);
+  }
+
+  // Row i of b - A x
+  template <class Vector>
+  typename Vector::value_type residual(Index i, const Vector& b, const Vector& x) const
+  {
+    return b[i] - m_diagonal[i] * x[i] - m_matrix.row_times(i, x);
+  }
+
+  // x := (L U)^-1 b
+  template <class Vector>
+  void solve(const Vector& b, Vector& x) const
+  {
+    for (Index i = 0; i < size(); ++i)
+      x[i] = b[i] - lower_times(i, x);
+    for (Index i = size(); i-- > 0;)
+      x[i] = (x[i] - upper_times(i, x)) * m_inverse_pivots[i];
+  }
+
+  // x := x + (L U)^-1 (b - A x)
+  template <class Vector>
+  void relax(const Vector& b, Vector& x, Vector& correction) const
+  {
+    for (Index i = 0; i < size(); ++i)
+      correction[i] = residual(i, b, x) - lower_times(i, correction);
+    for (Index i = size(); i-- > 0;) {
+      correction[i] = (correction[i] - upper_times(i, correction)) * m_inverse_pivots[i];
+      x[i] += correction[i];
+    }
+  }
+
+private:
+  template <class Vector>
+  typename Vector::value_type lower_times(Index i, const Vector& x) const { return factors_times(m_matrix.first[i], m_first_upper[i], x); }
+
+  template <class Vector>
+  typename Vector::value_type upper_times(Index i, const Vector& x) const { return factors_times(m_first_upper[i], m_matrix.first[i + 1], x); }
+
+  template <class Vector>
+  typename Vector::value_type factors_times(Index begin, Index end, const Vector& x) const
+  {
+    typename Vector::value_type sum = Vector::value_type::Zero();
+    for (Index k = begin; k < end; ++k)
+      sum += m_factors[k] * x[m_matrix.columns[k]];
+    return sum;
+  }
+
+  // Takes the diagonal out of the rows, whose columns are ascending.
+  void split_rows()
+  {
+    m_diagonal.assign(size(), 0);
+    m_first_upper.resize(size());
+    Index end = 0;
+    for (Index i = 0; i < size(); ++i) {
+      const Index begin = std::exchange(m_matrix.first[i], end);
+      m_first_upper[i] = end;
+      for (Index k = begin; k < m_matrix.first[i + 1]; ++k) {
+        const Index column = m_matrix.columns[k];
+        if (column == i) {
+          m_diagonal[i] = m_matrix.values[k];
+          continue;
+        }
+        m_matrix.columns[end] = column;
+        m_matrix.values[end++] = m_matrix.values[k];
+        if (column < i)
+          m_first_upper[i] = end;
+      }
+    }
+    m_matrix.first.back() = end;
+    m_matrix.columns.resize(end);
+    m_matrix.values.resize(end);
+  }
+
+  void factorize(Real enlargement)
+  {
+    const std::vector<Index> &first = m_matrix.first, &columns = m_matrix.columns;
+    m_factors = m_matrix.values;
+    m_inverse_pivots.resize(size());
+    std::vector<Index> position(size(), no_index);      // of a column in row i
+    for (Index i = 0; i < size(); ++i) {
+      Real pivot = enlargement * m_diagonal[i];
+      for (Index k = first[i]; k < first[i + 1]; ++k)
+        position[columns[k]] = k;
+      for (Index k = first[i]; k < m_first_upper[i]; ++k) {
+        const Index j = columns[k];
+        m_factors[k] *= m_inverse_pivots[j];
+        for (Index l = m_first_upper[j]; l < first[j + 1]; ++l)
+          if (columns[l] == i)
+            pivot -= m_factors[k] * m_factors[l];
+          else if (position[columns[l]] != no_index)
+            m_factors[position[columns[l]]] -= m_factors[k] * m_factors[l];
+      }
+      for (Index k = first[i]; k < first[i + 1]; ++k)
+        position[columns[k]] = no_index;
+      m_inverse_pivots[i] = 1 / pivot;
+    }
+  }
+
+  Sparse_rows<Real> m_matrix;           // without the diagonal
+  std::vector<Index> m_first_upper;     // where in each row the entries above the diagonal begin
+  std::vector<Real> m_diagonal;
+  std::vector<Real> m_factors;          // in the places of the matrix's entries: L, whose diagonal is 1, and U
+  std::vector<Real> m_inverse_pivots;   // of the diagonal of U
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_INCOMPLETE_LU_H

@@ -1,0 +1,209 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_MESH_SYSTEM_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_MESH_SYSTEM_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Grid_transfer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// A square linear system whose unknowns sit at the vertices of a hierarchy, made ready for an iteration. Its functions take right sides as anything whose
+// operator[](i) tells what they have in row i.
+//
+// An unknown whose row holds nothing but the diagonal is *fixed*: its value is known at once, and the free ones only are unknowns of the grids, where such a
+// row would spoil the Galerkin operators. The rows of a matrix that is not symmetric are scaled to unit diagonal: those of mean value weights, for
+// instance, grow like one over the edge length.
+class Mesh_system
+{
+public:
+  typedef Sparse_rows<double>   Rows;
+
+  // `unknowns[i]` tells where unknown i sits.
+  Mesh_system(const Hierarchy_interpolation& hierarchy, std::shared_ptr<const Rows> rows, const std::vector<Mesh_unknown>& unknowns)
+    : m_rows(std::move(rows))
+  {
+    read_diagonal();
+    m_is_symmetric = has_symmetric_free_part();
+    collect_free_unknowns(hierarchy, unknowns);
+  }
+
+  Index size() const { return m_rows->number_of_rows(); }
+  const std::shared_ptr<const Rows>& rows() const { return m_rows; }
+  const Loops& loops() const { return m_loops; }
+
+  // Whether every row has a diagonal entry.
+  bool is_regular() const { return m_is_regular; }
+
+  bool is_symmetric() const { return m_is_symmetric; }
+
+  // The free unknowns, in the order of the hierarchy's input, which suits the cache.
+  const std::vector<Index>& free_unknowns() const { return m_free; }
+
+  // The rows and columns of the free unknowns in that order, times free_part_scale(), which makes them about as large as 1. Entries that are mere rounding
+  // are left out.
+  template <class Real>
+  Sparse_rows<Real> free_part() const
+  {
+    constexpr double negligible = 1e-12;
+    std::vector<Index> number(size(), no_index);
+    for (std::size_t k = 0; k < m_free.size(); ++k)
+      number[m_free[k]] = Index(k);
+    const bool keeps_order = std::is_sorted(m_free.begin(), m_free.end());
+    Sparse_rows<Real> result;
+    result.first.reserve(m_free.size() + 1);
+    result.first.push_back(0);
+    result.columns.reserve(m_rows->columns.size());
+    result.values.reserve(m_rows->columns.size());
+    std::vector<std::pair<Index, double>> row;
+    for (const Index i : m_free) {
+      row.clear();
+      for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k)
+        if (const Index column = number[m_rows->columns[k]]; column != no_index && std::abs(m_rows->values[k] * m_inverse_diagonal[i]) > negligible)
+          row.push_back({ column, row_scale(i) * m_free_part_scale * m_rows->values[k] });
+      if (!keeps_order)
+        std::sort(row.begin(), row.end());
+      for (const auto& [column, value] : row) {
+        result.columns.push_back(column);
+        result.values.push_back(Real(value));
+      }
+      result.first.push_back(Index(result.columns.size()));
+    }
+    return result;
+  }
+
+  double free_part_scale() const { return m_free_part_scale; }
+
+  // Row i of the scaled matrix times x.
+  template <class Vector>
+  typename Vector::value_type row_times(Index i, const Vector& x) const { return row_scale(i) * m_rows->row_times(i, x); }
+
+  // The residual of the free unknowns in scaled rows, 0 for the fixed ones.
+  template <class Right_sides, class Vector>
+  void compute_residual(const Right_sides& b, const Vector& x, Vector& r) const
+  {
+    m_loops.for_each(0, size(), [&](Index i) {
+      if (m_is_fixed[i])
+        r[i].setZero();
+      else
+        r[i] = row_scale(i) * (b[i] - m_rows->row_times(i, x));
+    });
+  }
+
+  // The norm of a residual as it is with rows of unit diagonal.
+  template <class Vector>
+  typename Vector::value_type norm(const Vector& r) const
+  {
+    typedef typename Vector::value_type   Value;
+    return m_loops.sum(0, size(), Value(Value::Zero()), [&](Index i) -> Value {
+      return (r[i] * (m_is_symmetric ? m_inverse_diagonal[i] : 1.)).square();
+    }).sqrt();
+  }
+
+  // The norm of the residual, relative to that of the terms that make it up; NaN if x is not finite.
+  template <class Right_sides, class Vector>
+  double backward_error(const Right_sides& b, const Vector& x) const
+  {
+    typedef typename Vector::value_type   Value;
+    Value errors = Value::Zero(), sizes = Value::Zero();
+    for (Index i = 0; i < size(); ++i) {
+      Value error = b[i], size = b[i].abs();
+      for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k) {
+        const Value term = m_rows->values[k] * x[m_rows->columns[k]];
+        error -= term;
+        size += term.abs();
+      }
+      errors += (error * m_inverse_diagonal[i]).square();
+      sizes += (size * m_inverse_diagonal[i]).square();
+    }
+    return std::sqrt(quotient(errors, sizes).sum());    // not the maximum, which may pass over a NaN
+  }
+
+  // The fixed unknowns, and 0 for the free ones.
+  template <class Right_sides, class Vector>
+  void set_to_fixed_unknowns(const Right_sides& b, Vector& x) const
+  {
+    x.assign(size(), Vector::value_type::Zero());
+    for (Index i = 0; i < size(); ++i)
+      if (m_is_fixed[i])
+        x[i] = b[i] * m_inverse_diagonal[i];
+  }
+
+private:
+  double row_scale(Index i) const { return m_is_symmetric ? 1. : m_inverse_diagonal[i]; }
+
+  void read_diagonal()
+  {
+    m_inverse_diagonal.assign(size(), 0);
+    m_is_fixed.assign(size(), true);
+    for (Index i = 0; i < size(); ++i) {
+      for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k)
+        if (m_rows->columns[k] == i)
+          m_inverse_diagonal[i] = 1 / m_rows->values[k];
+        else if (m_rows->values[k] != 0)
+          m_is_fixed[i] = false;
+      m_is_regular = m_is_regular && std::isfinite(m_inverse_diagonal[i]) && m_inverse_diagonal[i] != 0;
+    }
+  }
+
+  // The entries below the diagonal of a row are met in their order when the rows above it are gone through.
+  bool has_symmetric_free_part() const
+  {
+    constexpr double tolerance = 1e-10;
+    const Rows& a = *m_rows;
+    std::vector<Index> next(a.first.begin(), a.first.end() - 1);
+    for (Index i = 0; i < size(); ++i)
+      for (Index k = a.first[i]; k < a.first[i + 1] && !m_is_fixed[i]; ++k) {
+        const Index j = a.columns[k];
+        if (j <= i || m_is_fixed[j])
+          continue;
+        Index& l = next[j];
+        while (l < a.first[j + 1] && a.columns[l] < i)
+          ++l;
+        const double transposed = l < a.first[j + 1] && a.columns[l] == i ? a.values[l] : 0;
+        const double scale = (std::min)(std::abs(1 / m_inverse_diagonal[i]), std::abs(1 / m_inverse_diagonal[j]));
+        if (!(std::abs(a.values[k] - transposed) <= tolerance * scale))
+          return false;
+      }
+    return true;
+  }
+
+  void collect_free_unknowns(const Hierarchy_interpolation& hierarchy, const std::vector<Mesh_unknown>& unknowns)
+  {
+    double greatest = 0;
+    for (Index i = 0; i < size(); ++i)
+      if (!m_is_fixed[i]) {
+        m_free.push_back(i);
+        greatest = (std::max)(greatest, std::abs(row_scale(i) / m_inverse_diagonal[i]));
+      }
+    m_free_part_scale = greatest > 0 ? 1 / greatest : 1;
+    const auto place = [&](Index i) { return std::make_pair(hierarchy.input_vertex(unknowns[i].vertex), unknowns[i].component); };
+    const auto is_before = [&](Index i, Index j) { return place(i) < place(j); };
+    if (!std::is_sorted(m_free.begin(), m_free.end(), is_before))
+      std::sort(m_free.begin(), m_free.end(), is_before);
+  }
+
+  Loops m_loops;
+  std::shared_ptr<const Rows> m_rows;
+  std::vector<double> m_inverse_diagonal;
+  std::vector<bool> m_is_fixed;
+  std::vector<Index> m_free;
+  double m_free_part_scale = 1;
+  bool m_is_regular = true, m_is_symmetric = false;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_MESH_SYSTEM_H

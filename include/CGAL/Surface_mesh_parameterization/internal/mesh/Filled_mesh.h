@@ -1,0 +1,142 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_FILLED_MESH_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_FILLED_MESH_H
+
+#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Whether faces can be added to a copy of a mesh.
+template <class TriangleMesh, class = void>
+struct Is_fillable : std::false_type { };
+
+template <class TriangleMesh>
+struct Is_fillable<TriangleMesh, std::void_t<decltype(add_vertex(std::declval<TriangleMesh&>())), decltype(add_face(std::declval<TriangleMesh&>()))>>
+  : std::is_copy_constructible<TriangleMesh> { };
+
+// A copy of a mesh in which every border of the component of `bhd`, but the outer one, is closed by a vertex in the middle of it.
+template <class TriangleMesh>
+class Filled_mesh
+{
+  typedef boost::graph_traits<TriangleMesh>                                                                             Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor                                                                      vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor                                                                    halfedge_descriptor;
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<vertex_descriptor>>::const_type   Original_map;
+
+public:
+  // A property map of the original as one of the copy: the vertices in the middle of holes have the value `Value()`, and cannot be given another one.
+  template <class Map>
+  struct Map_of_copy
+  {
+    typedef vertex_descriptor                                        key_type;
+    typedef typename boost::property_traits<Map>::value_type         value_type;
+    typedef value_type                                               reference;
+    typedef boost::read_write_property_map_tag                       category;
+
+    Map map;
+    Original_map original;
+
+    friend value_type get(const Map_of_copy& m, vertex_descriptor v)
+    {
+      const vertex_descriptor w = get(m.original, v);
+      return w == Graph_traits::null_vertex() ? value_type() : value_type(get(m.map, w));
+    }
+
+    friend void put(const Map_of_copy& m, vertex_descriptor v, const value_type& value)
+    {
+      const vertex_descriptor w = get(m.original, v);
+      if (w != Graph_traits::null_vertex())
+        put(m.map, w, value);
+    }
+  };
+
+  // What is no surface to parameterize is copied only.
+  Filled_mesh(const TriangleMesh& mesh, halfedge_descriptor bhd) : m_mesh(mesh), m_border(bhd)
+  {
+    auto h = halfedges(m_mesh).begin();
+    for (const halfedge_descriptor g : halfedges(mesh)) {
+      if (g == bhd)
+        m_border = *h;
+      ++h;
+    }
+    const std::vector<vertex_descriptor> copies(vertices(m_mesh).begin(), vertices(m_mesh).end());
+    m_has_same_descriptors = std::equal(copies.begin(), copies.end(), vertices(mesh).begin());
+    const Mesh_component<TriangleMesh> component(m_mesh, m_border);
+    if (component.error().code == OK)
+      fill_holes(component);
+
+    m_original = get(CGAL::dynamic_vertex_property_t<vertex_descriptor>(), std::as_const(m_mesh));
+    for (const vertex_descriptor v : vertices(m_mesh))
+      put(m_original, v, Graph_traits::null_vertex());
+    auto copy = copies.begin();
+    for (const vertex_descriptor v : vertices(mesh))
+      put(m_original, *copy++, v);
+  }
+
+  Filled_mesh(const Filled_mesh&) = delete;
+  Filled_mesh& operator=(const Filled_mesh&) = delete;
+
+  TriangleMesh& mesh() { return m_mesh; }
+  halfedge_descriptor border() const { return m_border; }
+
+  // Whether a vertex of the original, where the user named one, is the same one in the copy.
+  bool has_same_descriptors() const { return m_has_same_descriptors; }
+
+  template <class Map>
+  Map_of_copy<Map> of_copy(const Map& map) const { return { map, m_original }; }
+
+private:
+  void fill_holes(const Mesh_component<TriangleMesh>& component)
+  {
+    const auto is_outer = get(CGAL::dynamic_halfedge_property_t<bool>(), std::as_const(m_mesh));
+    for (const halfedge_descriptor h : halfedges(m_mesh))
+      put(is_outer, h, false);
+    for (const halfedge_descriptor h : halfedges_around_face(m_border, m_mesh))
+      put(is_outer, h, true);
+    for (const auto f : component.faces_of_component())
+      for (const halfedge_descriptor g : halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+        if (const halfedge_descriptor h = opposite(g, m_mesh); is_border(h, m_mesh) && !get(is_outer, h))
+          fill_hole(h);
+  }
+
+  void fill_hole(halfedge_descriptor h)
+  {
+    const auto point_map = get(CGAL::vertex_point, m_mesh);
+    typedef typename boost::property_traits<decltype(point_map)>::value_type   Point_3;
+    const double n = double(halfedges_around_face(h, m_mesh).size());
+    double x = 0, y = 0, z = 0;
+    for (const halfedge_descriptor g : halfedges_around_face(h, m_mesh)) {
+      const auto& p = get(point_map, target(g, m_mesh));
+      x += CGAL::to_double(p.x()) / n;
+      y += CGAL::to_double(p.y()) / n;
+      z += CGAL::to_double(p.z()) / n;
+    }
+    Euler::fill_hole(h, m_mesh);
+    const vertex_descriptor middle = target(Euler::add_center_vertex(h, m_mesh), m_mesh);
+    put(point_map, middle, Point_3(x, y, z));
+  }
+
+  TriangleMesh m_mesh;
+  halfedge_descriptor m_border;
+  Original_map m_original;
+  bool m_has_same_descriptors;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_FILLED_MESH_H

@@ -1,0 +1,82 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_MAPPED_TRIANGLE_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_MAPPED_TRIANGLE_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// A triangle in space and its image in the plane.
+struct Mapped_triangle
+{
+  std::array<Point_3, 3> points;
+  std::array<Point_2, 3> uv;
+
+  Mapped_triangle(const std::array<Point_3, 3>& points, const std::array<Point_2, 3>& uv) : points(points), uv(uv) { }
+
+  template <class Face, class TriangleMesh, class VertexUVMap>
+  Mapped_triangle(Face f, const TriangleMesh& mesh, VertexUVMap uvmap)
+  {
+    const auto point_map = get(CGAL::vertex_point, mesh);
+    int i = 0;
+    for (const auto v : vertices_around_face(halfedge(f, mesh), mesh)) {
+      const auto& p = get(point_map, v);
+      const auto& q = get(uvmap, v);
+      points[i] = Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      uv[i++] = Point_2(CGAL::to_double(q.x()), CGAL::to_double(q.y()));
+    }
+  }
+
+  bool is_finite() const
+  {
+    return std::all_of(uv.begin(), uv.end(), internal::is_finite);
+  }
+};
+
+// What the singular values s1 >= s2 of the map of a triangle are functions of.
+struct Map_invariants
+{
+  double frobenius;       // s1^2 + s2^2
+  double determinant;     // s1 s2
+  double area;            // of the triangle in space
+
+  // Triangle and image are scaled by one power of two first, which changes nothing but keeps products of lengths representable.
+  explicit Map_invariants(const Mapped_triangle& t)
+  {
+    const Vector_3 p = t.points[1] - t.points[0], q = t.points[2] - t.points[0];
+    double longest = 0;
+    for (int i = 0; i < 3; ++i)
+      longest = (std::max)({ longest, std::abs(p[i]), std::abs(q[i]) });
+    const int exponent = longest > 0 ? std::ilogb(longest) : 0;
+    const auto scaled = [&](double x) { return std::ldexp(x, -exponent); };
+
+    const Rest_corner c = rest_corner(Point_3(0, 0, 0), Point_3(scaled(p.x()), scaled(p.y()), scaled(p.z())), Point_3(scaled(q.x()), scaled(q.y()), scaled(q.z())));
+    const Vector_2 to_b = t.uv[2] - t.uv[1], to_v = t.uv[0] - t.uv[1];
+    const Vector_2 ab(scaled(to_b.x()), scaled(to_b.y())), av(scaled(to_v.x()), scaled(to_v.y())), from_foot = av - c.foot * ab;
+    frobenius = 0.5 * c.inverse_area * (from_foot.squared_length() / c.height + c.height * ab.squared_length());
+    determinant = 0.5 * c.inverse_area * cross(ab, av);
+    area = std::ldexp(1 / c.inverse_area, 2 * exponent);
+  }
+
+  double greatest_singular_value() const
+  {
+    return std::sqrt(0.5 * (frobenius + std::sqrt((std::max)(0., (frobenius - 2 * determinant) * (frobenius + 2 * determinant)))));
+  }
+
+  // (s1/s2 + s2/s1) / 2
+  double angle_distortion() const { return 0.5 * frobenius / determinant; }
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_MAPPED_TRIANGLE_H

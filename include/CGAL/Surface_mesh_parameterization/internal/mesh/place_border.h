@@ -1,0 +1,93 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_PLACE_BORDER_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_PLACE_BORDER_H
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// What a border parameterizer writes to and reads from, of its own for each run. Vertices are numbered as in the component.
+template <class TriangleMesh>
+class Border_maps
+{
+  typedef typename boost::property_map<TriangleMesh, vertex_point_t>::const_type                             Vertex_point_map;
+  typedef typename CGAL::Kernel_traits<typename boost::property_traits<Vertex_point_map>::value_type>::Kernel  Kernel;
+
+  template <class Value>
+  using Map = typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<Value>>::const_type;
+
+public:
+  Map<typename Kernel::Point_2> place;
+  Map<int> index;
+  Map<bool> is_placed;
+
+  explicit Border_maps(const TriangleMesh& mesh, const Mesh_component<TriangleMesh>& component)
+    : place(get(dynamic_vertex_property_t<typename Kernel::Point_2>(), mesh)), index(get(dynamic_vertex_property_t<int>(), mesh)),
+      is_placed(get(dynamic_vertex_property_t<bool>(), mesh))
+  {
+    for (std::size_t i = 0; i < component.vertices_of_component().size(); ++i) {
+      put(index, component.vertices_of_component()[i], int(i));
+      put(is_placed, component.vertices_of_component()[i], false);
+    }
+  }
+};
+
+// Whether a method has the optional member place_border() of the concept RefinableParameterizer_3.
+template <class Method, class = void>
+struct Places_border : std::false_type { };
+
+template <class Method>
+struct Places_border<Method, std::void_t<decltype(std::declval<Method&>().place_border(
+    std::declval<const typename Method::Triangle_mesh&>(),
+    std::declval<typename boost::graph_traits<typename Method::Triangle_mesh>::halfedge_descriptor>(),
+    std::declval<Border_maps<typename Method::Triangle_mesh>&>().place,
+    std::declval<Border_maps<typename Method::Triangle_mesh>&>().index,
+    std::declval<Border_maps<typename Method::Triangle_mesh>&>().is_placed))>>
+  : std::true_type { };
+
+// Lets a method that has a place_border() fix vertices of the component, in the user's units.
+// Returns the method's error, or `ERROR_WRONG_PARAMETER` for a place that is not finite.
+template <class Method, class TriangleMesh>
+Error_code place_border(Method& method, const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
+                        Mesh_component<TriangleMesh>& component)
+{
+  if constexpr (Places_border<Method>::value) {
+    const Border_maps<TriangleMesh> maps(mesh, component);
+    const Error_code status = method.place_border(mesh, bhd, maps.place, maps.index, maps.is_placed);
+    if (status != OK)
+      return status;
+
+    Triangulated_surface_3& surface = component.surface();
+    for (std::size_t i = 0; i < surface.points.size(); ++i) {
+      const auto v = component.vertices_of_component()[i];
+      if (!get(maps.is_placed, v))
+        continue;
+      const auto& place = get(maps.place, v);
+      const Point_2 scaled(std::ldexp(CGAL::to_double(place.x()), surface.scale_exponent), std::ldexp(CGAL::to_double(place.y()), surface.scale_exponent));
+      if (!is_finite(scaled))
+        return ERROR_WRONG_PARAMETER;
+      surface.fixed_vertices.push_back({ Index(i), scaled });
+    }
+  }
+  return OK;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_PLACE_BORDER_H

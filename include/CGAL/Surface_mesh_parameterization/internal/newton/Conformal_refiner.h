@@ -1,0 +1,68 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_CONFORMAL_REFINER_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_CONFORMAL_REFINER_H
+
+#include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_multigrid.h>
+
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Minimizes the as-rigid-as-possible energy with lambda = 0, that of least squares conformal maps, on one level. It is quadratic, and 0 for a map to one
+// point: two vertices stay where they are.
+class Conformal_refiner
+{
+public:
+  Conformal_refiner(const Level& level, Level::Uv& uv, const Refinement_options& options, Level_summary& summary)
+    : m_level(level), m_uv(uv), m_options(options), m_summary(summary), m_energy(level, Triangle_weight::AREA, As_rigid_as_possible_energy_2(0))
+  { }
+
+  void run()
+  {
+    constexpr double residual_tolerance = 1e-3;
+    Newton_multigrid<As_rigid_as_possible_energy_2> newton(m_energy);
+    const Index a = farthest_border_vertex(0), b = farthest_border_vertex(a);
+    newton.hold({ a, b });
+    double current = m_energy(m_uv);
+    while (m_summary.iterations < m_options.number_of_iterations && !m_summary.converged) {
+      const auto step = newton.step(m_uv, current, residual_tolerance);
+      current -= step.decrease;
+      ++m_summary.iterations;
+      m_summary.cycles += step.cycles;
+      m_summary.converged = !(step.decrease > m_options.tolerance * current);
+    }
+  }
+
+private:
+  // The vertex on the outer border, and on the coarsest level, that lies farthest from v in the plane.
+  Index farthest_border_vertex(Index v) const
+  {
+    Index result = v;
+    double greatest = 0;
+    for (Index w = 0; w < m_level.hierarchy().number_of_vertices(0); ++w) {
+      const double distance2 = (m_uv[w] - m_uv[v]).squared_length();
+      if (m_level.hierarchy().is_on_outer_border(w) && distance2 > greatest) {
+        result = w;
+        greatest = distance2;
+      }
+    }
+    return result;
+  }
+
+  const Level& m_level;
+  Level::Uv& m_uv;
+  const Refinement_options& m_options;
+  Level_summary& m_summary;
+  Level_energy<As_rigid_as_possible_energy_2> m_energy;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_CONFORMAL_REFINER_H

@@ -1,0 +1,165 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_VERTEX_RELAXATION_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_VERTEX_RELAXATION_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/relax_vertex.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <queue>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Vertex relaxation on one level: minimizes its energy one vertex at a time.
+template <class Energy>
+class Vertex_relaxation
+{
+public:
+  // Steps are `relaxation_factor` times Newton's, as in successive over-relaxation; between 0 and 2. `barrier`, if there is one, keeps the borders apart.
+  Vertex_relaxation(const Level_energy<Energy>& energy, double relaxation_factor, Border_barrier* barrier = nullptr)
+    : m_energy(energy), m_level(energy.level()), m_relaxation_factor(relaxation_factor), m_barrier(barrier)
+  { }
+
+  // Relaxes every vertex, group by group, and returns by how much the energy fell.
+  double sweep(Level::Uv& uv) const { return sweep_once(uv, infinity).decrease; }
+
+  struct Effect
+  {
+    double decrease = 0;                    // of the energy
+    std::size_t visits = 0;                 // of vertices
+    std::vector<Index> lively_vertices;     // those whose own step lowered the energy by more than was asked
+  };
+
+  // A sweep, and then steps for the vertices that lower the energy by more than `least_decrease` each, and for their neighbors, as long as they do so. Vertices that
+  // were inserted into a bad place, a handful of them, can hold most of the excess energy of a large map, and need many more steps than all the others.
+  Effect sweep_and_follow_up(Level::Uv& uv, double least_decrease) const
+  {
+    Effect effect = sweep_once(uv, least_decrease);
+    follow_up(uv, least_decrease, effect);
+    return effect;
+  }
+
+  // Relaxes the vertices that the level `group` has in addition to the next coarser one. They share no edge, so that only those on the border, where the
+  // angles involve two neighbors, have to go one by one. So have all of level 0.
+  Effect sweep_group(std::size_t group, Level::Uv& uv, double least_decrease = infinity) const
+  {
+    const Collapse_hierarchy_3& hierarchy = m_level.hierarchy();
+    const Index first = group == 0 ? 0 : Index(hierarchy.number_of_vertices(group - 1)), last = Index(hierarchy.number_of_vertices(group));
+    const auto relax_if = [&](Index begin, Index end, bool at_border, Star<Energy>& star) {
+      Effect effect;
+      for (Index v = begin; v < end; ++v)
+        if (m_level.is_border(v) == at_border) {
+          m_level.rings().prefetch_neighbors_after(v, uv);
+          const double decrease = relax(v, uv, star);
+          effect.decrease += decrease;
+          if (decrease > least_decrease)
+            effect.lively_vertices.push_back(v);
+        }
+      return effect;
+    };
+    const Loops loops = group == 0 ? Loops() : m_level.loops();
+    Effect effect = loops.reduce(first, last, Effect(), [] { return Star<Energy>(); }, [&](Index begin, Index end, Star<Energy>& star) {
+      return relax_if(begin, end, false, star);
+    }, add);
+    Star<Energy> star;
+    if (m_barrier)
+      m_barrier->set_reach(uv);
+    add(effect, relax_if(first, last, true, star));
+    effect.visits = last - first;
+    return effect;
+  }
+
+  // Relaxes vertices that are chosen at random by a generator of 32-bit numbers, as the paper does; returns by how much the energy fell.
+  template <class RandomGenerator>
+  double random_steps(Level::Uv& uv, std::size_t number_of_steps, RandomGenerator& random) const
+  {
+    Star<Energy> star;
+    double decrease = 0;
+    for (std::size_t i = 0; i < number_of_steps; ++i) {
+      if (m_barrier && i % m_level.number_of_vertices() == 0)
+        m_barrier->set_reach(uv);
+      decrease += relax(Index((std::uint64_t(random()) * m_level.number_of_vertices()) >> 32), uv, star);
+    }
+    return decrease;
+  }
+
+private:
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+
+  static void add(Effect& sum, const Effect& effect)
+  {
+    sum.decrease += effect.decrease;
+    sum.visits += effect.visits;
+    sum.lively_vertices.insert(sum.lively_vertices.end(), effect.lively_vertices.begin(), effect.lively_vertices.end());
+  }
+
+  Effect sweep_once(Level::Uv& uv, double least_decrease) const
+  {
+    Effect effect;
+    for (std::size_t group = 0; group <= m_level.index(); ++group)
+      add(effect, sweep_group(group, uv, least_decrease));
+    return effect;
+  }
+
+  // At most a quarter of a sweep. Border vertices are left to the sweeps: it is the interior that new vertices distort, and a border that a few local steps
+  // have driven to the bound of its angles hardly leaves it again.
+  void follow_up(Level::Uv& uv, double least_decrease, Effect& effect) const
+  {
+    const std::size_t most_visits = effect.visits + effect.visits / 4;
+    std::queue<Index> waiting;
+    std::vector<bool> is_waiting(effect.lively_vertices.empty() ? 0 : m_level.number_of_vertices(), false);
+    const auto wake = [&](Index v) {
+      if (m_level.is_border(v) || is_waiting[v])
+        return;
+      waiting.push(v);
+      is_waiting[v] = true;
+    };
+    const auto wake_star = [&](Index v) {
+      wake(v);
+      for (const Index w : m_level.one_ring(v))
+        wake(w);
+    };
+    for (const Index v : effect.lively_vertices)
+      wake_star(v);
+    Star<Energy> star;
+    for (; !waiting.empty() && effect.visits < most_visits; ++effect.visits) {
+      const Index v = waiting.front();
+      waiting.pop();
+      is_waiting[v] = false;
+      const double decrease = relax(v, uv, star);
+      effect.decrease += decrease;
+      if (decrease > least_decrease)
+        wake_star(v);
+    }
+  }
+
+  // Returns by how much the energy fell.
+  double relax(Index v, Level::Uv& uv, Star<Energy>& star) const
+  {
+    if (m_level.is_pinned(v))
+      return 0;
+    m_energy.gather(v, uv, star);
+    if (!m_barrier || !m_level.is_border(v))
+      return relax_vertex(star, m_level.rings(), v, m_relaxation_factor, uv);
+    const Point_2 start = uv[v];
+    const double decrease = relax_vertex(star, m_level.rings(), v, m_relaxation_factor, uv, m_barrier->reach(v));
+    m_barrier->reach(v) -= std::sqrt((uv[v] - start).squared_length());
+    return decrease;
+  }
+
+  const Level_energy<Energy>& m_energy;
+  const Level& m_level;
+  double m_relaxation_factor;
+  Border_barrier* m_barrier;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_VERTEX_RELAXATION_H

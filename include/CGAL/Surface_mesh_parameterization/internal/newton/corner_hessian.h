@@ -1,0 +1,159 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_CORNER_HESSIAN_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_CORNER_HESSIAN_H
+
+#include <CGAL/Surface_mesh_parameterization/Distortion_derivatives_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Gradient and Hessian of the energy of one triangle VAB, as far as they concern its corner V: a row of 2x2 blocks, of which the one for A is minus the
+// sum of the other two, for the energy does not change when the triangle is moved.
+struct Corner_hessian
+{
+  Eigen::Vector2d gradient;
+  Eigen::Matrix2d to_v, to_b;
+};
+
+// The Hessian of an energy in the space of Jacobians, made positive semidefinite unless some curvature is lent, and its gradient.
+//
+// As complex numbers, with P the images of the corners and G the gradients of their hat functions on the rest shape, the map's conformal and
+// anticonformal parts are z = sum P conj(G) / 2 and w = sum P G / 2. Its singular values are |z| + |w| and |z| - |w|, so its squared Frobenius norm is
+// 2 (|z|^2 + |w|^2) and its determinant |z|^2 - |w|^2. With an energy taken as e(|z|^2, |w|^2), nothing is singular where w vanishes.
+struct Jacobian_hessian
+{
+  std::array<double, 4> gradient;                   // in the coordinates Re z, Im z, Re w, Im w
+  std::array<std::array<double, 4>, 4> hessian;
+
+  template <class Energy>
+  static Jacobian_hessian of(const Energy& energy, double zx, double zy, double wx, double wy, double determinant, double lent)
+  {
+    const double a = zx * zx + zy * zy, b = wx * wx + wy * wy;
+    const Distortion_derivatives_2 e = energy.derivatives(2 * (a + b), determinant);
+    const double e_a = 2 * e.f + e.d, e_b = 2 * e.f - e.d;
+    Jacobian_hessian result;
+    result.gradient = { 2 * e_a * zx, 2 * e_a * zy, 2 * e_b * wx, 2 * e_b * wy };
+    if constexpr (Energy::is_scale_invariant)
+      result.set_gauss_newton(a * e_b, a * a * (4 * e.ff - 4 * e.fd + e.dd), zx, zy, wx, wy);
+    else
+      result.set_projected(e, a, b, zx, zy, wx, wy, lent);
+    return result;
+  }
+
+  // Each part of the energy has the Hessian that suits it.
+  template <class Energy>
+  static Jacobian_hessian of(const Scale_bounded_energy_2<Energy>&, double zx, double zy, double wx, double wy, double determinant, double lent)
+  {
+    typedef Scale_bounded_energy_2<Energy>   Sum;
+    Jacobian_hessian result = of(Energy(), zx, zy, wx, wy, determinant, lent);
+    const Jacobian_hessian bound = of(typename Sum::Bound(), zx, zy, wx, wy, determinant, lent);
+    for (int i = 0; i < 4; ++i) {
+      result.gradient[i] += Sum::part * bound.gradient[i];
+      for (int j = 0; j < 4; ++j)
+        result.hessian[i][j] += Sum::part * bound.hessian[i][j];
+    }
+    return result;
+  }
+
+private:
+  // The Gauss-Newton Hessian in the Beltrami coefficient mu = w / z, of which every scale-invariant energy is a function f(|mu|^2), with the derivatives
+  // f1 and f2. A conformal map of the plane moves z at random but hardly changes mu, and costs hardly any energy; the projected Hessian
+  // makes such moves twice as stiff as they are on average, this one does not, and Newton's method needs a fraction of the steps.
+  void set_gauss_newton(double f1, double f2, double zx, double zy, double wx, double wy)
+  {
+    const double inverse = 1 / (zx * zx + zy * zy);
+    const double mx = (wx * zx + wy * zy) * inverse, my = (wy * zx - wx * zy) * inverse;
+    const double kxx = 2 * f1 + 4 * f2 * mx * mx, kxy = 4 * f2 * mx * my, kyy = 2 * f1 + 4 * f2 * my * my;
+
+    // d mu = p dw + q dz with p = 1 / z and q = -mu / z
+    const double px = zx * inverse, py = -zy * inverse, qx = my * py - mx * px, qy = -mx * py - my * px;
+    const std::array<double, 4> dx = { qx, -qy, px, -py }, dy = { qy, qx, py, px };
+    for (int i = 0; i < 4; ++i) {
+      const double kx = kxx * dx[i] + kxy * dy[i], ky = kxy * dx[i] + kyy * dy[i];
+      for (int j = 0; j < 4; ++j)
+        hessian[i][j] = kx * dx[j] + ky * dy[j];
+    }
+  }
+
+  // The Hessian with its negative eigenvalues replaced by 0. They are known in closed form (Smith, De Goes, Kim 2019, in other variables): 2 e_a
+  // across z (the twist), 2 e_b across w (the flip), and those of a 2x2 block along z and w (the stretch).
+  //
+  // The integral of the determinant depends on the border only, so a move of the interior changes |z|^2 and |w|^2 by the same amount in the sum over all
+  // triangles: where the twist is negative the flip can lend it curvature, and the sum stays positive as long as the flip is the greater one of the two. So
+  // a negative twist is kept up to the part `lent` of the flip. Where the two vary from triangle to triangle this is no proof.
+  void set_projected(const Distortion_derivatives_2& e, double a, double b, double zx, double zy, double wx, double wy, double lent)
+  {
+    const double abs_z = std::sqrt(a), abs_w = std::sqrt(b);
+    const double e_a = 2 * e.f + e.d, e_b = 2 * e.f - e.d;
+    double zz = 2 * e_a + 4 * (4 * e.ff + 4 * e.fd + e.dd) * a, zw = 4 * (4 * e.ff - e.dd) * abs_z * abs_w,
+           ww = 2 * e_b + 4 * (4 * e.ff - 4 * e.fd + e.dd) * b;
+    project(zz, zw, ww);
+    const double flip = (std::max)(2 * e_b, 0.), twist = (std::max)(2 * e_a, -lent * flip);
+
+    const double z[2] = { abs_z > 0 ? zx / abs_z : 1, abs_z > 0 ? zy / abs_z : 0 }, w[2] = { abs_w > 0 ? wx / abs_w : 1, abs_w > 0 ? wy / abs_w : 0 };
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) {
+        hessian[i][j] = (zz - twist) * z[i] * z[j] + (i == j ? twist : 0);
+        hessian[i][2 + j] = zw * z[i] * w[j];
+        hessian[2 + i][j] = zw * w[i] * z[j];
+        hessian[2 + i][2 + j] = (ww - flip) * w[i] * w[j] + (i == j ? flip : 0);
+      }
+  }
+
+  // Replaces a symmetric matrix by the nearest positive semidefinite one.
+  static void project(double& xx, double& xy, double& yy)
+  {
+    const double mean = 0.5 * (xx + yy), difference = 0.5 * (xx - yy), radius = std::sqrt(difference * difference + xy * xy);
+    const double least = mean - radius, greatest = mean + radius;
+    if (least >= 0)
+      return;
+    const double factor = greatest > 0 ? greatest / (2 * radius) : 0;
+    xx = factor * (xx - least);
+    yy = factor * (yy - least);
+    xy = factor * xy;
+  }
+};
+
+// `va` and `vb` lead from V to A and B. Of the flip's curvature the part `lent` makes up for a negative twist.
+// Precondition: the triangle is positive, or the energy takes others too.
+template <class Energy>
+Corner_hessian corner_hessian(const Energy& energy, const Rest_corner& corner, double weight, const Vector_2& va, const Vector_2& vb, double lent = 0)
+{
+  // Gradients of the hat functions with V over the edge AB, which lies on the axis: V's is (0, g), B's is (bx, by), A's minus their sum.
+  const double inverse_base = std::sqrt(0.5 * corner.height * corner.inverse_area);
+  const double g = inverse_base / corner.height, bx = inverse_base, by = -corner.foot * g, ax = -bx, ay = -by - g;
+
+  const double zx = 0.5 * (va.x() * ax + va.y() * ay + vb.x() * bx + vb.y() * by), zy = 0.5 * (va.y() * ax - va.x() * ay + vb.y() * bx - vb.x() * by);
+  const double wx = 0.5 * (va.x() * ax - va.y() * ay + vb.x() * bx - vb.y() * by), wy = 0.5 * (va.y() * ax + va.x() * ay + vb.y() * bx + vb.x() * by);
+  const double determinant = 0.5 * corner.inverse_area * cross(va, vb);
+  const Jacobian_hessian h = Jacobian_hessian::of(energy, zx, zy, wx, wy, determinant, lent);
+
+  // A move (x, y) of V changes z and w by g (y, -x) / 2 and g (-y, x) / 2; one of B by conj(G) (x + iy) / 2 and G (x + iy) / 2.
+  const double scale = 0.5 * g * weight;
+  Corner_hessian result;
+  result.gradient = { scale * (h.gradient[3] - h.gradient[1]), scale * (h.gradient[0] - h.gradient[2]) };
+  for (int i = 0; i < 2; ++i) {
+    double row[4];
+    for (int j = 0; j < 4; ++j)
+      row[j] = scale * (i == 0 ? h.hessian[3][j] - h.hessian[1][j] : h.hessian[0][j] - h.hessian[2][j]);
+    result.to_v(i, 0) = 0.5 * g * (row[3] - row[1]);
+    result.to_v(i, 1) = 0.5 * g * (row[0] - row[2]);
+    result.to_b(i, 0) = 0.5 * (bx * (row[0] + row[2]) + by * (row[3] - row[1]));
+    result.to_b(i, 1) = 0.5 * (bx * (row[1] + row[3]) + by * (row[0] - row[2]));
+  }
+  return result;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_CORNER_HESSIAN_H

@@ -1,0 +1,42 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_SCALE_BOUNDED_ENERGY_2_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_SCALE_BOUNDED_ENERGY_2_H
+
+#include <CGAL/Surface_mesh_parameterization/Distortion_derivatives_2.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// A scale-invariant energy and a small part of the symmetric Dirichlet energy. The former alone lets the scale vary without bounds: a tube that is closed at
+// one end and 60 times as long as it is wide shrinks by a factor of e^120 on its way to the plane, and doubles cannot tell the vertices at its end apart. The
+// part that is added matters where scales vary by more than 1 to 1 / part, and hardly below.
+template <class Energy>
+struct Scale_bounded_energy_2
+{
+  typedef Symmetric_Dirichlet_energy_2   Bound;
+
+  static constexpr double part = 1e-12;
+
+  static constexpr double minimum = Energy::minimum + part * Bound::minimum;
+  static constexpr bool is_scale_invariant = false;
+  static constexpr bool is_flip_free = Energy::is_flip_free;
+
+  const Scale_bounded_energy_2& of_area(double) const { return *this; }
+
+  static double value(double frobenius, double determinant)
+  {
+    return Energy::value(frobenius, determinant) + part * Bound::value(frobenius, determinant);
+  }
+
+  static Distortion_derivatives_2 derivatives(double frobenius, double determinant)
+  {
+    const Distortion_derivatives_2 e = Energy::derivatives(frobenius, determinant), b = Bound::derivatives(frobenius, determinant);
+    return { e.value + part * b.value, e.f + part * b.f, e.d + part * b.d, e.ff + part * b.ff, e.fd + part * b.fd, e.dd + part * b.dd };
+  }
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_SCALE_BOUNDED_ENERGY_2_H

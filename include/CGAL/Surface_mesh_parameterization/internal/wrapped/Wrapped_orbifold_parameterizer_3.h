@@ -1,0 +1,63 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_ORBIFOLD_PARAMETERIZER_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_ORBIFOLD_PARAMETERIZER_3_H
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Constrained_session.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/Component_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_parameterizer_base_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_run.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Runs CGAL's Orbifold_Tutte_parameterizer_3 with the multigrid solver in place of its own, on private vertex indices and a private map, which is
+// copied to the user's if all went well. CGAL's header must not be included here: it has a function that only one source file of a program may define.
+template <class SeamMesh, class SolverTraits>
+class Wrapped_orbifold_parameterizer_3
+  : public Wrapped_parameterizer_base_3<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
+{
+  typedef Wrapped_parameterizer_base_3<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>   Base;
+
+public:
+  typedef typename boost::graph_traits<SeamMesh>::halfedge_descriptor   halfedge_descriptor;
+
+  using Base::Base;
+
+  // The arguments are those of CGAL's function; `bhd` must be on the seam, which is the only border.
+  template <class ConeMap, class VertexIndexMap, class VertexUVMap>
+  Error_code parameterize(SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap, VertexUVMap uvmap, VertexIndexMap) const
+  {
+    typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
+    typedef typename Wrapped_run<SeamMesh>::Index_map                  Index_map;
+
+    Wrapped_run<SeamMesh> run = this->start_run(mesh, bhd);
+    if (run.error() != OK)
+      return run.error();
+    std::vector<User_point_2> uv(run.vertices().size());
+    const auto session = std::make_shared<Constrained_session>(run.interpolation(), run.ranks(), this->solver_options());
+    const Error_code code = run.parameterize(session, uv, [&]() -> Error_code {
+      if (num_vertices(mesh) != uv.size())
+        return ERROR_NO_TOPOLOGICAL_DISC;
+      return this->make_parameterizer()->parameterize(mesh, bhd, cmap, Component_map<Index_map, User_point_2>{ run.index(), &uv }, run.index());
+    });
+    for (std::size_t i = 0; i < uv.size() && code == OK; ++i)
+      put(uvmap, run.vertices()[i], uv[i]);
+    return code;
+  }
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_ORBIFOLD_PARAMETERIZER_3_H

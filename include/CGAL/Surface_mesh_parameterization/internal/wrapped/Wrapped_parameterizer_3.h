@@ -1,0 +1,111 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_PARAMETERIZER_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_PARAMETERIZER_3_H
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/Component_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/Filled_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_parameterizer_base_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_run.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Runs a parameterizer that solves linear systems with the multigrid solver in place of its own. Vertices are numbered breadth first, and the
+// parameterizer writes to private maps, which are copied to the user's if all went well.
+template <class Parameterizer>
+class Wrapped_parameterizer_3
+  : public Wrapped_parameterizer_base_3<Parameterizer>
+{
+  typedef Wrapped_parameterizer_base_3<Parameterizer>   Base;
+  typedef Solver_use<Parameterizer>                     Use;
+
+public:
+  typedef typename Parameterizer::Triangle_mesh                               Triangle_mesh;
+  typedef typename Parameterizer::Triangle_mesh                               TriangleMesh;
+  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;
+
+  using Base::Base;
+
+  // Further arguments are handed on, as the number of iterations of Iterative_authalic_parameterizer_3.
+  template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
+  Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap, VertexParameterizedMap vpmap, Others&&... others)
+  {
+    if (this->fills_holes())
+      return parameterize_filled(mesh, bhd, uvmap, vpmap, std::forward<Others>(others)...);
+    return parameterize_as_it_is(mesh, bhd, uvmap, vpmap, std::forward<Others>(others)...);
+  }
+
+private:
+  // Runs on a copy of the mesh that has no holes, where there can be one.
+  template <class VertexUVMap, class VertexParameterizedMap, class... Others>
+  Error_code parameterize_filled(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexParameterizedMap vpmap, Others&&... others)
+  {
+    if constexpr (Is_fillable<Triangle_mesh>::value) {
+      Filled_mesh<Triangle_mesh> filled(mesh, bhd);
+      if (filled.has_same_descriptors() || !this->has_arguments())
+        return parameterize_as_it_is(filled.mesh(), filled.border(), filled.of_copy(uvmap), filled.of_copy(vpmap), std::forward<Others>(others)...);
+    }
+    return this->fail(ERROR_WRONG_PARAMETER);
+  }
+
+  template <class VertexUVMap, class VertexParameterizedMap, class... Others>
+  Error_code parameterize_as_it_is(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexParameterizedMap vpmap, Others&&... others)
+  {
+    typedef typename boost::property_traits<VertexUVMap>::value_type    User_point_2;
+    typedef typename Wrapped_run<Triangle_mesh>::Index_map              Index_map;
+
+    Wrapped_run<Triangle_mesh> run = this->start_run(mesh, bhd);
+    if (run.error() != OK)
+      return run.error();
+    const auto& vertices = run.vertices();
+    std::vector<User_point_2> uv(vertices.size());
+    std::vector<char> is_placed(vertices.size(), false);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      if (get(vpmap, vertices[i])) {
+        uv[i] = get(uvmap, vertices[i]);
+        is_placed[i] = true;
+      }
+
+    std::function<bool(std::size_t)> is_locked;
+    if (Use::locks_placed_vertices)
+      is_locked = [&is_placed](std::size_t i) { return bool(is_placed[i]); };
+    const auto session = std::make_shared<Multigrid_session>(run.interpolation(), Mesh_unknowns(run.ranks(), is_locked), this->solver_options(),
+                                                             Use::solves_in_pairs);
+    Error_code code = run.parameterize(session, uv, [&] {
+      return this->make_parameterizer()->parameterize(mesh, bhd, Component_map<Index_map, User_point_2>{ run.index(), &uv }, run.index(),
+                                                      Component_map<Index_map, char>{ run.index(), &is_placed }, std::forward<Others>(others)...);
+    });
+    if (code == OK)
+      code = run.settle_flips(mesh, bhd, this->flip_policy(), uv);
+    typedef typename Flip_free_relative<Parameterizer>::type   Relative;
+    if constexpr (!std::is_void<Relative>::value)
+      if (code == OK && run.is_mostly_moved())
+        return Nested_iteration_parameterizer_3<Relative>(Relative(), parameters::summary(std::ref(run.summary()))).parameterize(mesh, bhd, uvmap, run.index(), vpmap);
+    for (std::size_t i = 0; i < vertices.size() && code == OK; ++i) {
+      put(uvmap, vertices[i], uv[i]);
+      put(vpmap, vertices[i], bool(is_placed[i]));
+    }
+    return code;
+  }
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_PARAMETERIZER_3_H

@@ -1,0 +1,129 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_PARAMETERIZER_BASE_3_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_PARAMETERIZER_BASE_3_H
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
+#include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
+#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_run.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// The constructor and the options of a class that runs a parameterizer with the multigrid solver in place of the parameterizer's own.
+template <class Parameterizer>
+class Wrapped_parameterizer_base_3
+{
+public:
+  // The arguments are those of `Parameterizer`'s constructor, less the solver; named parameters may follow them:
+  // - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see Collapse_hierarchy_3; `unit_edges` is the default for a parameterizer with uniform weights
+  // - `tolerance`, `number_of_iterations`: of the solver, see Multigrid_solver_traits
+  // - `flip_policy`: what becomes of a map with flips
+  // - `fill_holes`: whether every further border is closed by a virtual vertex
+  // - `visitor`: a model of HierarchyVisitor_3, whose hierarchy_built() is called
+  // - `summary`: a std::reference_wrapper<Parameterization_summary> that receives what the run did
+  Wrapped_parameterizer_base_3() : Wrapped_parameterizer_base_3(parameters::default_values()) { }
+
+  template <class First, class... Others, class = std::enable_if_t<!std::is_base_of<Wrapped_parameterizer_base_3, First>::value>>
+  explicit Wrapped_parameterizer_base_3(const First& first, const Others&... others)
+  {
+    const auto arguments = std::make_tuple(first, others...);
+    constexpr std::size_t last = sizeof...(others);
+    typedef std::decay_t<decltype(std::get<last>(arguments))>   Last;
+    if constexpr (is_named_parameters<Last>) {
+      keep_arguments(arguments, std::make_index_sequence<last>());
+      set_options(std::get<last>(arguments));
+    } else {
+      keep_arguments(arguments, std::make_index_sequence<last + 1>());
+      set_options(parameters::default_values());
+    }
+  }
+
+protected:
+  typedef typename Rebind_solver<Parameterizer, Multigrid_solver_traits>::type   Rebound;
+
+  // Each run makes its own parameterizer, inside the scope of its solver; and some of CGAL's cannot be copied.
+  std::unique_ptr<Rebound> make_parameterizer() const { return m_make(); }
+
+  template <class TriangleMesh>
+  Wrapped_run<TriangleMesh> start_run(const TriangleMesh& mesh, typename Wrapped_run<TriangleMesh>::halfedge_descriptor bhd) const
+  {
+    return Wrapped_run<TriangleMesh>(mesh, bhd, m_build, m_summary);
+  }
+
+  const Multigrid_linear_solver::Options& solver_options() const { return m_options; }
+  Flip_policy flip_policy() const { return m_flip_policy; }
+  bool fills_holes() const { return m_fills_holes; }
+
+  // Whether the parameterizer is made of something that the caller gave, such as corners, which are vertices of the caller's mesh.
+  bool has_arguments() const { return m_has_arguments; }
+
+  // Ends a run before it started.
+  Error_code fail(Error_code code) const
+  {
+    if (m_summary) {
+      *m_summary = Parameterization_summary();
+      m_summary->error.code = code;
+    }
+    return code;
+  }
+
+private:
+  template <class Tuple, std::size_t... positions>
+  void keep_arguments(const Tuple& arguments, std::index_sequence<positions...>)
+  {
+    m_has_arguments = sizeof...(positions) > 0;
+    m_make = [arguments] { (void)arguments; return std::make_unique<Rebound>(std::get<positions>(arguments)...); };
+  }
+
+  template <class NamedParameters>
+  void set_options(const NamedParameters& np)
+  {
+    const bool unit_edges = parameters::choose_parameter(parameters::get_parameter(np, internal_np::unit_edges), Solver_use<Parameterizer>::has_uniform_weights);
+    const Named_parameters<bool, internal_np::unit_edges_t, NamedParameters> hierarchy_np(unit_edges, np);
+    m_build = [hierarchy_np](Triangulated_surface_3 surface) { return build(std::move(surface), hierarchy_np); };
+    m_options = linear_solver_options_of(np);
+    m_fills_holes = parameters::choose_parameter(parameters::get_parameter(np, internal_np::fill_holes), m_fills_holes);
+    m_flip_policy = parameters::choose_parameter(parameters::get_parameter(np, internal_np::flip_policy), m_flip_policy);
+    m_summary = summary_of(np);
+  }
+
+  // Null if the visitor has stopped the run. A hierarchy that no visitor wants to see is built without its faces.
+  template <class NamedParameters>
+  static std::shared_ptr<const Hierarchy_interpolation> build(Triangulated_surface_3 surface, const NamedParameters& np)
+  {
+    if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value)
+      return std::make_shared<const Hierarchy_interpolation>(std::move(surface), np);
+    else {
+      const Collapse_hierarchy_3 hierarchy(std::move(surface), np);
+      return hierarchy_visitor_of(np)->hierarchy_built(hierarchy) ? std::make_shared<const Hierarchy_interpolation>(hierarchy) : nullptr;
+    }
+  }
+
+  std::function<std::unique_ptr<Rebound>()> m_make;
+  std::function<std::shared_ptr<const Hierarchy_interpolation>(Triangulated_surface_3)> m_build;
+  Multigrid_linear_solver::Options m_options;
+  bool m_has_arguments = false, m_fills_holes = false;
+  Flip_policy m_flip_policy = Flip_policy::FAIL;
+  Parameterization_summary* m_summary = nullptr;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_PARAMETERIZER_BASE_3_H
