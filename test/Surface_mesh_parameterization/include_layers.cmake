@@ -1,4 +1,5 @@
-# The layers of the package, and (as a script) the check that no header includes one from a layer above its own or takes part in a circle.
+# The layers of the package, and (as a script) the check that no header includes one from a layer above its own or takes part in a circle. That X.h includes the
+# X_impl.h that implements it, where the package is header-only, is no circle.
 
 cmake_minimum_required(VERSION 3.18...3.25)
 
@@ -59,7 +60,11 @@ foreach(header IN LISTS headers)
     endif()
     string(REPLACE "<${prefix}/" "" included "${include}")
     if(included IN_LIST headers) # else it is CGAL's, Eigen's or the standard library's
-      list(APPEND below_${header} ${included})
+      string(REGEX REPLACE ".*/|_impl\\.h$|\\.h$" "" implemented "${included}")
+      string(REGEX REPLACE ".*/|\\.h$" "" name "${header}")
+      if(NOT (included MATCHES "_impl\\.h$" AND implemented STREQUAL name))
+        list(APPEND below_${header} ${included})
+      endif()
       if(layer_of_${included} GREATER layer_of_${header})
         list(APPEND faults "${header} (layer ${layer_of_${header}}) includes ${included} (layer ${layer_of_${included}})")
       endif()

@@ -10,11 +10,8 @@
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/scale_to_area.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Conformal_refiner.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/assertions.h>
@@ -72,10 +69,9 @@ public:
   /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING` if Tutte's map, computed in doubles, has a flip
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
-    const Error_code status = internal::Tutte_embedding::compute(level, uv);
+    const Error_code status = internal::compute_first_map(level, uv);
     if (status != OK)
       return status;
-    internal::scale_to_area(level, uv);
     Level_summary unused_summary;
     if (level.is_finest())
       refine_without_flips(level, uv, unused_summary);
@@ -90,23 +86,25 @@ public:
     if (!level.is_finest())
       refine_without_flips(level, uv, summary);
     else if (m_lambda > 0)
-      internal::Level_refiner<Energy>(level, uv, m_options, summary, Energy(lambda_of(level))).run();
+      internal::minimize_energy(level_energy(level), uv, m_options, summary);
     else
-      internal::Conformal_refiner(level, uv, m_options, summary).run();
+      internal::minimize_conformal_energy(level, uv, m_options, summary);
     summary.energy_start = energy_start;
     summary.energy_end = energy(level, uv);
     return OK;
   }
 
 private:
-  // lambda in the units of a level
-  double lambda_of(const Level& level) const { return std::ldexp(m_lambda, 2 * level.scale_exponent()); }
+  // with lambda in the units of the level
+  internal::Level_energy_of<Energy> level_energy(const Level& level) const
+  {
+    return internal::Level_energy_of<Energy>(level, Triangle_weight::AREA, Energy(std::ldexp(m_lambda, 2 * level.scale_exponent())));
+  }
 
   // the energy in the user's units
   double energy(const Level& level, const Level::Uv& uv) const
   {
-    const internal::Level_energy<Energy> energy(level, Triangle_weight::AREA, Energy(lambda_of(level)));
-    return std::ldexp(energy(uv), -2 * level.scale_exponent());
+    return std::ldexp(level_energy(level)(uv), -2 * level.scale_exponent());
   }
 
   void refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) const
@@ -114,7 +112,7 @@ private:
     constexpr double tolerance_of_start = 1e-3;
     Refinement_options options = m_options;
     options.tolerance = (std::max)(options.tolerance, tolerance_of_start);
-    internal::Level_refiner<Symmetric_Dirichlet_energy_2>(level, uv, options, summary).run();
+    internal::minimize_energy(internal::Level_energy_of<Symmetric_Dirichlet_energy_2>(level, m_options.triangle_weight), uv, options, summary);
   }
 
   double m_lambda = 1000;

@@ -4,20 +4,18 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_COLLAPSE_HIERARCHY_3_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_COLLAPSE_HIERARCHY_3_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Face_hierarchy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_builder.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Vertex_hierarchy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/pinned_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/assertions.h>
-
-#include <Eigen/SparseCore>
 
 #include <boost/range/iterator_range.hpp>
 
@@ -26,6 +24,10 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+/// \cond SKIP_IN_MANUAL
+namespace Eigen { template <class, int, class> class SparseMatrix; }
+/// \endcond
 
 namespace CGAL::Surface_mesh_parameterization {
 
@@ -48,6 +50,9 @@ public:
   typedef internal::Point_3          Point_3;    ///< `CGAL::Exact_predicates_inexact_constructions_kernel::Point_3`
   typedef internal::Index_triangle   Triangle;   ///< an array of three ranks of vertices, counter-clockwise
 
+  /// `Eigen::SparseMatrix<double, Eigen::RowMajor>`, for which `<Eigen/SparseCore>` has to be included
+  typedef Eigen::SparseMatrix<double, 1, int>   Prolongation;
+
   /// builds the hierarchy of a surface.
   ///
   /// Of the vertices whose places in the plane are given, those stay on every level that do not lie on the border between two others.
@@ -64,12 +69,13 @@ public:
   explicit Collapse_hierarchy_3(Triangulated_surface_3 surface, const NamedParameters& np = parameters::default_values(),
                                 ConcurrencyTag = ConcurrencyTag())
   {
-    const internal::Loops loops = internal::Loops::of<ConcurrencyTag>();
-    const std::vector<bool> is_pinned = internal::pinned_vertices(surface, np);
-    m_vertices = internal::Hierarchy_builder(surface.points, is_pinned, surface.triangles, loops).build(internal::hierarchy_options_of(np), loops);
-    m_faces = internal::Face_hierarchy(m_vertices, std::move(surface.triangles));
-    number_by_rank(surface, is_pinned, loops);
+    const internal::Hierarchy_options options = internal::hierarchy_options_of(np, surface.points.size());
+    build(std::move(surface), options, internal::Loops::of<ConcurrencyTag>());
   }
+
+  /// \cond SKIP_IN_MANUAL
+  Collapse_hierarchy_3(Triangulated_surface_3 surface, const internal::Hierarchy_options& options, const internal::Loops& loops);
+  /// \endcond
 
   /// the default of the named parameter `coarsest_size`
   static constexpr std::size_t default_coarsest_size = internal::Hierarchy_options::default_coarsest_size;
@@ -118,12 +124,7 @@ public:
 
   /// the given place of a vertex, in the units of `point()`; found in logarithmic time.
   /// \pre `is_fixed(v)`
-  const Point_2& fixed_place(Index v) const
-  {
-    CGAL_precondition(is_fixed(v));
-    return std::lower_bound(m_fixed_places.begin(), m_fixed_places.end(), v,
-                            [](const std::pair<Index, Point_2>& fixed, Index rank) { return fixed.first < rank; })->second;
-  }
+  const Point_2& fixed_place(Index v) const;
 
   /// whether a vertex lies on the outer border. A border vertex that does not lies on the border of a hole.
   bool is_on_outer_border(Index v) const { return m_is_on_outer_border[v]; }
@@ -175,75 +176,18 @@ public:
   /// Its transpose is the restriction.
   ///
   /// \pre `coarse <= fine < number_of_levels()`
-  Eigen::SparseMatrix<double, Eigen::RowMajor> prolongation(std::size_t coarse, std::size_t fine) const
-  {
-    CGAL_precondition(coarse <= fine && fine < number_of_levels());
-    typedef std::pair<Index, double> Entry;
-    const Index rows = Index(number_of_vertices(fine)), columns = Index(number_of_vertices(coarse));
-    Eigen::SparseMatrix<double, Eigen::RowMajor> result(rows, columns);
-    std::vector<Entry> row;
-    for (Index v = 0; v < rows; ++v) {
-      row.clear();
-      if (v < columns)
-        row.push_back({ v, 1. });
-      else
-        for (int i = 0; i < 3; ++i)
-          for (typename Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(result, parent_triangle(v)[i]); it; ++it)
-            row.push_back({ Index(it.col()), barycentric_coordinates(v)[i] * it.value() });
-      append_row(result, v, row);
-    }
-    result.finalize();
-    return result;
-  }
+  Prolongation prolongation(std::size_t coarse, std::size_t fine) const;
 
   /// @}
 
   /// bytes that the hierarchy holds
-  std::size_t memory() const
-  {
-    const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
-    return bytes(m_vertices.level_vertices) + bytes(m_vertices.input_vertex) + bytes(m_vertices.splits) + bytes(m_faces.last_triangle) + bytes(m_faces.input_face)
-         + bytes(m_faces.first_face) + bytes(m_faces.first_fan_face) + bytes(m_faces.fan_faces) + bytes(m_points) + bytes(m_fixed_places)
-         + (m_is_pinned.capacity() + m_is_fixed.capacity() + m_is_on_outer_border.capacity()) / 8;
-  }
+  std::size_t memory() const;
 
 private:
-  // Adds the sum of the given entries, in the order of their columns, as row v.
-  template <class Matrix, class Entry>
-  static void append_row(Matrix& matrix, Index v, std::vector<Entry>& row)
-  {
-    std::sort(row.begin(), row.end(), [](const Entry& a, const Entry& b) { return a.first < b.first; });
-    matrix.startVec(v);
-    for (std::size_t i = 0; i < row.size();) {
-      const Index column = row[i].first;
-      double sum = 0;
-      for (; i < row.size() && row[i].first == column; ++i)
-        sum += row[i].second;
-      matrix.insertBack(v, column) = sum;
-    }
-  }
+  void build(Triangulated_surface_3 surface, const internal::Hierarchy_options& options, const internal::Loops& loops);
 
   // What the surface tells of its vertices, from the input's order to that of the ranks.
-  void number_by_rank(const Triangulated_surface_3& surface, const std::vector<bool>& is_pinned, const internal::Loops& loops)
-  {
-    const std::vector<Index> rank = m_vertices.ranks();
-    m_scale_exponent = surface.scale_exponent;
-    m_points.resize(rank.size());
-    loops.for_each(0, Index(rank.size()), [&](Index v) { m_points[v] = surface.points[input_vertex(v)]; });
-    m_is_pinned.reserve(rank.size());
-    for (const Index v : m_vertices.input_vertex)
-      m_is_pinned.push_back(is_pinned[v]);
-    m_is_on_outer_border.assign(rank.size(), false);
-    for (const Index v : surface.outer_border)
-      m_is_on_outer_border[rank[v]] = true;
-
-    m_is_fixed.assign(rank.size(), false);
-    for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices) {
-      m_is_fixed[rank[fixed.vertex]] = true;
-      m_fixed_places.push_back({ rank[fixed.vertex], fixed.place });
-    }
-    std::sort(m_fixed_places.begin(), m_fixed_places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  }
+  void number_by_rank(const Triangulated_surface_3& surface, const std::vector<bool>& is_pinned, const internal::Loops& loops);
 
   std::size_t split_index(Index v) const
   {
@@ -265,5 +209,9 @@ private:
 };
 
 } // namespace CGAL::Surface_mesh_parameterization
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Collapse_hierarchy_3_impl.h>
+#endif
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_COLLAPSE_HIERARCHY_3_H

@@ -8,13 +8,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
-#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
-#include <CGAL/Surface_mesh_parameterization/internal/border/separate_borders.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/scale_to_area.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <utility>
@@ -72,31 +68,20 @@ public:
   /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING` if the map, computed in doubles, has a flip
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
-    const Error_code status = internal::Tutte_embedding::compute(level, uv);
-    if (status == OK)
-      internal::scale_to_area(level, uv);
-    return status;
+    return internal::compute_first_map(level, uv);
   }
 
   /// improves a flip-free map of a level and keeps it flip-free.
   /// \return `OK`, or `ERROR_NO_1_TO_1_MAPPING` if borders must not meet and could not be separated
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
-    if (m_options.is_globally_injective && !internal::separate_borders(level, uv))
-      return ERROR_NO_1_TO_1_MAPPING;
-    if constexpr (Energy::is_scale_invariant) {
+    if constexpr (Energy::is_scale_invariant)
       if (m_bounds_scale) {
-        internal::Level_refiner<internal::Scale_bounded_energy_2<Energy>>(level, uv, m_options, summary).run();
+        const Error_code status = minimize<internal::Scale_bounded_energy_2<Energy>>(level, uv, summary);
         summary.converged = false;
-      } else
-        internal::Level_refiner<Energy>(level, uv, m_options, summary).run();
-      if (level.is_finest())
-        internal::scale_to_area(level, uv, [&](const Level::Uv& scaled) {
-          return internal::is_map_valid(level.rings(), scaled, level.loops()) && keeps_borders_apart(level, scaled);
-        });
-    } else
-      internal::Level_refiner<Energy>(level, uv, m_options, summary).run();
-    return keeps_borders_apart(level, uv) ? OK : ERROR_NO_1_TO_1_MAPPING;
+        return status;
+      }
+    return minimize<Energy>(level, uv, summary);
   }
 
   /// bounds the scale of the map from now on, at an energy that is not quite the least.
@@ -104,10 +89,11 @@ public:
   bool leave_room() { return Energy::is_scale_invariant && !std::exchange(m_bounds_scale, true); }
 
 private:
-  // Where that is asked for.
-  bool keeps_borders_apart(const Level& level, const Level::Uv& uv) const
+  template <class E>
+  Error_code minimize(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
-    return !m_options.is_globally_injective || !internal::has_crossings(internal::border_edges(level.rings()), uv);
+    const internal::Level_energy_of<E> energy(level, m_options.triangle_weight);
+    return internal::minimize_flip_free(energy, Energy::is_scale_invariant && level.is_finest(), uv, m_options, summary);
   }
 
   Refinement_options m_options;

@@ -11,13 +11,11 @@
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/Edge_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/Relaxation_factor.h>
-#include <CGAL/Surface_mesh_parameterization/internal/edge_energy/solve_directly.h>
+#include <CGAL/Surface_mesh_parameterization/internal/edge_energy/solve_edge_system.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/tags.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <type_traits>
 
@@ -102,31 +100,10 @@ public:
   /// \return `OK`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the sweeps diverged
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary)
   {
-    const internal::Edge_system system(level, m_weights);
-    summary.energy_start = system.energy(uv);
-    relax(system, uv, summary);
-    summary.energy_end = system.energy(uv);
-    summary.vertex_visits = summary.iterations * level.number_of_vertices();
-    return std::isfinite(summary.energy_end) ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+    return internal::solve_by_sweeps(internal::Edge_system(level, m_weights), m_factor, m_tolerance, m_number_of_iterations, uv, summary);
   }
 
 private:
-  // Levels below the finest only have to hand on a good start. The residuals that a sweep meets are about those that it leaves; only when they are small enough
-  // the true ones are computed.
-  void relax(const internal::Edge_system& system, Level::Uv& uv, Level_summary& summary)
-  {
-    constexpr double coarse_tolerance = 1e-3;
-    const double tolerance = system.level().is_finest() ? m_tolerance : (std::max)(m_tolerance, coarse_tolerance);
-    summary.converged = system.relative_residual(uv) <= tolerance;
-    m_factor.start(system.size());
-    while (!summary.converged && summary.iterations < m_number_of_iterations) {
-      const double residual = system.sweep(uv, m_factor.value());
-      m_factor.learn(residual);
-      ++summary.iterations;
-      summary.converged = residual <= tolerance && system.relative_residual(uv) <= tolerance;
-    }
-  }
-
   Border_parameterizer m_border_parameterizer;
   Edge_weights m_weights;
   internal::Relaxation_factor m_factor{ Edge_weights::is_symmetric };

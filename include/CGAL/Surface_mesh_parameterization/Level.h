@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -32,37 +31,21 @@ public:
   typedef std::vector<Point_2>               Uv;         ///< the places of the vertices in the plane, by rank
   typedef internal::One_rings::Ring          Ring;       ///< a range of vertices
 
-  /// the level at which `mesh` stands, which is kept by reference
-  Level(const Progressive_mesh_3& mesh, std::size_t index) : Level(mesh, index, internal::Loops()) { }
+  /// a level of a hierarchy, which is kept by reference.
+  /// \pre `index < hierarchy.number_of_levels()`
+  explicit Level(const Collapse_hierarchy_3& hierarchy, std::size_t index = 0) : Level(hierarchy, index, internal::Loops()) { }
 
   /// \cond SKIP_IN_MANUAL
   // `loops` tells whether what is computed on the level may use several threads.
-  Level(const Progressive_mesh_3& mesh, std::size_t index, const internal::Loops& loops) : m_mesh(&mesh), m_loops(loops) { follow_mesh(index); }
-
-  // Becomes the level at which the mesh stands now, in the same arrays.
-  void follow_mesh(std::size_t index)
-  {
-    m_index = index;
-    // On the way up the arrays grow into memory that is reserved but not yet used: where they were allocated anew for every level, the system would have to
-    // clear that memory again and again.
-    m_rings.reserve(hierarchy().number_of_vertices(), hierarchy().number_of_faces(), m_loops);
-    m_rest_corners.reserve(3 * hierarchy().number_of_faces() + hierarchy().number_of_vertices());
-    m_rings.build(m_mesh->number_of_vertices(), m_mesh->triangles(), m_loops);
-    if (is_finest())
-      m_rings.release_scratch();
-
-    m_rest_corners.resize(m_rings.number_of_slots());
-    m_loops.for_each(0, Index(number_of_vertices()), [&](Index v) {
-      const Ring ring = one_ring(v);
-      m_rings.prefetch_neighbors_after(v, hierarchy().points());
-      for (std::size_t i = 0; i < m_rings.number_of_triangles(v); ++i)
-        m_rest_corners[m_rings.first_slot(v) + i] = internal::rest_corner(point(v), point(ring[i]), point(ring[i + 1 == ring.size() ? 0 : i + 1]));
-    });
-  }
+  Level(const Collapse_hierarchy_3& hierarchy, std::size_t index, const internal::Loops& loops) : m_mesh(hierarchy), m_loops(loops) { go_to(index); }
   /// \endcond
 
+  /// becomes another level of the hierarchy, by splits or collapses from the one that it is.
+  /// \pre `index < hierarchy().number_of_levels()`
+  void go_to(std::size_t index);
+
   /// the hierarchy that the level belongs to
-  const Collapse_hierarchy_3& hierarchy() const { return m_mesh->hierarchy(); }
+  const Collapse_hierarchy_3& hierarchy() const { return m_mesh.hierarchy(); }
 
   /// position in the hierarchy: 0 is the coarsest level
   std::size_t index() const { return m_index; }
@@ -83,7 +66,7 @@ public:
   const Point_3& point(Index v) const { return hierarchy().point(v); }
 
   /// the triangles, by rank
-  const std::vector<Triangle>& triangles() const { return m_mesh->triangles(); }
+  const std::vector<Triangle>& triangles() const { return m_mesh.triangles(); }
 
   /// whether `v` lies on the outer border or on that of a hole
   bool is_border(Index v) const { return m_rings.is_border(v); }
@@ -114,7 +97,7 @@ public:
   /// \endcond
 
 private:
-  const Progressive_mesh_3* m_mesh;
+  Progressive_mesh_3 m_mesh;
   std::size_t m_index;
   internal::Loops m_loops;
   internal::One_rings m_rings;
@@ -122,5 +105,9 @@ private:
 };
 
 } // namespace CGAL::Surface_mesh_parameterization
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Level_impl.h>
+#endif
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_LEVEL_H

@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -59,7 +59,7 @@ public:
     else if (bhd == Graph_traits::null_halfedge() || !is_border(bhd, mesh) || is_border(opposite(bhd, mesh), mesh))
       m_error.code = ERROR_WRONG_PARAMETER;
     else if (read_component(mesh, bhd) && is_disk_with_holes(mesh, internal::Loops::of<ConcurrencyTag>()))
-      normalize();
+      internal::normalize(m_surface);
   }
 
   /// `OK`, or what is wrong and where:
@@ -79,16 +79,7 @@ public:
   Triangulated_surface_3& surface() { return m_surface; }
 
   /// closes every border but the outer one by a *virtual vertex* in the middle of it. The virtual vertices come last in the surface, and the mesh has none of them.
-  void fill_holes()
-  {
-    const internal::One_rings rings(m_vertices.size(), m_surface.triangles);
-    std::vector<bool> is_done(m_vertices.size(), false);
-    for (const internal::Index v : m_surface.outer_border)
-      is_done[v] = true;
-    for (internal::Index start = 0; start < m_vertices.size(); ++start)
-      if (rings.is_border(start) && !is_done[start])
-        fill_hole(rings, start, is_done);
-  }
+  void fill_holes() { internal::fill_holes(m_surface); }
 
 private:
   static bool is_empty(const TriangleMesh& mesh) { return faces(mesh).first == faces(mesh).second; }
@@ -182,54 +173,12 @@ private:
     return std::size_t(std::distance(range.begin(), std::find(range.begin(), range.end(), d)));
   }
 
-  // A connected surface whose vertices have one umbrella each is a disk with holes exactly if V - E + F = 2 - (number of borders).
   bool is_disk_with_holes(const TriangleMesh& mesh, const internal::Loops& loops)
   {
-    internal::One_rings rings;
-    rings.build(m_surface.points.size(), m_surface.triangles, loops);
-    const internal::Index bad_vertex = rings.first_non_manifold_vertex();
-    if (bad_vertex != internal::no_index)
-      return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX, number_of(m_vertices[bad_vertex], vertices(mesh)));
-
-    std::size_t border_edges = 0;
-    for (std::size_t v = 0; v < m_surface.points.size(); ++v)
-      border_edges += rings.is_border(internal::Index(v));
-    const long long edges = (3 * (long long)(m_surface.triangles.size()) + (long long)(border_edges)) / 2;
-    const long long characteristic = (long long)(m_surface.points.size()) - edges + (long long)(m_surface.triangles.size());
-    if (characteristic != 2 - (long long)(rings.number_of_borders()))
-      return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::NOWHERE, 0);
-    return true;
-  }
-
-  void fill_hole(const internal::One_rings& rings, internal::Index start, std::vector<bool>& is_done)
-  {
-    const internal::Index middle = internal::Index(m_surface.points.size());
-    internal::Point_3 sum(0, 0, 0);
-    double n = 0;
-    for (internal::Index v = start; !is_done[v]; ++n) {
-      const internal::Index next = rings[v].front();
-      m_surface.triangles.push_back({ next, v, middle });
-      sum = internal::Point_3(sum.x() + m_surface.points[v].x(), sum.y() + m_surface.points[v].y(), sum.z() + m_surface.points[v].z());
-      is_done[v] = true;
-      v = next;
-    }
-    m_surface.points.emplace_back(sum.x() / n, sum.y() / n, sum.z() / n);
-  }
-
-  void normalize()
-  {
-    CGAL::Bbox_3 box;
-    for (const internal::Point_3& p : m_surface.points)
-      box += p.bbox();
-    // Halves, so that the sums of huge coordinates stay finite.
-    const double center[3] = { 0.5 * box.xmin() + 0.5 * box.xmax(), 0.5 * box.ymin() + 0.5 * box.ymax(), 0.5 * box.zmin() + 0.5 * box.zmax() };
-    double half_width = 0;
-    for (int i = 0; i < 3; ++i)
-      half_width = (std::max)(half_width, 0.5 * box.max(i) - 0.5 * box.min(i));
-    const int exponent = half_width > 0 ? -std::ilogb(half_width) : 0;
-    for (internal::Point_3& p : m_surface.points)
-      p = internal::Point_3(std::ldexp(p.x() - center[0], exponent), std::ldexp(p.y() - center[1], exponent), std::ldexp(p.z() - center[2], exponent));
-    m_surface.scale_exponent = exponent;
+    const internal::Disk_check check = internal::check_disk_with_holes(m_surface, loops);
+    if (check.bad_vertex != internal::no_index)
+      return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX, number_of(m_vertices[check.bad_vertex], vertices(mesh)));
+    return check.is_disk_with_holes || fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::NOWHERE, 0);
   }
 
   Parameterization_error m_error;

@@ -10,11 +10,13 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Solver_vector.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/linear_solver_options_of.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
-
-#include <CGAL/Eigen_vector.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -25,21 +27,6 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
-
-namespace internal {
-
-template <class NamedParameters>
-Multigrid_linear_solver::Options linear_solver_options_of(const NamedParameters& np)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  Multigrid_linear_solver::Options options;
-  options.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), options.tolerance);
-  options.most_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), options.most_iterations);
-  return options;
-}
-
-} // namespace internal
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
@@ -72,7 +59,7 @@ class Multigrid_solver_traits
 public:
   typedef double                    NT;         ///< the number type
   typedef internal::Sparse_matrix   Matrix;     ///< a model of `SparseLinearAlgebraTraits_d::Matrix`
-  typedef Eigen_vector<double>      Vector;     ///< a model of `SparseLinearAlgebraTraits_d::Vector`
+  typedef internal::Solver_vector   Vector;     ///< a model of `SparseLinearAlgebraTraits_d::Vector`
 
   /// Makes a solver the one that default-constructed objects of this thread take, until the scope ends. Scopes may be nested.
   class Scope
@@ -125,7 +112,8 @@ public:
     m_error = component.error();
     if (m_error.code != OK)
       return;
-    const auto hierarchy = std::make_shared<const internal::Hierarchy_interpolation>(std::move(component.surface()), np);
+    const auto hierarchy = std::make_shared<const internal::Hierarchy_interpolation>(
+      std::move(component.surface()), internal::hierarchy_options_of(np, component.vertices_of_component().size()));
     std::vector<std::pair<std::ptrdiff_t, internal::Index>> order;      // index, rank
     for (internal::Index rank = 0; rank < hierarchy->number_of_vertices(); ++rank)
       if (const std::ptrdiff_t index = get(vimap, component.vertices_of_component()[hierarchy->input_vertex(rank)]); index >= 0)
@@ -134,7 +122,8 @@ public:
     std::vector<internal::Index> ranks;
     for (const auto& [index, rank] : order)
       ranks.push_back(rank);
-    m_session = std::make_shared<internal::Multigrid_session>(hierarchy, internal::Mesh_unknowns(std::move(ranks)), internal::linear_solver_options_of(np));
+    m_session = std::make_shared<internal::Multigrid_session>(hierarchy, internal::Mesh_unknowns(std::move(ranks)), internal::linear_solver_options_of(np),
+                                                              &internal::make_multigrid_linear_solver<>);
   }
 
   /// \cond SKIP_IN_MANUAL

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/run_nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -54,10 +55,8 @@ public:
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as long as the parameterizer runs
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Nested_iteration_parameterizer_3(const Method& method = Method(), const NamedParameters& np = parameters::default_values())
-    : m_method(method), m_visitor(internal::hierarchy_visitor_of(np)), m_summary(internal::summary_of(np))
-  {
-    m_options.set(np);
-  }
+    : m_method(method), m_visitor(internal::hierarchy_visitor_of(np)), m_summary(internal::summary_of(np)), m_options(internal::nested_iteration_options_of(np))
+  { }
 
   /// takes the named parameters of the method, if that is made of such, and those above.
   template <class NamedParameters, class = std::enable_if_t<internal::is_named_parameters<NamedParameters>>>
@@ -77,8 +76,7 @@ public:
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap, VertexParameterizedMap vpmap)
   {
     Parameterization_summary unused_summary;
-    Method method = m_method;
-    return internal::Nested_iteration<Method>(method, m_options, *m_visitor, m_summary ? *m_summary : unused_summary).run(mesh, bhd, uvmap, vpmap);
+    return internal::run_nested_iteration(m_method, m_options, *m_visitor, m_summary ? *m_summary : unused_summary, mesh, bhd, uvmap, vpmap);
   }
 
 private:

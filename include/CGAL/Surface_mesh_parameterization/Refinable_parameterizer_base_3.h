@@ -7,10 +7,10 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
-#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/run_nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/tags.h>
@@ -58,28 +58,23 @@ public:
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap, VertexParameterizedMap vpmap)
   {
     Parameterization_summary unused_summary;
-    Method method = static_cast<Method&>(*this);
     internal::Hierarchy_visitor_holder<Hierarchy_visitor_3> no_visitor{ Hierarchy_visitor_3() };
-    internal::Nested_iteration_options one_level;
-    one_level.coarsest_size = (std::numeric_limits<std::size_t>::max)();
-    one_level.fills_holes = m_fills_holes;
-    one_level.flip_policy = m_flip_policy;
-    return internal::Nested_iteration<Method>(method, one_level, no_visitor, m_summary ? *m_summary : unused_summary).run(mesh, bhd, uvmap, vpmap);
+    return internal::run_nested_iteration(static_cast<Method&>(*this), m_options, no_visitor, m_summary ? *m_summary : unused_summary, mesh, bhd, uvmap, vpmap);
   }
 
 protected:
   /// takes the named parameters of a flat run where `np` has them: `summary`, a `std::reference_wrapper<Parameterization_summary>`, `flip_policy` and `fill_holes`
   template <class NamedParameters>
   explicit Refinable_parameterizer_base_3(const NamedParameters& np)
-    : m_summary(internal::summary_of(np)),
-      m_fills_holes(parameters::choose_parameter(parameters::get_parameter(np, internal_np::fill_holes), false)),
-      m_flip_policy(parameters::choose_parameter(parameters::get_parameter(np, internal_np::flip_policy), Flip_policy::FAIL))
-  { }
+    : m_summary(internal::summary_of(np)), m_options(internal::nested_iteration_options_of(np))
+  {
+    m_options.hierarchy = internal::Hierarchy_options();
+    m_options.hierarchy.coarsest_size = (std::numeric_limits<std::size_t>::max)();
+  }
 
 private:
   Parameterization_summary* m_summary;
-  bool m_fills_holes;
-  Flip_policy m_flip_policy;
+  internal::Nested_iteration_options m_options;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -51,7 +52,7 @@ class Quality_sums
 public:
   void add(const Mapped_triangle& t)
   {
-    const Orientation turn = t.is_finite() ? orientation(t.uv[0], t.uv[1], t.uv[2]) : RIGHT_TURN;
+    const Orientation turn = t.is_finite() ? internal::exact_orientation(t.uv[0], t.uv[1], t.uv[2]) : RIGHT_TURN;
     ++m_triangles;
     if (turn != LEFT_TURN) {
       ++m_quality.flips;
@@ -149,7 +150,7 @@ std::size_t number_of_overlapping_faces(const TriangleMesh& mesh, const FaceRang
     if (t.is_finite())
       triangles.push_back(t.uv);
   }
-  return number_of_overlapping_pairs(std::move(triangles));
+  return number_of_overlapping_pairs(triangles);
 }
 
 } // namespace internal

@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/settle_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -19,6 +19,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -57,8 +58,8 @@ Error_code settle_flips(const TriangleMesh& mesh, typename boost::graph_traits<T
   for (const auto v : component.vertices_of_component())
     uv.emplace_back(CGAL::to_double(get(uvmap, v).x()), CGAL::to_double(get(uvmap, v).y()));
 
-  const auto& triangles = component.surface().triangles;
-  summary.error.code = internal::settle_flips(triangles, internal::One_rings(uv.size(), triangles), [&] { return component.surface(); }, policy, uv, summary);
+  const internal::One_rings rings(uv.size(), component.surface().triangles);
+  summary.error.code = internal::apply_flip_policy(policy, rings, [&] { return std::move(component.surface()); }, uv, summary);
   if (summary.error.code == OK && summary.moved_vertices > 0)
     for (std::size_t i = 0; i < uv.size(); ++i)
       put(uvmap, component.vertices_of_component()[i], User_point_2(uv[i].x(), uv[i].y()));

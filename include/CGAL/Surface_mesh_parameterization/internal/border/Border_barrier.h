@@ -6,9 +6,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/box_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 
-#include <CGAL/box_intersection_d.h>
+#include <CGAL/Bbox_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +51,7 @@ public:
   double operator()(const Level::Uv& uv) const
   {
     double sum = 0;
-    for_each_close_pair(uv, m_gap, [&](const Pair_of& p) {
+    for_each_close_pair(uv, m_gap, [&](const Close_pair& p) {
       const double gap = gap_of(p), ratio = gap / p.distance - 1;
       if (p.distance < gap)
         sum += m_stiffness * ratio * ratio;
@@ -63,14 +64,14 @@ public:
   template <class Add>
   void derivatives(const Level::Uv& uv, const Add& add) const
   {
-    for_each_close_pair(uv, m_gap, [&](const Pair_of& p) {
+    for_each_close_pair(uv, m_gap, [&](const Close_pair& p) {
       const double gap = gap_of(p), d = p.distance;
       if (!(d < gap))
         return;
       const double first = -2 * m_stiffness * (gap / d - 1) * gap / (d * d), second = 2 * m_stiffness * gap * (3 * gap - 2 * d) / (d * d * d * d);
-      const Pair normal(p.from_edge.x() / d, p.from_edge.y() / d);
-      const Block_matrix::Block across = normal * normal.transpose();
-      const auto add_at = [&](Index v, double part) { add(v, Pair(first * part * normal), Block_matrix::Block(2 * std::abs(part) * second * across)); };
+      const Block_vector normal(p.from_edge.x() / d, p.from_edge.y() / d);
+      const Block across(normal.x * normal.x, normal.x * normal.y, normal.y * normal.x, normal.y * normal.y);
+      const auto add_at = [&](Index v, double part) { add(v, (first * part) * normal, (2 * std::abs(part) * second) * across); };
       add_at(p.vertex, 1);
       add_at(p.edge.source, p.t - 1);
       add_at(p.edge.target, -p.t);
@@ -78,19 +79,18 @@ public:
   }
 
   // The least length of the step `direction`, at most 1, at which a vertex meets an edge.
-  double longest_step(const Level::Uv& uv, const Pair_vector& direction) const
+  double longest_step(const Level::Uv& uv, const Block_vectors& direction) const
   {
-    const auto moved = [&](Index v) { return uv[v] + Vector_2(direction[v][0], direction[v][1]); };
-    std::vector<Box> vertices, edges;
-    for (std::size_t i = 0; i < m_edges.size(); ++i) {
-      const Border_edge& e = m_edges[i];
-      vertices.emplace_back(uv[e.source].bbox() + moved(e.source).bbox(), i);
-      edges.emplace_back(uv[e.source].bbox() + moved(e.source).bbox() + uv[e.target].bbox() + moved(e.target).bbox(), i);
+    const auto moved = [&](Index v) { return uv[v] + Vector_2(direction[v].x, direction[v].y); };
+    std::vector<Bbox_2> vertices, edges;
+    for (const Border_edge& e : m_edges) {
+      vertices.push_back(uv[e.source].bbox() + moved(e.source).bbox());
+      edges.push_back(uv[e.source].bbox() + moved(e.source).bbox() + uv[e.target].bbox() + moved(e.target).bbox());
     }
     double longest = 1;
-    CGAL::box_intersection_d(vertices.begin(), vertices.end(), edges.begin(), edges.end(), [&](const Box& a, const Box& b) {
-      const Border_edge& e = m_edges[b.info()];
-      const Index v = m_edges[a.info()].source;
+    for_each_pair_of_boxes(vertices, edges, [&](std::size_t i, std::size_t j) {
+      const Border_edge& e = m_edges[j];
+      const Index v = m_edges[i].source;
       if (v != e.source && v != e.target)
         longest = (std::min)(longest, time_of_meeting(uv, moved, v, e));
     });
@@ -109,7 +109,7 @@ public:
       range[v] = length;
       m_reach[v] = part_of_way * (length - m_gap[v]);
     });
-    for_each_close_pair(uv, range, [&](const Pair_of& p) {
+    for_each_close_pair(uv, range, [&](const Close_pair& p) {
       const double free = part_of_way * (std::max)(0., p.distance - gap_of(p));
       for (const Index v : { p.vertex, p.edge.source, p.edge.target })
         m_reach[v] = (std::min)(m_reach[v], free);
@@ -119,9 +119,7 @@ public:
   double& reach(Index v) { return m_reach[v]; }
 
 private:
-  typedef CGAL::Box_intersection_d::Box_with_info_d<double, 2, std::size_t>   Box;
-
-  struct Pair_of
+  struct Close_pair
   {
     Index vertex;
     Border_edge edge;
@@ -130,7 +128,7 @@ private:
     double distance;
   };
 
-  double gap_of(const Pair_of& p) const { return (std::min)({ m_gap[p.vertex], m_gap[p.edge.source], m_gap[p.edge.target] }); }
+  double gap_of(const Close_pair& p) const { return (std::min)({ m_gap[p.vertex], m_gap[p.edge.source], m_gap[p.edge.target] }); }
 
   // Calls f(v, l) for every border vertex with the length of the shorter one of its border edges.
   template <class Function>
@@ -152,19 +150,17 @@ private:
   void for_each_close_pair(const Level::Uv& uv, const std::vector<double>& range, const Function& f) const
   {
     const auto widened = [](const CGAL::Bbox_2& box, double r) { return CGAL::Bbox_2(box.xmin() - r, box.ymin() - r, box.xmax() + r, box.ymax() + r); };
-    std::vector<Box> vertices, edges;
-    for (std::size_t i = 0; i < m_edges.size(); ++i) {
-      const Index v = m_edges[i].source, w = m_edges[i].target;
-      vertices.emplace_back(widened(uv[v].bbox(), range[v]), i);
-      edges.emplace_back(widened(uv[v].bbox() + uv[w].bbox(), (std::max)(range[v], range[w])), i);
+    std::vector<Bbox_2> vertices, edges;
+    for (const auto& [v, w] : m_edges) {
+      vertices.push_back(widened(uv[v].bbox(), range[v]));
+      edges.push_back(widened(uv[v].bbox() + uv[w].bbox(), (std::max)(range[v], range[w])));
     }
-    CGAL::box_intersection_d(vertices.begin(), vertices.end(), edges.begin(), edges.end(), [&](const Box& a, const Box& b) {
-      const Border_edge& at_vertex = m_edges[a.info()];
-      const Border_edge& e = m_edges[b.info()];
+    for_each_pair_of_boxes(vertices, edges, [&](std::size_t i, std::size_t j) {
+      const Border_edge &at_vertex = m_edges[i], &e = m_edges[j];
       if (at_vertex.source == e.source || at_vertex.source == e.target)
         return;
-      const Pair_of p = pair_of(uv, at_vertex.source, e);
-      const bool is_at_neighbor = (p.t == 0 && e.source == at_vertex.target) || (p.t == 1 && e.target == m_previous[a.info()]);
+      const Close_pair p = close_pair(uv, at_vertex.source, e);
+      const bool is_at_neighbor = (p.t == 0 && e.source == at_vertex.target) || (p.t == 1 && e.target == m_previous[i]);
       if (!is_at_neighbor)
         f(p);
     });
@@ -189,7 +185,7 @@ private:
     return first;
   }
 
-  static Pair_of pair_of(const Level::Uv& uv, Index v, const Border_edge& e)
+  static Close_pair close_pair(const Level::Uv& uv, Index v, const Border_edge& e)
   {
     const Vector_2 ab = uv[e.target] - uv[e.source], av = uv[v] - uv[e.source];
     const double t = (std::min)(1., (std::max)(0., (av * ab) / ab.squared_length()));

@@ -5,7 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_BORDER_GUARD_H
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <CGAL/number_utils.h>
@@ -36,13 +36,14 @@ public:
   struct Gap
   {
     std::array<Index, 3> vertices;
-    std::array<Pair, 3> gradients;
+    std::array<Block_vector, 3> gradients;
     double missing;         // how much less the step to the trial should have taken
 
     template <class Direction>
     double change(const Direction& direction) const
     {
-      return gradients[0].dot(direction(vertices[0])) + gradients[1].dot(direction(vertices[1])) + gradients[2].dot(direction(vertices[2]));
+      return inner_product(gradients[0], direction(vertices[0])) + inner_product(gradients[1], direction(vertices[1]))
+           + inner_product(gradients[2], direction(vertices[2]));
     }
   };
 
@@ -75,7 +76,7 @@ private:
     };
     const double before = angle(uv), gap = before < 0 ? before + 2 * CGAL_PI : before, change = std::remainder(angle(trial) - before, 2 * CGAL_PI);
     const Vector_2 a = uv[first] - uv[v], b = uv[last] - uv[v];
-    const Pair at_first = Pair(-a.y(), a.x()) / a.squared_length(), at_last = Pair(b.y(), -b.x()) / b.squared_length();
+    const Block_vector at_first = Block_vector(-a.y(), a.x()) / a.squared_length(), at_last = Block_vector(b.y(), -b.x()) / b.squared_length();
     return { { v, first, last }, { -at_first - at_last, at_first, at_last }, -part_to_lose * (std::max)(gap - least_gap, 0.) - change };
   }
 

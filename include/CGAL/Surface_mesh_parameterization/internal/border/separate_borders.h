@@ -5,11 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_SEPARATE_BORDERS_H
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
-#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
-
-#include <algorithm>
-#include <vector>
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -17,34 +13,12 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 //
 // A new vertex V goes toward the vertex that it collapsed onto, which lies on the closure of the kernel of V's star, so that no triangle flips on the way; and its two edges
 // approach the coarse border edge. Returns whether that was enough.
-inline bool separate_borders(const Level& level, Level::Uv& uv)
-{
-  constexpr int most_rounds = 45;
-  constexpr double part_of_way = 0.4;
-  const std::vector<Border_edge> edges = border_edges(level.rings());
-  for (int i = 0; i < most_rounds; ++i) {
-    bool is_separate = true;
-    std::vector<Index> to_move;
-    for_each_crossing(edges, uv, [&](std::size_t e, std::size_t f) {
-      is_separate = false;
-      for (const Index v : { edges[e].source, edges[e].target, edges[f].source, edges[f].target })
-        if (v >= level.first_new_vertex())
-          to_move.push_back(v);
-    });
-    if (is_separate)
-      return true;
-    std::sort(to_move.begin(), to_move.end());
-    to_move.erase(std::unique(to_move.begin(), to_move.end()), to_move.end());
-    for (const Index v : to_move) {
-      const Point_2& kept = uv[level.hierarchy().kept_vertex(v)];
-      uv[v] = kept + part_of_way * (uv[v] - kept);
-      if (!is_star_valid(level.rings(), uv, v))
-        return false;
-    }
-  }
-  return false;
-}
+bool separate_borders(const Level& level, Level::Uv& uv);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/border/separate_borders_impl.h>
+#endif
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_SEPARATE_BORDERS_H

@@ -26,7 +26,9 @@ struct alignas(16) Block_vector
   friend Block_vector operator*(double factor, Block_vector v) { return v *= factor; }
   friend Block_vector operator/(const Block_vector& v, double divisor) { return Block_vector(v.x / divisor, v.y / divisor); }
 
-  double dot(const Block_vector& v) const { return x * v.x + y * v.y; }
+  static Block_vector zero() { return Block_vector(0, 0); }
+
+  friend double inner_product(const Block_vector& a, const Block_vector& b) { return a.x * b.x + a.y * b.y; }
 };
 
 typedef std::vector<Block_vector>   Block_vectors;

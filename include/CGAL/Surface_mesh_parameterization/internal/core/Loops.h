@@ -4,18 +4,15 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_LOOPS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_LOOPS_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Function_ref.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 
 #include <CGAL/tags.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#endif
-
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
@@ -45,49 +42,58 @@ public:
   // Into how many parts to divide work that needs scratch of its own for each part.
   Index number_of_parts() const { return m_is_parallel ? 4 : 1; }
 
+  // Calls f(begin, end) for every block.
+  template <class Function>
+  void for_each_block(Index first, Index last, const Function& f, Index block_size = default_block_size) const
+  {
+    run_blocks(number_of_blocks(first, last, block_size), [&](Index block) {
+      const Index begin = first + block * block_size;
+      f(begin, (std::min)(last - begin, block_size) + begin);
+    });
+  }
+
   // Calls f(begin, end, scratch) for every block; make_scratch() makes the scratch of a thread.
   template <class Make_scratch, class Function>
-  void for_each_block(Index first, Index last, const Make_scratch& make_scratch, const Function& f, Index block_size = default_block_size) const
+  void for_each_block_with_scratch(Index first, Index last, const Make_scratch& make_scratch, const Function& f, Index block_size = default_block_size) const
   {
-    const Index blocks = number_of_blocks(first, last, block_size);
-    const auto run = [&](Index block, auto& scratch) {
+    typedef decltype(make_scratch())   Scratch;
+    const auto make = [&] { return std::shared_ptr<void>(std::make_shared<Scratch>(make_scratch())); };
+    run_blocks(number_of_blocks(first, last, block_size), make, [&](Index block, void* scratch) {
       const Index begin = first + block * block_size;
-      f(begin, (std::min)(last - begin, block_size) + begin, scratch);
-    };
-#ifdef CGAL_LINKED_WITH_TBB
-    if (m_is_parallel && blocks > 1) {
-      tbb::enumerable_thread_specific<decltype(make_scratch())> scratches(make_scratch);
-      tbb::parallel_for(tbb::blocked_range<Index>(0, blocks), [&](const tbb::blocked_range<Index>& range) {
-        auto& scratch = scratches.local();
-        for (Index block = range.begin(); block < range.end(); ++block)
-          run(block, scratch);
-      });
-      return;
-    }
-#endif
-    auto scratch = make_scratch();
-    for (Index block = 0; block < blocks; ++block)
-      run(block, scratch);
+      f(begin, (std::min)(last - begin, block_size) + begin, *static_cast<Scratch*>(scratch));
+    });
   }
 
   // Calls f(i) for every index.
   template <class Function>
   void for_each(Index first, Index last, const Function& f) const
   {
-    for_each_block(first, last, [] { return No_scratch(); }, [&](Index begin, Index end, No_scratch&) {
+    for_each_block(first, last, [&](Index begin, Index end) {
       for (Index i = begin; i < end; ++i)
         f(i);
     });
   }
 
-  // Adds the results of f(begin, end, scratch) for every block to `result`, from left to right, by add(result, block_result).
-  template <class Result, class Make_scratch, class Function, class Add>
-  Result reduce(Index first, Index last, Result result, const Make_scratch& make_scratch, const Function& f, const Add& add) const
+  // Adds the results of f(begin, end) for every block to `result`, from left to right, by add(result, block_result).
+  template <class Result, class Function, class Add>
+  Result reduce(Index first, Index last, Result result, const Function& f, const Add& add) const
   {
-    struct Slot { Result value; };      // a vector of bool would share its bytes among threads
-    std::vector<Slot> results(number_of_blocks(first, last, default_block_size), Slot{ result });
-    for_each_block(first, last, make_scratch, [&](Index begin, Index end, auto& scratch) { results[(begin - first) / default_block_size].value = f(begin, end, scratch); });
-    for (const Slot& slot : results)
+    std::vector<Slot<Result>> results(number_of_blocks(first, last, default_block_size), Slot<Result>{ result });
+    for_each_block(first, last, [&](Index begin, Index end) { results[(begin - first) / default_block_size].value = f(begin, end); });
+    for (const Slot<Result>& slot : results)
+      add(result, slot.value);
+    return result;
+  }
+
+  // The same with the results of f(begin, end, scratch).
+  template <class Result, class Make_scratch, class Function, class Add>
+  Result reduce_with_scratch(Index first, Index last, Result result, const Make_scratch& make_scratch, const Function& f, const Add& add) const
+  {
+    std::vector<Slot<Result>> results(number_of_blocks(first, last, default_block_size), Slot<Result>{ result });
+    for_each_block_with_scratch(first, last, make_scratch, [&](Index begin, Index end, auto& scratch) {
+      results[(begin - first) / default_block_size].value = f(begin, end, scratch);
+    });
+    for (const Slot<Result>& slot : results)
       add(result, slot.value);
     return result;
   }
@@ -96,7 +102,7 @@ public:
   template <class Result, class Function>
   Result sum(Index first, Index last, const Result& zero, const Function& f) const
   {
-    return reduce(first, last, zero, [] { return No_scratch(); }, [&](Index begin, Index end, No_scratch&) {
+    return reduce(first, last, zero, [&](Index begin, Index end) {
       Result result = zero;
       for (Index i = begin; i < end; ++i)
         result += f(i);
@@ -108,7 +114,7 @@ public:
   template <class Result, class Function>
   Result min(Index first, Index last, const Result& infinity, const Function& f) const
   {
-    return reduce(first, last, infinity, [] { return No_scratch(); }, [&](Index begin, Index end, No_scratch&) {
+    return reduce(first, last, infinity, [&](Index begin, Index end) {
       Result result = infinity;
       for (Index i = begin; i < end; ++i)
         result = (std::min)(result, Result(f(i)));
@@ -117,7 +123,14 @@ public:
   }
 
 private:
-  struct No_scratch { };
+  template <class Result>
+  struct Slot { Result value; };      // a vector of bool would share its bytes among threads
+
+  // Calls run(block) for every block: on all threads that TBB has if that is wished, and the engine was compiled with TBB.
+  void run_blocks(Index blocks, Function_ref<void(Index)> run) const;
+
+  // Calls run(block, scratch).
+  void run_blocks(Index blocks, Function_ref<std::shared_ptr<void>()> make_scratch, Function_ref<void(Index, void*)> run) const;
 
   static Index number_of_blocks(Index first, Index last, Index block_size) { return last <= first ? 0 : (last - first - 1) / block_size + 1; }
 
@@ -125,5 +138,9 @@ private:
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops_impl.h>
+#endif
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_LOOPS_H

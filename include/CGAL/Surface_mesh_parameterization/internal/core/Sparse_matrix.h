@@ -6,8 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -77,17 +76,7 @@ private:
     double value;
   };
 
-  void append(std::size_t i, std::size_t j, double value, bool replaces)
-  {
-    CGAL_precondition(i < m_rows->number_of_rows() && j < m_columns);
-    const std::size_t most_waiting = (std::max)({ fewest_waiting, m_rows->values.size(), m_rows->first.size() * expected_row_size });
-    if (m_waiting.size() >= most_waiting)
-      merge();
-    if (m_waiting.empty())
-      m_waiting.reserve(most_waiting);
-    m_waiting.push_back({ Index(i), Index(j), replaces, value });
-    m_replacements_wait = m_replacements_wait || replaces;
-  }
+  void append(std::size_t i, std::size_t j, double value, bool replaces);
 
   static constexpr std::size_t expected_row_size = 8;
 
@@ -112,61 +101,10 @@ private:
   }
 
   // Counting sort of what waits by rows; then each row is merged with what it had.
-  void merge() const
-  {
-    if (m_waiting.empty())
-      return;
-    const Rows& old = *m_rows;
-    const Index n = old.number_of_rows();
-    std::vector<Index> order(m_waiting.size()), next(n + 1, 0);
-    for (const Entry& e : m_waiting)
-      ++next[e.row + 1];
-    for (Index i = 0; i < n; ++i)
-      next[i + 1] += next[i];
-    for (std::size_t k = 0; k < m_waiting.size(); ++k)
-      order[next[m_waiting[k].row]++] = Index(k);       // from here on next[i] ends row i
-
-    const auto merged = std::make_shared<Rows>();
-    merged->first.reserve(n + 1);
-    merged->first.push_back(0);
-    merged->columns.reserve(old.columns.size() + m_waiting.size());
-    merged->values.reserve(old.columns.size() + m_waiting.size());
-    std::vector<Index> place(m_columns, 0);
-    std::vector<std::pair<Index, double>> row;
-    for (Index i = 0; i < n; ++i)
-      merge_row(i, order.data() + (i == 0 ? 0 : next[i - 1]), order.data() + next[i], place, row, *merged);
-    merged->columns.shrink_to_fit();
-    merged->values.shrink_to_fit();
-    m_rows = merged;
-    std::vector<Entry>().swap(m_waiting);
-    m_replacements_wait = false;
-  }
+  void merge() const;
 
   // Of the columns that the row has met, `place` tells where in `row` they are; of others, anything.
-  void merge_row(Index i, const Index* begin, const Index* end, std::vector<Index>& place, std::vector<std::pair<Index, double>>& row, Rows& merged) const
-  {
-    row.clear();
-    const auto at = [&](Index column) -> double& {
-      if (!(place[column] < row.size() && row[place[column]].first == column)) {
-        place[column] = Index(row.size());
-        row.emplace_back(column, 0.);
-      }
-      return row[place[column]].second;
-    };
-    for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k)
-      at(m_rows->columns[k]) = m_rows->values[k];
-    for (; begin != end; ++begin) {
-      const Entry& e = m_waiting[*begin];
-      double& value = at(e.column);
-      value = e.replaces ? e.value : value + e.value;
-    }
-    std::sort(row.begin(), row.end());
-    for (const auto& [column, value] : row) {
-      merged.columns.push_back(column);
-      merged.values.push_back(value);
-    }
-    merged.first.push_back(Index(merged.columns.size()));
-  }
+  void merge_row(Index i, const Index* begin, const Index* end, std::vector<Index>& place, std::vector<std::pair<Index, double>>& row, Rows& merged) const;
 
   std::size_t m_columns;
   mutable std::shared_ptr<Rows> m_rows;
@@ -175,5 +113,9 @@ private:
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix_impl.h>
+#endif
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_SPARSE_MATRIX_H

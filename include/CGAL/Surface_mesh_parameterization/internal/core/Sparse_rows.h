@@ -6,19 +6,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
-#include <Eigen/Core>
-
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
-
-// The numbers of several right sides or solutions at one unknown. Systems with one matrix are solved side by side: its entries are fetched once for all.
-template <class Real, int columns>
-using Values = Eigen::Array<Real, columns, 1>;
-
-template <class Real, int columns>
-using Value_vector = std::vector<Values<Real, columns>>;
 
 // A sparse matrix, row by row.
 template <class Real>
@@ -41,7 +31,7 @@ struct Sparse_rows
   template <class Vector>
   typename Vector::value_type range_times(Index begin, Index end, const Vector& x) const
   {
-    typename Vector::value_type sum = Vector::value_type::Zero();
+    typename Vector::value_type sum = Vector::value_type::zero();
     for (Index k = begin; k < end; ++k)
       sum += values[k] * x[columns[k]];
     return sum;

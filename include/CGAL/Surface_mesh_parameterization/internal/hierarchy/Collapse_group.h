@@ -120,7 +120,7 @@ private:
   {
     m_prospects.resize((std::max)(m_prospects.size(), std::size_t(end - begin)));
     constexpr Index block_size = 256;       // a vertex is much work
-    loops.for_each_block(begin, end, [] { return Scratch(); }, [&](Index block_begin, Index block_end, Scratch& scratch) {
+    loops.for_each_block_with_scratch(begin, end, [] { return Scratch(); }, [&](Index block_begin, Index block_end, Scratch& scratch) {
       for (Index i = block_begin; i < block_end; ++i) {
         prefetch_vertices_after(mesh, i);
         m_prospects[i - begin] = m_is_locked[m_order[i]] ? no_collapse : best_collapse(mesh, m_order[i], scratch);

@@ -7,10 +7,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Collapse_group.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Ring_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Unit_edge_metric.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Vertex_hierarchy.h>
-#include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <cstddef>
 #include <numeric>
@@ -19,27 +19,6 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
-
-struct Hierarchy_options
-{
-  static constexpr std::size_t default_coarsest_size = 100;
-  std::size_t coarsest_size = default_coarsest_size;
-  unsigned int random_seed = 0;
-  bool has_unit_edges = false;      // triangles are rated in the Unit_edge_metric
-};
-
-// The named parameters of Collapse_hierarchy_3, less the vertices that stay.
-template <class NamedParameters>
-Hierarchy_options hierarchy_options_of(const NamedParameters& np)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  Hierarchy_options options;
-  options.coarsest_size = choose_parameter(get_parameter(np, internal_np::coarsest_size), options.coarsest_size);
-  options.random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), options.random_seed);
-  options.has_unit_edges = choose_parameter(get_parameter(np, internal_np::unit_edges), options.has_unit_edges);
-  return options;
-}
 
 // Builds a hierarchy group by group, on a mesh that is compacted after every group, so that coarse levels stay in the cache.
 class Hierarchy_builder

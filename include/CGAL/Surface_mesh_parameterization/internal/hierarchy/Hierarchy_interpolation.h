@@ -6,16 +6,14 @@
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_builder.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Vertex_hierarchy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/pinned_vertices.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -27,25 +25,17 @@ class Hierarchy_interpolation
 public:
   Hierarchy_interpolation(const Collapse_hierarchy_3& hierarchy) : Hierarchy_interpolation(hierarchy.vertices()) { }
 
-  explicit Hierarchy_interpolation(Vertex_hierarchy vertices)
-    : m_level_vertices(std::move(vertices.level_vertices)), m_input_vertex(std::move(vertices.input_vertex))
-  {
-    m_parents.reserve(vertices.splits.size());
-    for (const Vertex_split& split : vertices.splits)
-      m_parents.push_back({ split.parent, { float(split.coordinates[0]), float(split.coordinates[1]) } });
-  }
+  explicit Hierarchy_interpolation(Vertex_hierarchy vertices);
 
-  // Builds the hierarchy of a surface, with the named parameters of Collapse_hierarchy_3.
-  template <class NamedParameters>
-  Hierarchy_interpolation(Triangulated_surface_3 surface, const NamedParameters& np)
-    : Hierarchy_interpolation(build(std::move(surface), np))
-  { }
+  // Builds the hierarchy of a surface.
+  Hierarchy_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options);
 
   // As of Collapse_hierarchy_3, the coordinates rounded to single precision.
   std::size_t number_of_levels() const { return m_level_vertices.size(); }
   std::size_t number_of_vertices(std::size_t level) const { return m_level_vertices[level]; }
   std::size_t number_of_vertices() const { return m_level_vertices.back(); }
   Index input_vertex(Index v) const { return m_input_vertex[v]; }
+  std::vector<Index> ranks() const;      // of the vertices, in the order of the input
   const Index_triangle& parent_triangle(Index v) const { return parent(v).triangle; }
 
   std::array<double, 3> barycentric_coordinates(Index v) const
@@ -55,13 +45,6 @@ public:
   }
 
 private:
-  template <class NamedParameters>
-  static Vertex_hierarchy build(Triangulated_surface_3 surface, const NamedParameters& np)
-  {
-    std::vector<bool> is_pinned = pinned_vertices(surface, np);
-    return Hierarchy_builder(std::move(surface.points), std::move(is_pinned), surface.triangles, Loops()).build(hierarchy_options_of(np), Loops());
-  }
-
   struct Parent
   {
     Index_triangle triangle;
@@ -76,5 +59,9 @@ private:
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation_impl.h>
+#endif
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HIERARCHY_INTERPOLATION_H

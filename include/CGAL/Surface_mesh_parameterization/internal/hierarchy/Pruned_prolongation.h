@@ -39,7 +39,7 @@ public:
     m_rows.resize(hierarchy.number_of_vertices(fine));
     loops.for_each(0, Index(m_coarse_size), [&](Index v) { m_rows[v] = { { v, v, v }, { 1, 0, 0 } }; });
     for (std::size_t l = coarse + 1; l <= fine; ++l)      // the rows of a group depend on those of earlier groups
-      loops.for_each_block(Index(hierarchy.number_of_vertices(l - 1)), Index(hierarchy.number_of_vertices(l)), [] { return Entries(); },
+      loops.for_each_block_with_scratch(Index(hierarchy.number_of_vertices(l - 1)), Index(hierarchy.number_of_vertices(l)), [] { return Entries(); },
                            [&](Index begin, Index end, Entries& entries) {
         for (Index v = begin; v < end; ++v)
           m_rows[v] = composed_row(hierarchy, v, entries);

@@ -65,7 +65,7 @@ public:
   {
     m_new_rings.resize((std::max)(m_new_rings.size(), number_of_vertices() / Loops::default_block_size + 1));
     m_new_first.assign(std::count(is_removed.begin(), is_removed.end(), 0) + 1, 0);
-    loops.for_each_block(0, Index(number_of_vertices()), [] { return 0; }, [&](Index begin, Index end, int) {
+    loops.for_each_block(0, Index(number_of_vertices()), [&](Index begin, Index end) {
       std::vector<Index>& rings = m_new_rings[begin / Loops::default_block_size];
       rings.clear();
       for (Index w = begin; w < end; ++w)

@@ -6,9 +6,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
-#include <CGAL/Surface_mesh_parameterization/parameters.h>
-
-#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -43,15 +40,12 @@ inline void pin_fixed_vertices(const Triangulated_surface_3& surface, std::vecto
       is_pinned[fixed.vertex] = true;
 }
 
-// The vertices that stay on every level: those of the named parameter `vertex_is_constrained_map`, and of the given places those that are needed.
-template <class NamedParameters>
-std::vector<bool> pinned_vertices(const Triangulated_surface_3& surface, const NamedParameters& np)
+
+// The vertices that stay on every level: those that are constrained to, and of the given places those that are needed.
+inline std::vector<bool> pinned_vertices(const Triangulated_surface_3& surface, const std::vector<bool>& is_constrained)
 {
-  const auto is_constrained = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_is_constrained),
-                                                           CGAL::Constant_property_map<std::size_t, bool>(false));
-  std::vector<bool> is_pinned(surface.points.size());
-  for (std::size_t v = 0; v < is_pinned.size(); ++v)
-    is_pinned[v] = get(is_constrained, v);
+  std::vector<bool> is_pinned = is_constrained;
+  is_pinned.resize(surface.points.size(), false);
   if (!surface.fixed_vertices.empty())
     pin_fixed_vertices(surface, is_pinned);
   return is_pinned;

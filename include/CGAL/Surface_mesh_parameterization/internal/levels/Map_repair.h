@@ -8,13 +8,11 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
-#include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/Star.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/relax_vertex.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
@@ -22,9 +20,16 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
+
+struct Map_repair_options
+{
+  int sweeps_of_level = 5, sweeps_of_result = 50;       // of the vertices that are not at their places
+  double least_relative_length = 1e-9;                  // of the edges at a vertex: where they are shorter, the map has collapsed
+};
 
 // Turns a map with flips into one without that is the same wherever it can be. The hierarchy leads there: flips are local, so that a level that is coarse
 // enough has none; from there vertices come back, each to its place in the given map if its star is valid then, or into the kernel of its star.
@@ -33,10 +38,10 @@ class Map_repair
 {
 public:
   // `map` has the places by rank; they may be anything.
-  Map_repair(const Collapse_hierarchy_3& hierarchy, const Level::Uv& map)
-    : m_hierarchy(hierarchy), m_mesh(hierarchy), m_level(m_mesh, 0), m_wanted(map)
+  Map_repair(const Collapse_hierarchy_3& hierarchy, const Level::Uv& map, const Map_repair_options& options = Map_repair_options())
+    : m_options(options), m_hierarchy(hierarchy), m_level(hierarchy, hierarchy.number_of_levels() - 1), m_wanted(map), m_conformal_energy(m_level, Triangle_weight::ONE),
+      m_isometric_energy(m_level, Triangle_weight::ONE)
   {
-    m_mesh.walk_to_level(hierarchy.number_of_levels() - 1);
     set_units();
     for (Point_2& p : m_wanted)
       p = to_own_units(p);
@@ -46,13 +51,12 @@ public:
   // Returns `OK` and a valid map, or its mirror image; or `ERROR_NO_1_TO_1_MAPPING`, or an error of Tutte's map.
   Error_code run(Level::Uv& uv)
   {
-    constexpr int sweeps_of_level = 5, sweeps_of_result = 50;
     Error_code status = start(uv);
     while (status == OK) {
-      improve(uv, m_level.is_finest() ? sweeps_of_result : sweeps_of_level);
+      improve(uv, m_level.is_finest() ? m_options.sweeps_of_result : m_options.sweeps_of_level);
       if (m_level.is_finest())
         break;
-      go_to(m_level.index() + 1);
+      m_level.go_to(m_level.index() + 1);
       if (insert_new_vertices(m_level, uv, &m_wanted) != no_index)
         status = ERROR_NO_1_TO_1_MAPPING;
     }
@@ -67,7 +71,7 @@ private:
   void set_units()
   {
     double doubled_area = 0, doubled_image_area = 0;
-    for (const Index_triangle& t : m_mesh.triangles()) {
+    for (const Index_triangle& t : m_level.triangles()) {
       const auto& p = [&](int i) -> const Point_3& { return m_hierarchy.point(t[i]); };
       doubled_area += std::sqrt(CGAL::cross_product(p(1) - p(0), p(2) - p(0)).squared_length());
       const double piece = cross(m_wanted[t[1]] - m_wanted[t[0]], m_wanted[t[2]] - m_wanted[t[0]]);
@@ -82,13 +86,12 @@ private:
   // Where a map has collapsed to almost a point, so that doubles have no room for vertices in between, no place is wanted.
   void give_up_collapsed_places()
   {
-    constexpr double least_relative_length = 1e-9;
     double greatest = 0;
     for (const Point_2& p : m_wanted)
       if (is_finite(p))
         greatest = (std::max)({ greatest, std::abs(p.x()), std::abs(p.y()) });
     std::vector<double> longest(m_wanted.size(), 0.);
-    for (const Index_triangle& t : m_mesh.triangles())
+    for (const Index_triangle& t : m_level.triangles())
       for (int i = 0; i < 3; ++i) {
         const Index v = t[i], w = t[(i + 1) % 3];
         const double squared_length = (m_wanted[v] - m_wanted[w]).squared_length();
@@ -96,7 +99,7 @@ private:
         longest[w] = (std::max)(longest[w], squared_length);
       }
     for (Index v = 0; v < m_wanted.size(); ++v)
-      if (!(longest[v] > least_relative_length * least_relative_length * greatest * greatest)) {
+      if (!(longest[v] > m_options.least_relative_length * m_options.least_relative_length * greatest * greatest)) {
         const double nan = std::numeric_limits<double>::quiet_NaN();
         m_wanted[v] = Point_2(nan, nan);
       }
@@ -106,24 +109,18 @@ private:
   Point_2 from_own_units(const Point_2& p) const { return scaled(p, -m_exponent); }
   Point_2 scaled(const Point_2& p, int exponent) const { return Point_2(std::ldexp(m_is_mirrored ? -p.x() : p.x(), exponent), std::ldexp(p.y(), exponent)); }
 
-  void go_to(std::size_t level)
-  {
-    m_mesh.walk_to_level(level);
-    m_level.follow_mesh(level);
-  }
-
   // The finest level on which the wanted places are valid; if there is none, Tutte's map of the coarsest, as near to the wanted one as a similarity brings it.
   Error_code start(Level::Uv& uv)
   {
     std::size_t level = m_hierarchy.number_of_levels();
     do
-      go_to(--level);
+      m_level.go_to(--level);
     while (level > 0 && !is_wanted_map_valid());
     uv.assign(m_wanted.begin(), m_wanted.begin() + m_level.number_of_vertices());
     if (level > 0 || is_wanted_map_valid())
       return OK;
 
-    const Error_code status = Tutte_embedding::compute(m_level, uv);
+    const Error_code status = compute_Tutte_embedding(m_level, uv);
     if (status == OK)
       align(uv);
     return status;
@@ -172,24 +169,18 @@ private:
 
   void improve(Level::Uv& uv, int most_sweeps)
   {
+    const std::unique_ptr<Vertex_relaxer> conformal = m_conformal_energy.make_vertex_relaxer(), isometric = m_isometric_energy.make_vertex_relaxer();
     for (int i = 0; i < most_sweeps; ++i) {
       advance(uv);
       if (m_displaced.empty())
         return;
       double decrease = 0;
       for (const Index v : m_displaced)
-        decrease += has_wanted_place(v) ? relax(v, uv, m_conformal_star) : relax(v, uv, m_isometric_star);
+        decrease += (has_wanted_place(v) ? *conformal : *isometric).relax(v, 1, (std::numeric_limits<double>::infinity)(), uv);
       if (!(decrease > 0))
         return;
     }
     advance(uv);
-  }
-
-  template <class Energy>
-  double relax(Index v, Level::Uv& uv, Star<Energy>& star) const
-  {
-    star.gather(m_level.rings(), uv, v, m_level.rest_corners(v), Triangle_weight::ONE);
-    return relax_vertex(star, m_level.rings(), v, 1, uv);
   }
 
   // Moves all displaced vertices to their wanted places at once, and those back, with their neighbors, whose stars are not valid then: until all are.
@@ -222,15 +213,15 @@ private:
     m_displaced.erase(std::remove_if(m_displaced.begin(), m_displaced.end(), [&](Index v) { return !is_displaced(v); }), m_displaced.end());
   }
 
+  Map_repair_options m_options;
   const Collapse_hierarchy_3& m_hierarchy;
-  Progressive_mesh_3 m_mesh;
   Level m_level;
   Level::Uv m_wanted, m_before;
   bool m_is_mirrored = false;
   int m_exponent = 0;
   std::vector<Index> m_displaced;
-  Star<MIPS_energy_2> m_conformal_star;
-  Star<Symmetric_Dirichlet_energy_2> m_isometric_star;    // makes room where the map has collapsed
+  Level_energy_of<MIPS_energy_2> m_conformal_energy;
+  Level_energy_of<Symmetric_Dirichlet_energy_2> m_isometric_energy;      // makes room where the map has collapsed
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

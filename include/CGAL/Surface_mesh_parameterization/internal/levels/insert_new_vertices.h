@@ -5,73 +5,24 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_INSERT_NEW_VERTICES_H
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/Vertex_inserter.h>
-
-#include <algorithm>
-#include <array>
-#include <vector>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Inserts the new vertices of a level (Hormann, Greiner, Campagna 1999, step 2b) into a flip-free map of the next coarser level and keeps
 // it flip-free. A vertex goes to its place in `wanted`, if that is given and there is no flip then.
 // Returns the first vertex for which no place was found, `no_index` if there is none.
-inline Index insert_new_vertices(const Level& level, Level::Uv& uv, const Level::Uv* wanted = nullptr)
-{
-  const Collapse_hierarchy_3& hierarchy = level.hierarchy();
-  const Index first_new = Index(level.first_new_vertex()), end = Index(level.number_of_vertices());
-
-  uv.resize(end);
-  for (Index v = first_new; v < end; ++v)
-    uv[v] = uv[hierarchy.kept_vertex(v)];
-
-  // The vertices are independent of each other but on the border, where the angles involve two neighbors: it comes last, one by one.
-  std::vector<bool> is_placed(end, true);
-  for (Index v = first_new; v < end; ++v)
-    is_placed[v] = !level.is_border(v);
-
-  const auto make_inserter = [&] { return Vertex_inserter(level.rings(), uv, is_placed); };
-  const auto insert = [&](Index v, Vertex_inserter& inserter) {
-    return (wanted && inserter.insert_at(v, (*wanted)[v])) ||
-           inserter.insert(v, level.rest_corners(v), hierarchy.parent_triangle(v), hierarchy.barycentric_coordinates(v));
-  };
-  const Index failed = level.loops().reduce(first_new, end, no_index, make_inserter, [&](Index block_begin, Index block_end, Vertex_inserter& inserter) {
-    for (Index v = block_begin; v < block_end; ++v)
-      if (!level.is_border(v) && !insert(v, inserter))
-        return v;
-    return no_index;
-  }, [](Index& first, Index v) { first = (std::min)(first, v); });
-  if (failed != no_index)
-    return failed;
-
-  Vertex_inserter inserter = make_inserter();
-  for (Index v = first_new; v < end; ++v)
-    if (level.is_border(v)) {
-      if (!insert(v, inserter))
-        return v;
-      is_placed[v] = true;
-    }
-  return no_index;
-}
+Index insert_new_vertices(const Level& level, Level::Uv& uv, const Level::Uv* wanted = nullptr);
 
 // Puts the new vertices of a level, flips or not, where they are fixed or where their stored coordinates have them in the map of the next coarser level: an
 // ear between its two neighbors.
-inline void insert_at_stored_places(const Level& level, Level::Uv& uv)
-{
-  const Collapse_hierarchy_3& hierarchy = level.hierarchy();
-  uv.resize(level.number_of_vertices());
-  level.loops().for_each(Index(level.first_new_vertex()), Index(level.number_of_vertices()), [&](Index v) {
-    if (level.is_fixed(v)) {
-      uv[v] = level.fixed_place(v);
-      return;
-    }
-    const Index_triangle& parent = hierarchy.parent_triangle(v);
-    const std::array<double, 3> coordinates = hierarchy.barycentric_coordinates(v);
-    const Point_2& kept = uv[parent[0]];
-    uv[v] = kept + coordinates[1] * (uv[parent[1]] - kept) + coordinates[2] * (uv[parent[2]] - kept);
-  });
-}
+void insert_at_stored_places(const Level& level, Level::Uv& uv);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices_impl.h>
+#endif
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_INSERT_NEW_VERTICES_H

@@ -8,8 +8,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -34,7 +32,7 @@ class Constraint_elimination
 {
 public:
   typedef Sparse_rows<double>   Rows;
-  typedef Eigen::VectorXd       Vector;
+  typedef std::vector<double>   Vector;
 
   // `rows` and `right_side` must live as long as this object; there are as many points as `ranks`. Of two points that are tied to each other the one of
   // lower rank stays free.
@@ -77,7 +75,7 @@ public:
   // Z' (L x_0 - c)
   Vector reduced_right_side() const
   {
-    Vector result = Vector::Zero(m_unknowns);
+    Vector result(m_unknowns, 0.);
     for (Index i = 0; i < m_coordinates; ++i) {
       double value = -m_right_side[i];
       for (Index k = m_rows.first[i]; k < m_rows.first[i + 1]; ++k)

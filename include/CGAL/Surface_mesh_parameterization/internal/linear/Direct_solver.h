@@ -4,64 +4,73 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_DIRECT_SOLVER_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_DIRECT_SOLVER_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Values.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 
-#include <Eigen/SparseCore>
-#include <Eigen/SparseLU>
-
-#include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A sparse LU factorization of a matrix.
+// An entry of a sparse matrix; entries at one place are added up.
+struct Matrix_entry
+{
+  Index i, j;
+  double a;
+
+  Index row() const { return i; }
+  Index col() const { return j; }
+  double value() const { return a; }
+};
+
+// The factorization of a sparse matrix.
 class Direct_solver
 {
 public:
-  explicit Direct_solver(const Sparse_rows<double>& a)
+  virtual ~Direct_solver() = default;
+
+  // x := A^-1 b, for so many right sides and solutions, one after the other.
+  virtual void solve(const double* b, double* x, int number_of_right_sides) const = 0;
+
+  // The same for right sides side by side: `b(i)` tells what they have in row i.
+  template <class Right_sides, class Real, int columns>
+  void solve_side_by_side(const Right_sides& b, Value_vector<Real, columns>& x) const
   {
-    const Index n = a.number_of_rows();
-    std::vector<int> sizes(n, 0);
-    for (const Index column : a.columns)
-      ++sizes[column];
-    // Eigen may not come to an end with these.
-    const bool has_empty_row = std::adjacent_find(a.first.begin(), a.first.end()) != a.first.end();
-    if (has_empty_row || std::find(sizes.begin(), sizes.end(), 0) != sizes.end())
-      return;
-
-    Eigen::SparseMatrix<double> matrix(n, n);     // by columns, as the solver wants it
-    matrix.reserve(sizes);
-    for (Index i = 0; i < n; ++i)
-      for (Index k = a.first[i]; k < a.first[i + 1]; ++k)
-        matrix.insert(i, a.columns[k]) = a.values[k];
-    matrix.makeCompressed();
-    m_solver.compute(matrix);
-    m_is_ready = m_solver.info() == Eigen::Success;
+    const std::size_t n = x.size();
+    std::vector<double> right_sides(columns * n), solutions(columns * n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Values<double, columns> row = b(Index(i));
+      for (int c = 0; c < columns; ++c)
+        right_sides[c * n + i] = row[c];
+    }
+    solve(right_sides.data(), solutions.data(), columns);
+    for (std::size_t i = 0; i < n; ++i)
+      for (int c = 0; c < columns; ++c)
+        x[i][c] = Real(solutions[c * n + i]);
   }
-
-  // Whether the matrix has a factorization.
-  bool is_ready() const { return m_is_ready; }
-
-  // `b[i]` tells what the right sides have in row i; x has the size of the system.
-  template <class Right_sides, int columns>
-  void solve(const Right_sides& b, Value_vector<double, columns>& x) const
-  {
-    typedef Eigen::Matrix<double, Eigen::Dynamic, columns>   Dense;
-    Dense right_side(x.size(), columns);
-    for (std::size_t i = 0; i < x.size(); ++i)
-      right_side.row(i) = b[i].matrix().transpose();
-    const Dense solution = m_solver.solve(right_side);
-    for (std::size_t i = 0; i < x.size(); ++i)
-      x[i] = solution.row(i).transpose().array();
-  }
-
-private:
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> m_solver;
-  bool m_is_ready = false;
 };
 
+// The factorization L D L^T of a symmetric matrix of dimension n, of which the lower triangle is read; null if it breaks down.
+template <class Real = double>
+std::unique_ptr<Direct_solver> factorize_symmetric(Index n, const std::vector<Matrix_entry>& entries);
+
+// The factorization L U of any regular matrix of dimension n; null if it is singular.
+//
+// Both are templates for the sake of who uses the package header-only: what is not called is not compiled, and this one takes long.
+template <class Real = double>
+std::unique_ptr<Direct_solver> factorize(Index n, const std::vector<Matrix_entry>& entries);
+
+#ifdef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+extern template std::unique_ptr<Direct_solver> factorize_symmetric<double>(Index, const std::vector<Matrix_entry>&);
+extern template std::unique_ptr<Direct_solver> factorize<double>(Index, const std::vector<Matrix_entry>&);
+#endif
+
 } // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver_impl.h>
+#endif
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_DIRECT_SOLVER_H

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_GALERKIN_PRODUCT_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_GALERKIN_PRODUCT_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Pruned_prolongation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
@@ -40,8 +41,6 @@ public:
   }
 
 private:
-  typedef Block_matrix::Block   Block;
-
   // The current row: its columns in the order in which they were found, the diagonal first.
   struct Scratch
   {
@@ -62,7 +61,7 @@ private:
       if (p == no_index) {
         p = Index(columns.size());
         columns.push_back(column);
-        sums.push_back(Block::Zero());
+        sums.push_back(Block::zero());
       }
       return p;
     }
@@ -78,7 +77,7 @@ private:
   void for_each_row(const Loops& loops, const Function& f) const
   {
     const Index n = Index(m_order.size());
-    loops.for_each_block(0, n, [n] { return Scratch{ {}, {}, std::vector<Index>(n, no_index) }; }, [&](Index begin, Index end, Scratch& scratch) {
+    loops.for_each_block_with_scratch(0, n, [n] { return Scratch{ {}, {}, std::vector<Index>(n, no_index) }; }, [&](Index begin, Index end, Scratch& scratch) {
       for (Index k = begin; k < end; ++k) {
         scratch.begin(m_order[k]);
         f(m_order[k], scratch);

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Pruned_prolongation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -14,13 +15,6 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
-
-// What an unknown of a linear system is: a component of a vertex.
-struct Mesh_unknown
-{
-  Index vertex;         // its rank
-  Index component;
-};
 
 // The prolongation P from the unknowns of a coarse grid to those of the next finer one: each component of a vertex comes from the same component of
 // vertices of the coarse level. What is no unknown of the coarse grid, since its value is known, is 0 there.
@@ -64,7 +58,7 @@ public:
   template <class Vector>
   void add_prolongation(const Vector& coarse, Vector& x) const
   {
-    typedef typename Vector::value_type::Scalar   Real;
+    typedef typename Vector::value_type::Real   Real;
     for (std::size_t i = 0; i < m_rows.size(); ++i)
       for (int k = 0; k < Pruned_prolongation::row_size; ++k)
         x[i] += Real(m_rows[i].weights[k]) * coarse[m_rows[i].columns[k]];
@@ -75,8 +69,8 @@ public:
   void restrict(const Function& b, Vector& coarse) const
   {
     typedef typename Vector::value_type   Value;
-    typedef typename Value::Scalar        Real;
-    std::fill(coarse.begin(), coarse.end(), Value::Zero());
+    typedef typename Value::Real          Real;
+    std::fill(coarse.begin(), coarse.end(), Value::zero());
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
       const Value value = b(Index(i));
       for (int k = 0; k < Pruned_prolongation::row_size; ++k)

@@ -20,7 +20,7 @@ template <class Real>
 class Incomplete_LU
 {
 public:
-  // What is factorized is the matrix with its diagonal multiplied by `enlargement`, see Multigrid_preconditioner.
+  // What is factorized is the matrix with its diagonal multiplied by `enlargement`, see Scalar_multigrid.
   Incomplete_LU(Sparse_rows<Real> matrix, Real enlargement) : m_matrix(std::move(matrix))
   {
     split_rows();
@@ -53,7 +53,7 @@ public:
     for (Index i = 0; i < size(); ++i)
       x[i] = b[i] - lower_times(i, x);
     for (Index i = size(); i-- > 0;)
-      x[i] = (x[i] - upper_times(i, x)) * m_inverse_pivots[i];
+      x[i] = m_inverse_pivots[i] * (x[i] - upper_times(i, x));
   }
 
   // x := x + (L U)^-1 (b - A x)
@@ -63,7 +63,7 @@ public:
     for (Index i = 0; i < size(); ++i)
       correction[i] = residual(i, b, x) - lower_times(i, correction);
     for (Index i = size(); i-- > 0;) {
-      correction[i] = (correction[i] - upper_times(i, correction)) * m_inverse_pivots[i];
+      correction[i] = m_inverse_pivots[i] * (correction[i] - upper_times(i, correction));
       x[i] += correction[i];
     }
   }
@@ -78,7 +78,7 @@ private:
   template <class Vector>
   typename Vector::value_type factors_times(Index begin, Index end, const Vector& x) const
   {
-    typename Vector::value_type sum = Vector::value_type::Zero();
+    typename Vector::value_type sum = Vector::value_type::zero();
     for (Index k = begin; k < end; ++k)
       sum += m_factors[k] * x[m_matrix.columns[k]];
     return sum;

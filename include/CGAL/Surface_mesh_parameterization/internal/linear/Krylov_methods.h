@@ -4,58 +4,99 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_KRYLOV_METHODS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_KRYLOV_METHODS_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
-#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Values.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
+#include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Preconditioned Krylov methods for several right sides side by side. The system has
+// Preconditioned Krylov methods, for unknowns that are blocks, or the values of several right sides side by side. The system has
 //   number_of_rows(), loops(),
-//   row_times(i, x)          row i of A x
-//   precondition(r, z)       z := M^-1 r
-//   is_finished(r)           whether to stop: the residual is small enough for each right side, or there is no progress any more
-// The methods start from `x` and its residual `r`, change both, and stop where is_finished(r), after `most_iterations`, or where a right side breaks
-// down; they return the number of iterations.
+//   row_times(i, x)             row i of A x
+//   precondition(r)             M^-1 r, in a vector that the caller may overwrite; it is valid until the next call
+//   squared_size(i, r)          what the residual r of row i contributes to the squared norm
+//   is_finished(squared_norm)   whether to stop: the residual is small enough for each right side, or there is no progress any more
+// Products are numbers, or one number for each right side. The methods start from `x` and its residual `r`, change both, and stop where is_finished(), after
+// `most_iterations`, or where a right side breaks down; they return the number of iterations.
 
-template <class Value>
-Value quotient(const Value& a, const Value& b) { return (b != 0).select(a / b, Value::Zero()); }
+inline double quotient(double a, double b) { return b != 0 ? a / b : 0; }
+inline bool is_less_or_equal(double a, double b) { return a <= b; }
+inline bool is_finite(double a) { return std::isfinite(a); }
 
 template <class Vector>
-typename Vector::value_type dot(const Loops& loops, const Vector& x, const Vector& y)
+using Product_of = decltype(inner_product(std::declval<const typename Vector::value_type&>(), std::declval<const typename Vector::value_type&>()));
+
+template <class Product>
+Product zero_product()
 {
-  typedef typename Vector::value_type   Value;
-  return loops.sum(0, Index(x.size()), Value(Value::Zero()), [&](Index i) -> Value { return x[i] * y[i]; });
+  if constexpr (std::is_same<Product, double>::value)
+    return 0;
+  else
+    return Product::zero();
 }
 
-// Conjugate gradients; A and M must be symmetric and positive definite.
-template <class System, class Vector>
-std::size_t conjugate_gradients(System& system, Vector& x, Vector& r, std::size_t most_iterations)
+template <class Vector>
+Product_of<Vector> inner_product(const Loops& loops, const Vector& x, const Vector& y)
 {
-  typedef typename Vector::value_type   Value;
-  const Index n = system.number_of_rows();
+  typedef Product_of<Vector>   Product;
+  return loops.sum(0, Index(x.size()), zero_product<Product>(), [&](Index i) { return inner_product(x[i], y[i]); });
+}
+
+template <class System, class Vector>
+Product_of<Vector> squared_norm(const System& system, const Vector& r)
+{
+  typedef Product_of<Vector>   Product;
+  return system.loops().sum(0, Index(r.size()), zero_product<Product>(), [&](Index i) { return system.squared_size(i, r[i]); });
+}
+
+// y := A x; returns the inner product of `z` and y.
+template <class System, class Vector>
+Product_of<Vector> multiply(const System& system, const Vector& x, Vector& y, const Vector& z)
+{
+  typedef Product_of<Vector>   Product;
+  return system.loops().sum(0, system.number_of_rows(), zero_product<Product>(), [&](Index i) {
+    y[i] = system.row_times(i, x);
+    return inner_product(z[i], y[i]);
+  });
+}
+
+// x := x + alpha p, r := r - alpha q; returns the squared norm of r.
+template <class System, class Vector>
+Product_of<Vector> go_along(const System& system, const Product_of<Vector>& alpha, const Vector& p, const Vector& q, Vector& x, Vector& r)
+{
+  typedef Product_of<Vector>   Product;
+  return system.loops().sum(0, system.number_of_rows(), zero_product<Product>(), [&](Index i) {
+    x[i] += alpha * p[i];
+    r[i] -= alpha * q[i];
+    return system.squared_size(i, r[i]);
+  });
+}
+
+// Conjugate gradients; A and M must be symmetric and positive definite. `p` is scratch of the size of x.
+template <class System, class Vector>
+std::size_t conjugate_gradients(System& system, Vector& x, Vector& r, Vector& p, std::size_t most_iterations)
+{
+  typedef Product_of<Vector>   Product;
+  const Product zero = zero_product<Product>();
   const Loops& loops = system.loops();
-  Vector z(n), p(n, Value::Zero());
-  Value rz = Value::Zero();
+  loops.for_each(0, system.number_of_rows(), [&](Index i) { p[i] = Vector::value_type::zero(); });
+  Product norm2 = squared_norm(system, r), rz = zero;
   std::size_t iterations = 0;
-  for (; iterations < most_iterations && !system.is_finished(r); ++iterations) {
-    system.precondition(r, z);
-    const Value rz_before = std::exchange(rz, dot(loops, r, z)), beta = quotient(rz, rz_before);
-    loops.for_each(0, n, [&](Index i) { p[i] = z[i] + beta * p[i]; });
-    const Value curvature = loops.sum(0, n, Value(Value::Zero()), [&](Index i) -> Value {
-      z[i] = system.row_times(i, p);
-      return p[i] * z[i];
-    });
-    const Value alpha = quotient(rz, curvature);
-    if (!(curvature >= 0).all() || !alpha.isFinite().all())
+  while (iterations < most_iterations && !system.is_finished(norm2)) {
+    Vector& z = system.precondition(r);
+    ++iterations;
+    const Product rz_before = std::exchange(rz, inner_product(loops, r, z)), beta = quotient(rz, rz_before);
+    loops.for_each(0, system.number_of_rows(), [&](Index i) { p[i] = z[i] + beta * p[i]; });
+    const Product curvature = multiply(system, p, z, p), alpha = quotient(rz, curvature);
+    if (!is_less_or_equal(zero, curvature) || !is_finite(alpha))
       break;
-    loops.for_each(0, n, [&](Index i) {
-      x[i] += alpha * p[i];
-      r[i] -= alpha * z[i];
-    });
+    norm2 = go_along(system, alpha, p, z, x, r);
   }
   return iterations;
 }
@@ -65,39 +106,29 @@ template <class System, class Vector>
 std::size_t stabilized_biconjugate_gradients(System& system, Vector& x, Vector& r, std::size_t most_iterations)
 {
   typedef typename Vector::value_type   Value;
+  typedef Product_of<Vector>            Product;
   const Index n = system.number_of_rows();
   const Loops& loops = system.loops();
   const Vector shadow = r;
-  Vector p(n, Value::Zero()), v(n, Value::Zero()), y(n), t(n);
-  Value rho = Value::Ones(), alpha = Value::Ones(), omega = Value::Ones();
+  Vector p(n, Value::zero()), v(n, Value::zero()), t(n);
+  Product norm2 = squared_norm(system, r), rho = Product::all(1), alpha = rho, omega = rho;
   std::size_t iterations = 0;
-  for (; iterations < most_iterations && !system.is_finished(r); ++iterations) {
-    const Value rho_before = std::exchange(rho, dot(loops, shadow, r)), beta = quotient(rho, rho_before) * quotient(alpha, omega);
+  while (iterations < most_iterations && !system.is_finished(norm2)) {
+    ++iterations;
+    const Product rho_before = std::exchange(rho, inner_product(loops, shadow, r)), beta = quotient(rho, rho_before) * quotient(alpha, omega);
     loops.for_each(0, n, [&](Index i) { p[i] = r[i] + beta * (p[i] - omega * v[i]); });
-    system.precondition(p, y);
-    alpha = quotient(rho, loops.sum(0, n, Value(Value::Zero()), [&](Index i) -> Value {
-      v[i] = system.row_times(i, y);
-      return shadow[i] * v[i];
-    }));
-    loops.for_each(0, n, [&](Index i) {
-      x[i] += alpha * y[i];
-      r[i] -= alpha * v[i];
-    });
-    if (system.is_finished(r))
-      return ++iterations;
-
-    system.precondition(r, y);
-    const Value tr = loops.sum(0, n, Value(Value::Zero()), [&](Index i) -> Value {
-      t[i] = system.row_times(i, y);
-      return t[i] * r[i];
-    });
-    omega = quotient(tr, dot(loops, t, t));
-    if (!alpha.isFinite().all() || !omega.isFinite().all())
+    const Vector& mp = system.precondition(p);
+    alpha = quotient(rho, multiply(system, mp, v, shadow));
+    norm2 = go_along(system, alpha, mp, v, x, r);
+    if (system.is_finished(norm2))
       break;
-    loops.for_each(0, n, [&](Index i) {
-      x[i] += omega * y[i];
-      r[i] -= omega * t[i];
-    });
+
+    const Vector& mr = system.precondition(r);
+    const Product tr = multiply(system, mr, t, r);
+    omega = quotient(tr, inner_product(loops, t, t));
+    if (!is_finite(alpha) || !is_finite(omega))
+      break;
+    norm2 = go_along(system, omega, mr, t, x, r);
   }
   return iterations;
 }

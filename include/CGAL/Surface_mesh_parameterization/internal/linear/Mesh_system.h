@@ -9,7 +9,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Grid_transfer.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +95,7 @@ public:
   {
     m_loops.for_each(0, size(), [&](Index i) {
       if (m_is_fixed[i])
-        r[i].setZero();
+        r[i] = Vector::value_type::zero();
       else
         r[i] = row_scale(i) * (b[i] - m_rows->row_times(i, x));
     });
@@ -107,9 +106,15 @@ public:
   typename Vector::value_type norm(const Vector& r) const
   {
     typedef typename Vector::value_type   Value;
-    return m_loops.sum(0, size(), Value(Value::Zero()), [&](Index i) -> Value {
-      return (r[i] * (m_is_symmetric ? m_inverse_diagonal[i] : 1.)).square();
-    }).sqrt();
+    return sqrt(m_loops.sum(0, size(), Value::zero(), [&](Index i) { return squared_size(i, r[i]); }));
+  }
+
+  // What row i contributes to its square.
+  template <class Value>
+  Value squared_size(Index i, const Value& r) const
+  {
+    const Value scaled = (m_is_symmetric ? m_inverse_diagonal[i] : 1.) * r;
+    return scaled * scaled;
   }
 
   // The norm of the residual, relative to that of the terms that make it up; NaN if x is not finite.
@@ -117,28 +122,30 @@ public:
   double backward_error(const Right_sides& b, const Vector& x) const
   {
     typedef typename Vector::value_type   Value;
-    Value errors = Value::Zero(), sizes = Value::Zero();
+    Value errors = Value::zero(), sizes = Value::zero();
     for (Index i = 0; i < size(); ++i) {
-      Value error = b[i], size = b[i].abs();
+      Value error = b[i], size = abs(error);
       for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k) {
         const Value term = m_rows->values[k] * x[m_rows->columns[k]];
         error -= term;
-        size += term.abs();
+        size += abs(term);
       }
-      errors += (error * m_inverse_diagonal[i]).square();
-      sizes += (size * m_inverse_diagonal[i]).square();
+      error = m_inverse_diagonal[i] * error;
+      size = m_inverse_diagonal[i] * size;
+      errors += error * error;
+      sizes += size * size;
     }
-    return std::sqrt(quotient(errors, sizes).sum());    // not the maximum, which may pass over a NaN
+    return std::sqrt(sum(quotient(errors, sizes)));    // not the greatest one, which may pass over a NaN
   }
 
   // The fixed unknowns, and 0 for the free ones.
   template <class Right_sides, class Vector>
   void set_to_fixed_unknowns(const Right_sides& b, Vector& x) const
   {
-    x.assign(size(), Vector::value_type::Zero());
+    x.assign(size(), Vector::value_type::zero());
     for (Index i = 0; i < size(); ++i)
       if (m_is_fixed[i])
-        x[i] = b[i] * m_inverse_diagonal[i];
+        x[i] = m_inverse_diagonal[i] * b[i];
   }
 
 private:

@@ -5,7 +5,6 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_MESH_UNKNOWNS_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/Grid_transfer.h>
 
 #include <cstddef>
 #include <functional>
@@ -13,6 +12,13 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
+
+// What an unknown of a linear system is: a component of a vertex.
+struct Mesh_unknown
+{
+  Index vertex;         // its rank
+  Index component;
+};
 
 // What the unknowns of a system are, whose numbering CGAL keeps to itself: those of a vertex are consecutive, and the vertices come in the order of
 // their indices, but for the vertices that are locked when the system is solved.

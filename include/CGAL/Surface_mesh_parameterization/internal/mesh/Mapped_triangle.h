@@ -39,7 +39,7 @@ struct Mapped_triangle
 
   bool is_finite() const
   {
-    return std::all_of(uv.begin(), uv.end(), internal::is_finite);
+    return std::all_of(uv.begin(), uv.end(), [](const Point_2& p) { return internal::is_finite(p); });
   }
 };
 

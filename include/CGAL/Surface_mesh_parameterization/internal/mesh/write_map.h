@@ -4,8 +4,8 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_WRITE_MAP_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_WRITE_MAP_H
 
-#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -15,18 +15,16 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Writes a finished map, given by rank, into the user's property maps, in the user's units.
+// Writes a finished map, in the order of the component's vertices and in the units of its surface, into the user's property maps. Virtual vertices come last, and
+// are left out.
 template <class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
-void write_map(const Mesh_component<TriangleMesh>& component, const Collapse_hierarchy_3& hierarchy, const std::vector<Point_2>& uv,
-               VertexUVMap uvmap, VertexParameterizedMap vpmap)
+void write_map(const Mesh_component<TriangleMesh>& component, int scale_exponent, const std::vector<Point_2>& uv, VertexUVMap uvmap, VertexParameterizedMap vpmap)
 {
   typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
-  for (Index rank = 0; rank < uv.size(); ++rank) {
-    if (hierarchy.input_vertex(rank) >= component.vertices_of_component().size())   // virtual
-      continue;
-    const auto v = component.vertices_of_component()[hierarchy.input_vertex(rank)];
-    put(uvmap, v, User_point_2(std::ldexp(uv[rank].x(), -hierarchy.scale_exponent()), std::ldexp(uv[rank].y(), -hierarchy.scale_exponent())));
-    put(vpmap, v, true);
+  const auto& vertices = component.vertices_of_component();
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    put(uvmap, vertices[i], User_point_2(std::ldexp(uv[i].x(), -scale_exponent), std::ldexp(uv[i].y(), -scale_exponent)));
+    put(vpmap, vertices[i], true);
   }
 }
 

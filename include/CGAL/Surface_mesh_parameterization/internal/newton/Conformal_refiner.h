@@ -8,8 +8,8 @@
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_multigrid.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
 
 #include <vector>
 
@@ -26,13 +26,14 @@ public:
 
   void run()
   {
-    constexpr double residual_tolerance = 1e-3;
-    Newton_multigrid<As_rigid_as_possible_energy_2> newton(m_energy);
+    Newton_options newton_options;
+    newton_options.residual_reduction = 1e-3;       // the energy is quadratic: what the linear system lacks, no second step has to find
+    Newton_method newton(m_energy, nullptr, newton_options);
     const Index a = farthest_border_vertex(0), b = farthest_border_vertex(a);
-    newton.hold({ a, b });
+    newton.fix_vertices({ a, b });
     double current = m_energy(m_uv);
     while (m_summary.iterations < m_options.number_of_iterations && !m_summary.converged) {
-      const auto step = newton.step(m_uv, current, residual_tolerance);
+      const auto step = newton.step(m_uv, current);
       current -= step.decrease;
       ++m_summary.iterations;
       m_summary.cycles += step.cycles;
@@ -60,7 +61,7 @@ private:
   Level::Uv& m_uv;
   const Refinement_options& m_options;
   Level_summary& m_summary;
-  Level_energy<As_rigid_as_possible_energy_2> m_energy;
+  Level_energy_of<As_rigid_as_possible_energy_2> m_energy;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

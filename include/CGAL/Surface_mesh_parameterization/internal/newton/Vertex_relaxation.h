@@ -6,24 +6,23 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/relax_vertex.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <queue>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Vertex relaxation on one level: minimizes its energy one vertex at a time.
-template <class Energy>
 class Vertex_relaxation
 {
 public:
   // Steps are `relaxation_factor` times Newton's, as in successive over-relaxation; between 0 and 2. `barrier`, if there is one, keeps the borders apart.
-  Vertex_relaxation(const Level_energy<Energy>& energy, double relaxation_factor, Border_barrier* barrier = nullptr)
+  Vertex_relaxation(const Level_energy& energy, double relaxation_factor, Border_barrier* barrier = nullptr)
     : m_energy(energy), m_level(energy.level()), m_relaxation_factor(relaxation_factor), m_barrier(barrier)
   { }
 
@@ -34,7 +33,7 @@ public:
   {
     double decrease = 0;                    // of the energy
     std::size_t visits = 0;                 // of vertices
-    std::vector<Index> lively_vertices;     // those whose own step lowered the energy by more than was asked
+    std::vector<Index> active_vertices;     // those whose own step lowered the energy by more than was asked
   };
 
   // A sweep, and then steps for the vertices that lower the energy by more than `least_decrease` each, and for their neighbors, as long as they do so. Vertices that
@@ -52,26 +51,26 @@ public:
   {
     const Collapse_hierarchy_3& hierarchy = m_level.hierarchy();
     const Index first = group == 0 ? 0 : Index(hierarchy.number_of_vertices(group - 1)), last = Index(hierarchy.number_of_vertices(group));
-    const auto relax_if = [&](Index begin, Index end, bool at_border, Star<Energy>& star) {
+    const auto relax_if = [&](Index begin, Index end, bool at_border, Vertex_relaxer& relaxer) {
       Effect effect;
       for (Index v = begin; v < end; ++v)
         if (m_level.is_border(v) == at_border) {
           m_level.rings().prefetch_neighbors_after(v, uv);
-          const double decrease = relax(v, uv, star);
+          const double decrease = relax(v, uv, relaxer);
           effect.decrease += decrease;
           if (decrease > least_decrease)
-            effect.lively_vertices.push_back(v);
+            effect.active_vertices.push_back(v);
         }
       return effect;
     };
+    const auto make_relaxer = [&] { return m_energy.make_vertex_relaxer(); };
     const Loops loops = group == 0 ? Loops() : m_level.loops();
-    Effect effect = loops.reduce(first, last, Effect(), [] { return Star<Energy>(); }, [&](Index begin, Index end, Star<Energy>& star) {
-      return relax_if(begin, end, false, star);
+    Effect effect = loops.reduce_with_scratch(first, last, Effect(), make_relaxer, [&](Index begin, Index end, std::unique_ptr<Vertex_relaxer>& relaxer) {
+      return relax_if(begin, end, false, *relaxer);
     }, add);
-    Star<Energy> star;
     if (m_barrier)
       m_barrier->set_reach(uv);
-    add(effect, relax_if(first, last, true, star));
+    add(effect, relax_if(first, last, true, *make_relaxer()));
     effect.visits = last - first;
     return effect;
   }
@@ -80,12 +79,12 @@ public:
   template <class RandomGenerator>
   double random_steps(Level::Uv& uv, std::size_t number_of_steps, RandomGenerator& random) const
   {
-    Star<Energy> star;
+    const std::unique_ptr<Vertex_relaxer> relaxer = m_energy.make_vertex_relaxer();
     double decrease = 0;
     for (std::size_t i = 0; i < number_of_steps; ++i) {
       if (m_barrier && i % m_level.number_of_vertices() == 0)
         m_barrier->set_reach(uv);
-      decrease += relax(Index((std::uint64_t(random()) * m_level.number_of_vertices()) >> 32), uv, star);
+      decrease += relax(Index((std::uint64_t(random()) * m_level.number_of_vertices()) >> 32), uv, *relaxer);
     }
     return decrease;
   }
@@ -97,7 +96,7 @@ private:
   {
     sum.decrease += effect.decrease;
     sum.visits += effect.visits;
-    sum.lively_vertices.insert(sum.lively_vertices.end(), effect.lively_vertices.begin(), effect.lively_vertices.end());
+    sum.active_vertices.insert(sum.active_vertices.end(), effect.active_vertices.begin(), effect.active_vertices.end());
   }
 
   Effect sweep_once(Level::Uv& uv, double least_decrease) const
@@ -114,7 +113,7 @@ private:
   {
     const std::size_t most_visits = effect.visits + effect.visits / 4;
     std::queue<Index> waiting;
-    std::vector<bool> is_waiting(effect.lively_vertices.empty() ? 0 : m_level.number_of_vertices(), false);
+    std::vector<bool> is_waiting(effect.active_vertices.empty() ? 0 : m_level.number_of_vertices(), false);
     const auto wake = [&](Index v) {
       if (m_level.is_border(v) || is_waiting[v])
         return;
@@ -126,14 +125,14 @@ private:
       for (const Index w : m_level.one_ring(v))
         wake(w);
     };
-    for (const Index v : effect.lively_vertices)
+    for (const Index v : effect.active_vertices)
       wake_star(v);
-    Star<Energy> star;
+    const std::unique_ptr<Vertex_relaxer> relaxer = m_energy.make_vertex_relaxer();
     for (; !waiting.empty() && effect.visits < most_visits; ++effect.visits) {
       const Index v = waiting.front();
       waiting.pop();
       is_waiting[v] = false;
-      const double decrease = relax(v, uv, star);
+      const double decrease = relax(v, uv, *relaxer);
       effect.decrease += decrease;
       if (decrease > least_decrease)
         wake_star(v);
@@ -141,20 +140,19 @@ private:
   }
 
   // Returns by how much the energy fell.
-  double relax(Index v, Level::Uv& uv, Star<Energy>& star) const
+  double relax(Index v, Level::Uv& uv, Vertex_relaxer& relaxer) const
   {
     if (m_level.is_pinned(v))
       return 0;
-    m_energy.gather(v, uv, star);
     if (!m_barrier || !m_level.is_border(v))
-      return relax_vertex(star, m_level.rings(), v, m_relaxation_factor, uv);
+      return relaxer.relax(v, m_relaxation_factor, infinity, uv);
     const Point_2 start = uv[v];
-    const double decrease = relax_vertex(star, m_level.rings(), v, m_relaxation_factor, uv, m_barrier->reach(v));
+    const double decrease = relaxer.relax(v, m_relaxation_factor, m_barrier->reach(v), uv);
     m_barrier->reach(v) -= std::sqrt((uv[v] - start).squared_length());
     return decrease;
   }
 
-  const Level_energy<Energy>& m_energy;
+  const Level_energy& m_energy;
   const Level& m_level;
   double m_relaxation_factor;
   Border_barrier* m_barrier;

@@ -5,11 +5,10 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_CORNER_HESSIAN_H
 
 #include <CGAL/Surface_mesh_parameterization/Distortion_derivatives_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -21,11 +20,11 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // sum of the other two, for the energy does not change when the triangle is moved.
 struct Corner_hessian
 {
-  Eigen::Vector2d gradient;
-  Eigen::Matrix2d to_v, to_b;
+  Block_vector gradient;
+  Block to_v, to_b;
 };
 
-// The Hessian of an energy in the space of Jacobians, made positive semidefinite unless some curvature is lent, and its gradient.
+// The Hessian of an energy in the space of Jacobians, made positive semidefinite but for a part of the negative twist, and its gradient.
 //
 // As complex numbers, with P the images of the corners and G the gradients of their hat functions on the rest shape, the map's conformal and
 // anticonformal parts are z = sum P conj(G) / 2 and w = sum P G / 2. Its singular values are |z| + |w| and |z| - |w|, so its squared Frobenius norm is
@@ -36,7 +35,7 @@ struct Jacobian_hessian
   std::array<std::array<double, 4>, 4> hessian;
 
   template <class Energy>
-  static Jacobian_hessian of(const Energy& energy, double zx, double zy, double wx, double wy, double determinant, double lent)
+  static Jacobian_hessian of(const Energy& energy, double zx, double zy, double wx, double wy, double determinant, double negative_twist)
   {
     const double a = zx * zx + zy * zy, b = wx * wx + wy * wy;
     const Distortion_derivatives_2 e = energy.derivatives(2 * (a + b), determinant);
@@ -46,17 +45,17 @@ struct Jacobian_hessian
     if constexpr (Energy::is_scale_invariant)
       result.set_gauss_newton(a * e_b, a * a * (4 * e.ff - 4 * e.fd + e.dd), zx, zy, wx, wy);
     else
-      result.set_projected(e, a, b, zx, zy, wx, wy, lent);
+      result.set_projected(e, a, b, zx, zy, wx, wy, negative_twist);
     return result;
   }
 
   // Each part of the energy has the Hessian that suits it.
   template <class Energy>
-  static Jacobian_hessian of(const Scale_bounded_energy_2<Energy>&, double zx, double zy, double wx, double wy, double determinant, double lent)
+  static Jacobian_hessian of(const Scale_bounded_energy_2<Energy>&, double zx, double zy, double wx, double wy, double determinant, double negative_twist)
   {
     typedef Scale_bounded_energy_2<Energy>   Sum;
-    Jacobian_hessian result = of(Energy(), zx, zy, wx, wy, determinant, lent);
-    const Jacobian_hessian bound = of(typename Sum::Bound(), zx, zy, wx, wy, determinant, lent);
+    Jacobian_hessian result = of(Energy(), zx, zy, wx, wy, determinant, negative_twist);
+    const Jacobian_hessian bound = of(typename Sum::Bound(), zx, zy, wx, wy, determinant, negative_twist);
     for (int i = 0; i < 4; ++i) {
       result.gradient[i] += Sum::part * bound.gradient[i];
       for (int j = 0; j < 4; ++j)
@@ -89,16 +88,16 @@ private:
   // across z (the twist), 2 e_b across w (the flip), and those of a 2x2 block along z and w (the stretch).
   //
   // The integral of the determinant depends on the border only, so a move of the interior changes |z|^2 and |w|^2 by the same amount in the sum over all
-  // triangles: where the twist is negative the flip can lend it curvature, and the sum stays positive as long as the flip is the greater one of the two. So
-  // a negative twist is kept up to the part `lent` of the flip. Where the two vary from triangle to triangle this is no proof.
-  void set_projected(const Distortion_derivatives_2& e, double a, double b, double zx, double zy, double wx, double wy, double lent)
+  // triangles: where the twist is negative the flip makes up for it, and the sum stays positive as long as the flip is the greater one of the two. So
+  // a negative twist is kept up to the part `negative_twist` of the flip. Where the two vary from triangle to triangle this is no proof.
+  void set_projected(const Distortion_derivatives_2& e, double a, double b, double zx, double zy, double wx, double wy, double negative_twist)
   {
     const double abs_z = std::sqrt(a), abs_w = std::sqrt(b);
     const double e_a = 2 * e.f + e.d, e_b = 2 * e.f - e.d;
     double zz = 2 * e_a + 4 * (4 * e.ff + 4 * e.fd + e.dd) * a, zw = 4 * (4 * e.ff - e.dd) * abs_z * abs_w,
            ww = 2 * e_b + 4 * (4 * e.ff - 4 * e.fd + e.dd) * b;
     project(zz, zw, ww);
-    const double flip = (std::max)(2 * e_b, 0.), twist = (std::max)(2 * e_a, -lent * flip);
+    const double flip = (std::max)(2 * e_b, 0.), twist = (std::max)(2 * e_a, -negative_twist * flip);
 
     const double z[2] = { abs_z > 0 ? zx / abs_z : 1, abs_z > 0 ? zy / abs_z : 0 }, w[2] = { abs_w > 0 ? wx / abs_w : 1, abs_w > 0 ? wy / abs_w : 0 };
     for (int i = 0; i < 2; ++i)
@@ -124,10 +123,10 @@ private:
   }
 };
 
-// `va` and `vb` lead from V to A and B. Of the flip's curvature the part `lent` makes up for a negative twist.
+// `va` and `vb` lead from V to A and B. A negative twist is kept up to the part `negative_twist` of the flip.
 // Precondition: the triangle is positive, or the energy takes others too.
 template <class Energy>
-Corner_hessian corner_hessian(const Energy& energy, const Rest_corner& corner, double weight, const Vector_2& va, const Vector_2& vb, double lent = 0)
+Corner_hessian corner_hessian(const Energy& energy, const Rest_corner& corner, double weight, const Vector_2& va, const Vector_2& vb, double negative_twist = 0)
 {
   // Gradients of the hat functions with V over the edge AB, which lies on the axis: V's is (0, g), B's is (bx, by), A's minus their sum.
   const double inverse_base = std::sqrt(0.5 * corner.height * corner.inverse_area);
@@ -136,21 +135,22 @@ Corner_hessian corner_hessian(const Energy& energy, const Rest_corner& corner, d
   const double zx = 0.5 * (va.x() * ax + va.y() * ay + vb.x() * bx + vb.y() * by), zy = 0.5 * (va.y() * ax - va.x() * ay + vb.y() * bx - vb.x() * by);
   const double wx = 0.5 * (va.x() * ax - va.y() * ay + vb.x() * bx - vb.y() * by), wy = 0.5 * (va.y() * ax + va.x() * ay + vb.y() * bx + vb.x() * by);
   const double determinant = 0.5 * corner.inverse_area * cross(va, vb);
-  const Jacobian_hessian h = Jacobian_hessian::of(energy, zx, zy, wx, wy, determinant, lent);
+  const Jacobian_hessian h = Jacobian_hessian::of(energy, zx, zy, wx, wy, determinant, negative_twist);
 
   // A move (x, y) of V changes z and w by g (y, -x) / 2 and g (-y, x) / 2; one of B by conj(G) (x + iy) / 2 and G (x + iy) / 2.
   const double scale = 0.5 * g * weight;
   Corner_hessian result;
   result.gradient = { scale * (h.gradient[3] - h.gradient[1]), scale * (h.gradient[0] - h.gradient[2]) };
+  Block_vector to_v[2], to_b[2];      // row by row
   for (int i = 0; i < 2; ++i) {
     double row[4];
     for (int j = 0; j < 4; ++j)
       row[j] = scale * (i == 0 ? h.hessian[3][j] - h.hessian[1][j] : h.hessian[0][j] - h.hessian[2][j]);
-    result.to_v(i, 0) = 0.5 * g * (row[3] - row[1]);
-    result.to_v(i, 1) = 0.5 * g * (row[0] - row[2]);
-    result.to_b(i, 0) = 0.5 * (bx * (row[0] + row[2]) + by * (row[3] - row[1]));
-    result.to_b(i, 1) = 0.5 * (bx * (row[1] + row[3]) + by * (row[0] - row[2]));
+    to_v[i] = 0.5 * g * Block_vector(row[3] - row[1], row[0] - row[2]);
+    to_b[i] = 0.5 * Block_vector(bx * (row[0] + row[2]) + by * (row[3] - row[1]), bx * (row[1] + row[3]) + by * (row[0] - row[2]));
   }
+  result.to_v = Block(to_v[0].x, to_v[0].y, to_v[1].x, to_v[1].y);
+  result.to_b = Block(to_b[0].x, to_b[0].y, to_b[1].x, to_b[1].y);
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/prefetch.h>
 
 #include <boost/config.hpp>
@@ -30,37 +31,15 @@ public:
   typedef boost::iterator_range<const Index*>   Ring;
 
   One_rings() = default;
-  One_rings(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles) { build(number_of_vertices, triangles, Loops()); }
+  One_rings(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles);
 
   // Reuses the arrays of an earlier build; release_scratch() gives back the half of them that only building needs.
-  void build(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles, const Loops& loops)
-  {
-    collect_opposite_edges(number_of_vertices, triangles, loops);
-
-    m_first.resize(number_of_vertices + 1);
-    m_first[0] = 0;
-    for (std::size_t v = 0; v < number_of_vertices; ++v)
-      m_first[v + 1] = m_first[v] + (edge_end(Index(v)) - edge_begin(Index(v))) + (m_is_border[v] ? 1 : 0);
-
-    m_neighbors.resize(m_first.back());
-    m_first_bad_vertex = loops.min(0, Index(number_of_vertices), no_index, [&](Index v) { return link_ring(v) ? no_index : v; });
-  }
+  void build(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles, const Loops& loops);
 
   // Makes room for a mesh of that size, so that no later build() has to move the arrays.
-  void reserve(std::size_t number_of_vertices, std::size_t number_of_triangles, const Loops& loops)
-  {
-    m_first.reserve(number_of_vertices + 1);
-    m_neighbors.reserve(3 * number_of_triangles + number_of_vertices);
-    m_is_border.reserve(number_of_vertices);
-    m_edges.reserve(3 * number_of_triangles);
-    m_next_edge.reserve(loops.number_of_parts() * number_of_vertices);
-  }
+  void reserve(std::size_t number_of_vertices, std::size_t number_of_triangles, const Loops& loops);
 
-  void release_scratch()
-  {
-    std::vector<Directed_edge>().swap(m_edges);
-    std::vector<Index>().swap(m_next_edge);
-  }
+  void release_scratch();
 
   std::size_t number_of_vertices() const { return m_is_border.size(); }
   bool is_border(Index v) const { return m_is_border[v] != 0; }
@@ -87,128 +66,27 @@ public:
   // The first vertex whose triangles are not one fan with one orientation, `no_index` if there is none.
   Index first_non_manifold_vertex() const { return m_first_bad_vertex; }
 
+  // Every border as a cycle of vertices, with the surface to its left.
   // Precondition: every vertex is manifold.
-  std::size_t number_of_borders() const
-  {
-    std::vector<bool> is_counted(number_of_vertices(), false);
-    std::size_t result = 0;
-    for (Index start = 0; start < number_of_vertices(); ++start)
-      if (is_border(start) && !is_counted[start]) {
-        ++result;
-        for (Index v = start; !is_counted[v]; v = (*this)[v].front())
-          is_counted[v] = true;
-      }
-    return result;
-  }
+  std::vector<std::vector<Index>> borders() const;
 
 private:
   Index edge_begin(Index v) const { return v == 0 ? 0 : edge_end(v - 1); }
   Index edge_end(Index v) const { return m_next_edge[m_next_edge.size() - number_of_vertices() + v]; }
 
   // Counting sort by vertex, of several parts of the triangles side by side.
-  void collect_opposite_edges(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles, const Loops& loops)
-  {
-    const Index parts = loops.number_of_parts();
-    const auto for_each_triangle = [&](const auto& f) {
-      loops.for_each_block(0, parts, [] { return 0; }, [&](Index part, Index, int) {
-        const std::size_t n = triangles.size(), end = n * (part + 1) / parts;
-        for (std::size_t i = n * part / parts; i < end; ++i)
-          f(triangles[i], m_next_edge.data() + part * number_of_vertices);
-      }, 1);
-    };
-    m_next_edge.assign(parts * number_of_vertices, 0);
-    for_each_triangle([](const Index_triangle& t, Index* count) {
-      for (const Index v : t)
-        ++count[v];
-    });
-    Index sum = 0;
-    for (std::size_t v = 0; v < number_of_vertices; ++v)
-      for (Index part = 0; part < parts; ++part)
-        sum += std::exchange(m_next_edge[part * number_of_vertices + v], sum);
-    m_edges.resize(sum);
-    for_each_triangle([this](const Index_triangle& t, Index* next) {
-      for (int i = 0; i < 3; ++i)
-        m_edges[next[t[i]]++] = { t[(i + 1) % 3], t[(i + 2) % 3] };
-    });
-
-    // A closed fan leaves every neighbor once and enters it once; so in an open one the neighbors entered and left differ in sum.
-    m_is_border.resize(number_of_vertices);
-    loops.for_each(0, Index(number_of_vertices), [&](Index v) {
-      Index balance = 0;
-      for (Index e = edge_begin(v); e < edge_end(v); ++e)
-        balance += m_edges[e].first - m_edges[e].second;
-      m_is_border[v] = balance != 0;
-    });
-  }
+  void collect_opposite_edges(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles, const Loops& loops);
 
   // Sorts the edges opposite to v, so that each starts where the one before ends. Quadratic in the valence, but in
   // two cache lines; a vertex of high valence sorts them by their start first.
-  bool link_ring(Index v)
-  {
-    Directed_edge* const begin = m_edges.data() + edge_begin(v);
-    Directed_edge* const end = m_edges.data() + edge_end(v);
-    Index* out = m_neighbors.data() + m_first[v];
-    if (begin == end)
-      return false;
-    if (end - begin > 32)
-      return link_large_ring(v);
+  bool link_ring(Index v);
 
-    if (is_border(v))
-      for (Directed_edge* e = begin; e != end; ++e)
-        if (std::none_of(begin, end, [&](const Directed_edge& other) { return other.second == e->first; })) {
-          std::swap(*begin, *e);
-          break;
-        }
-    *out++ = begin->first;
-    for (Directed_edge* e = begin; e + 1 != end; ++e) {
-      Directed_edge* const following = std::find_if(e + 1, end, [&](const Directed_edge& other) { return other.first == e->second; });
-      if (following == end)
-        return fill_bad_ring(v);
-      std::swap(e[1], *following);
-      *out++ = e[1].first;
-    }
-    return close_ring(v, out, (end - 1)->second);
-  }
-
-  bool link_large_ring(Index v)
-  {
-    const auto begin = m_edges.begin() + edge_begin(v), end = m_edges.begin() + edge_end(v);
-    std::sort(begin, end);
-    Index start = begin->first;
-    if (is_border(v)) {
-      std::vector<Index> sorted_ends;
-      for (auto e = begin; e != end; ++e)
-        sorted_ends.push_back(e->second);
-      std::sort(sorted_ends.begin(), sorted_ends.end());
-      for (auto e = begin; e != end; ++e)
-        if (!std::binary_search(sorted_ends.begin(), sorted_ends.end(), e->first))
-          start = e->first;
-    }
-    Index* out = m_neighbors.data() + m_first[v];
-    Index current = start;
-    for (auto i = begin; i != end; ++i) {
-      const auto e = std::lower_bound(begin, end, Directed_edge(current, 0));
-      if (e == end || e->first != current || (i != begin && current == start))
-        return fill_bad_ring(v);
-      *out++ = current;
-      current = e->second;
-    }
-    return close_ring(v, out, current);
-  }
+  bool link_large_ring(Index v);
 
   // An open fan ends at one more neighbor, a closed one where it began.
-  bool close_ring(Index v, Index* out, Index last)
-  {
-    if (is_border(v))
-      *out = last;
-    return is_border(v) || last == m_neighbors[m_first[v]] || fill_bad_ring(v);
-  }
+  bool close_ring(Index v, Index* out, Index last);
 
-  bool fill_bad_ring(Index v)
-  {
-    std::fill(m_neighbors.begin() + m_first[v], m_neighbors.begin() + m_first[v + 1], v);
-    return false;
-  }
+  bool fill_bad_ring(Index v);
 
   std::vector<Index> m_first, m_neighbors;
   std::vector<unsigned char> m_is_border;
@@ -219,5 +97,9 @@ private:
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings_impl.h>
+#endif
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_ONE_RINGS_H

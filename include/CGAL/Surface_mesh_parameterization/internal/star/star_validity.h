@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_STAR_VALIDITY_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 
@@ -64,7 +65,7 @@ bool turns_back_to_start(const One_rings::Ring& ring, const Place& place, Index 
   const Point_2 &center = place(v, v), &first = place(ring.front(), v);
   bool is_past_half_turn = false;
   for (std::size_t i = 1; i < ring.size(); ++i) {
-    const bool is_ahead = orientation(center, first, place(ring[i], v)) != RIGHT_TURN;
+    const bool is_ahead = exact_orientation(center, first, place(ring[i], v)) != RIGHT_TURN;
     if (is_ahead && is_past_half_turn)
       return true;
     is_past_half_turn = is_past_half_turn || !is_ahead;

@@ -42,11 +42,11 @@ public:
     typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
     typedef typename Wrapped_run<SeamMesh>::Index_map                  Index_map;
 
-    Wrapped_run<SeamMesh> run = this->start_run(mesh, bhd);
+    Wrapped_run<SeamMesh> run(mesh, bhd, this->options());
     if (run.error() != OK)
       return run.error();
     std::vector<User_point_2> uv(run.vertices().size());
-    const auto session = std::make_shared<Constrained_session>(run.interpolation(), run.ranks(), this->solver_options());
+    const auto session = std::make_shared<Constrained_session>(run.interpolation(), run.interpolation()->ranks(), this->options().solver, &make_multigrid_linear_solver<>);
     const Error_code code = run.parameterize(session, uv, [&]() -> Error_code {
       if (num_vertices(mesh) != uv.size())
         return ERROR_NO_TOPOLOGICAL_DISC;

@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Component_map.h>
@@ -47,7 +48,7 @@ public:
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap, VertexParameterizedMap vpmap, Others&&... others)
   {
-    if (this->fills_holes())
+    if (this->options().fills_holes)
       return parameterize_filled(mesh, bhd, uvmap, vpmap, std::forward<Others>(others)...);
     return parameterize_as_it_is(mesh, bhd, uvmap, vpmap, std::forward<Others>(others)...);
   }
@@ -71,7 +72,7 @@ private:
     typedef typename boost::property_traits<VertexUVMap>::value_type    User_point_2;
     typedef typename Wrapped_run<Triangle_mesh>::Index_map              Index_map;
 
-    Wrapped_run<Triangle_mesh> run = this->start_run(mesh, bhd);
+    Wrapped_run<Triangle_mesh> run(mesh, bhd, this->options());
     if (run.error() != OK)
       return run.error();
     const auto& vertices = run.vertices();
@@ -86,14 +87,14 @@ private:
     std::function<bool(std::size_t)> is_locked;
     if (Use::locks_placed_vertices)
       is_locked = [&is_placed](std::size_t i) { return bool(is_placed[i]); };
-    const auto session = std::make_shared<Multigrid_session>(run.interpolation(), Mesh_unknowns(run.ranks(), is_locked), this->solver_options(),
-                                                             Use::solves_in_pairs);
+    const auto session = std::make_shared<Multigrid_session>(run.interpolation(), Mesh_unknowns(run.interpolation()->ranks(), is_locked),
+                                                             this->options().solver, &make_multigrid_linear_solver<>, Use::solves_in_pairs);
     Error_code code = run.parameterize(session, uv, [&] {
       return this->make_parameterizer()->parameterize(mesh, bhd, Component_map<Index_map, User_point_2>{ run.index(), &uv }, run.index(),
                                                       Component_map<Index_map, char>{ run.index(), &is_placed }, std::forward<Others>(others)...);
     });
     if (code == OK)
-      code = run.settle_flips(mesh, bhd, this->flip_policy(), uv);
+      code = run.apply_flip_policy(uv);
     typedef typename Flip_free_relative<Parameterizer>::type   Relative;
     if constexpr (!std::is_void<Relative>::value)
       if (code == OK && run.is_mostly_moved())

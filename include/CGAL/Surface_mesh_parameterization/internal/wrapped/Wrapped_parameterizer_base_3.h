@@ -4,17 +4,12 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_PARAMETERIZER_BASE_3_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_PARAMETERIZER_BASE_3_H
 
-#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
-#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
-#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
-#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_run.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_options.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <cstddef>
@@ -56,20 +51,12 @@ public:
   }
 
 protected:
-  typedef typename Rebind_solver<Parameterizer, Multigrid_solver_traits>::type   Rebound;
+  typedef typename Rebind_solver<Parameterizer, Multigrid_solver_traits>::type   Parameterizer_with_multigrid;
 
   // Each run makes its own parameterizer, inside the scope of its solver; and some of CGAL's cannot be copied.
-  std::unique_ptr<Rebound> make_parameterizer() const { return m_make(); }
+  std::unique_ptr<Parameterizer_with_multigrid> make_parameterizer() const { return m_make(); }
 
-  template <class TriangleMesh>
-  Wrapped_run<TriangleMesh> start_run(const TriangleMesh& mesh, typename Wrapped_run<TriangleMesh>::halfedge_descriptor bhd) const
-  {
-    return Wrapped_run<TriangleMesh>(mesh, bhd, m_build, m_summary);
-  }
-
-  const Multigrid_linear_solver::Options& solver_options() const { return m_options; }
-  Flip_policy flip_policy() const { return m_flip_policy; }
-  bool fills_holes() const { return m_fills_holes; }
+  const Wrapped_options& options() const { return m_options; }
 
   // Whether the parameterizer is made of something that the caller gave, such as corners, which are vertices of the caller's mesh.
   bool has_arguments() const { return m_has_arguments; }
@@ -77,9 +64,9 @@ protected:
   // Ends a run before it started.
   Error_code fail(Error_code code) const
   {
-    if (m_summary) {
-      *m_summary = Parameterization_summary();
-      m_summary->error.code = code;
+    if (m_options.summary) {
+      *m_options.summary = Parameterization_summary();
+      m_options.summary->error.code = code;
     }
     return code;
   }
@@ -89,39 +76,20 @@ private:
   void keep_arguments(const Tuple& arguments, std::index_sequence<positions...>)
   {
     m_has_arguments = sizeof...(positions) > 0;
-    m_make = [arguments] { (void)arguments; return std::make_unique<Rebound>(std::get<positions>(arguments)...); };
+    m_make = [arguments] { (void)arguments; return std::make_unique<Parameterizer_with_multigrid>(std::get<positions>(arguments)...); };
   }
 
   template <class NamedParameters>
   void set_options(const NamedParameters& np)
   {
-    const bool unit_edges = parameters::choose_parameter(parameters::get_parameter(np, internal_np::unit_edges), Solver_use<Parameterizer>::has_uniform_weights);
-    const Named_parameters<bool, internal_np::unit_edges_t, NamedParameters> hierarchy_np(unit_edges, np);
-    m_build = [hierarchy_np](Triangulated_surface_3 surface) { return build(std::move(surface), hierarchy_np); };
-    m_options = linear_solver_options_of(np);
-    m_fills_holes = parameters::choose_parameter(parameters::get_parameter(np, internal_np::fill_holes), m_fills_holes);
-    m_flip_policy = parameters::choose_parameter(parameters::get_parameter(np, internal_np::flip_policy), m_flip_policy);
-    m_summary = summary_of(np);
+    Hierarchy_options hierarchy_defaults;
+    hierarchy_defaults.has_unit_edges = Solver_use<Parameterizer>::has_uniform_weights;
+    m_options = wrapped_options_of(np, hierarchy_defaults);
   }
 
-  // Null if the visitor has stopped the run. A hierarchy that no visitor wants to see is built without its faces.
-  template <class NamedParameters>
-  static std::shared_ptr<const Hierarchy_interpolation> build(Triangulated_surface_3 surface, const NamedParameters& np)
-  {
-    if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value)
-      return std::make_shared<const Hierarchy_interpolation>(std::move(surface), np);
-    else {
-      const Collapse_hierarchy_3 hierarchy(std::move(surface), np);
-      return hierarchy_visitor_of(np)->hierarchy_built(hierarchy) ? std::make_shared<const Hierarchy_interpolation>(hierarchy) : nullptr;
-    }
-  }
-
-  std::function<std::unique_ptr<Rebound>()> m_make;
-  std::function<std::shared_ptr<const Hierarchy_interpolation>(Triangulated_surface_3)> m_build;
-  Multigrid_linear_solver::Options m_options;
-  bool m_has_arguments = false, m_fills_holes = false;
-  Flip_policy m_flip_policy = Flip_policy::FAIL;
-  Parameterization_summary* m_summary = nullptr;
+  std::function<std::unique_ptr<Parameterizer_with_multigrid>()> m_make;
+  bool m_has_arguments = false;
+  Wrapped_options m_options;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

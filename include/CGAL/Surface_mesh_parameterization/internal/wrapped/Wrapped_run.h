@@ -9,11 +9,14 @@
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/settle_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/build_interpolation.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/properties.h>
@@ -39,46 +42,38 @@ public:
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor                                  halfedge_descriptor;
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int>>::const_type     Index_map;
 
-  // Reads the component of `bhd`, and has `build(surface)` make the interpolation on its hierarchy: a shared pointer, null if the user has stopped the run.
-  // `summary` may be null. Whether the run can go on is told by error().
-  template <class Build>
-  Wrapped_run(const TriangleMesh& mesh, halfedge_descriptor bhd, const Build& build, Parameterization_summary* summary)
-    : m_index(get(CGAL::dynamic_vertex_property_t<int>(), mesh)), m_users_summary(summary)
+  // Reads the component of `bhd` and builds its hierarchy. Whether the run can go on is told by error().
+  Wrapped_run(const TriangleMesh& mesh, halfedge_descriptor bhd, const Wrapped_options& options)
+    : m_options(options), m_index(get(CGAL::dynamic_vertex_property_t<int>(), mesh))
   {
-    this->summary() = Parameterization_summary();
+    summary() = Parameterization_summary();
     m_timer.start();
     Mesh_component<TriangleMesh> component(mesh, bhd);
-    this->summary().error = component.error();
+    summary().error = component.error();
     if (error() != OK)
       return;
     m_vertices = component.vertices_of_component();
-    m_triangles = component.surface().triangles;
     for (std::size_t i = 0; i < m_vertices.size(); ++i)
       put(m_index, m_vertices[i], int(i));
-    m_interpolation = build(std::move(component.surface()));
-    this->summary().seconds_hierarchy = m_timer.time();
+    if (options.flip_policy == Flip_policy::REPAIR)
+      m_surface = component.surface();
+    else if (options.flip_policy == Flip_policy::FAIL)
+      m_surface.triangles = component.surface().triangles;
+    m_interpolation = build_interpolation(std::move(component.surface()), options.hierarchy, options.visitor.get());
+    summary().seconds_hierarchy = m_timer.time();
     if (!m_interpolation) {
-      this->summary().stopped = true;
-      this->summary().error.code = ERROR_NO_1_TO_1_MAPPING;
+      summary().stopped = true;
+      summary().error.code = ERROR_NO_1_TO_1_MAPPING;
     }
   }
 
-  Error_code error() const { return (m_users_summary ? *m_users_summary : m_own_summary).error.code; }
+  Error_code error() { return summary().error.code; }
 
   // The component's vertices, breadth first, and their numbers in that order.
   const std::vector<vertex_descriptor>& vertices() const { return m_vertices; }
   const Index_map& index() const { return m_index; }
 
   const std::shared_ptr<const Hierarchy_interpolation>& interpolation() const { return m_interpolation; }
-
-  // The ranks of the vertices, in their order.
-  std::vector<Index> ranks() const
-  {
-    std::vector<Index> result(m_interpolation->number_of_vertices());
-    for (Index rank = 0; rank < result.size(); ++rank)
-      result[m_interpolation->input_vertex(rank)] = rank;
-    return result;
-  }
 
   // Calls `parameterize()`, which makes a parameterizer whose solver is that of the session and writes its map to `uv`.
   template <class Point, class Function>
@@ -95,17 +90,17 @@ public:
     return code;
   }
 
-  // Does with the flips of a map of `mesh` what the policy says.
+  // Does with the flips of a map what the policy says.
   template <class Point>
-  Error_code settle_flips(const TriangleMesh& mesh, halfedge_descriptor bhd, Flip_policy policy, std::vector<Point>& uv)
+  Error_code apply_flip_policy(std::vector<Point>& uv)
   {
-    if (policy == Flip_policy::KEEP)
+    if (m_options.flip_policy == Flip_policy::KEEP)
       return error();
     std::vector<Point_2> map;
     for (const Point& p : uv)
       map.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
-    const auto make_surface = [&] { return std::move(Mesh_component<TriangleMesh>(mesh, bhd).surface()); };
-    summary().error.code = internal::settle_flips(m_triangles, One_rings(uv.size(), m_triangles), make_surface, policy, map, summary());
+    const One_rings rings(uv.size(), m_surface.triangles);
+    summary().error.code = internal::apply_flip_policy(m_options.flip_policy, rings, [this] { return std::move(m_surface); }, map, summary());
     if (summary().moved_vertices > 0)
       for (std::size_t i = 0; i < uv.size(); ++i)
         uv[i] = Point(map[i].x(), map[i].y());
@@ -115,7 +110,7 @@ public:
   // Whether so many vertices were moved by a repair that little is left of the map.
   bool is_mostly_moved() { return summary().moved_vertices > m_vertices.size() / 10; }
 
-  Parameterization_summary& summary() { return m_users_summary ? *m_users_summary : m_own_summary; }
+  Parameterization_summary& summary() { return m_options.summary ? *m_options.summary : m_own_summary; }
 
 private:
   template <class Point>
@@ -127,12 +122,12 @@ private:
     return true;
   }
 
+  const Wrapped_options& m_options;
   CGAL::Real_timer m_timer;
   std::vector<vertex_descriptor> m_vertices;
-  std::vector<Index_triangle> m_triangles;
   Index_map m_index;
+  Triangulated_surface_3 m_surface;     // what the flip policy needs of it
   std::shared_ptr<const Hierarchy_interpolation> m_interpolation;
-  Parameterization_summary* m_users_summary;
   Parameterization_summary m_own_summary;
 };
 

@@ -1,13 +1,15 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_MULTIGRID_H
-#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_MULTIGRID_H
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_METHOD_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_METHOD_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_guard.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/conjugate_gradients.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/level_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
@@ -21,8 +23,7 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Newton's method for the energy of a level, with a line search that keeps the map valid, if the energy keeps triangles positive.
-template <class Energy>
-class Newton_multigrid
+class Newton_method
 {
 public:
   struct Step
@@ -34,31 +35,31 @@ public:
   };
 
   // `barrier`, if there is one, keeps the borders apart; its energy is minimized along with the level's.
-  explicit Newton_multigrid(const Level_energy<Energy>& energy, Border_barrier* barrier = nullptr)
-    : m_energy(energy), m_level(energy.level()), m_barrier(barrier), m_border_guard(energy.level()), m_system(energy)
+  explicit Newton_method(const Level_energy& energy, Border_barrier* barrier = nullptr, const Newton_options& options = Newton_options())
+    : m_energy(energy), m_level(energy.level()), m_options(options), m_barrier(barrier), m_border_guard(energy.level()), m_system(energy, m_options)
   {
-    m_system.lend_twist(!Energy::is_flip_free);
+    m_system.keep_negative_twist(!m_energy.is_flip_free());
     m_direction.resize(m_level.number_of_vertices());
   }
 
   // Lets no step move the given vertices, see Newton_system.
-  void hold(std::vector<Index> vertices) { m_system.hold(std::move(vertices)); }
+  void fix_vertices(std::vector<Index> vertices) { m_system.fix_vertices(std::move(vertices)); }
 
-  // One step from `uv`, whose energy is given; the linear system is solved to the relative residual `tolerance`.
-  Step step(Level::Uv& uv, double energy, double tolerance)
+  // One step from `uv`, whose energy is given.
+  Step step(Level::Uv& uv, double energy)
   {
-    Step result = try_step(uv, energy, tolerance);
-    if (result.length == 0 && m_system.lends_twist()) {
-      m_system.lend_twist(false);
-      result = try_step(uv, energy, tolerance);
+    Step result = try_step(uv, energy);
+    if (result.length == 0 && m_system.keeps_negative_twist()) {
+      m_system.keep_negative_twist(false);
+      result = try_step(uv, energy);
     }
     // Where a step cannot be taken in full length the model is indefinite, or no good.
-    m_system.lend_twist(!Energy::is_flip_free && result.length == 1);
+    m_system.keep_negative_twist(!m_energy.is_flip_free() && result.length == 1);
     return result;
   }
 
 private:
-  Step try_step(Level::Uv& uv, double energy, double tolerance)
+  Step try_step(Level::Uv& uv, double energy)
   {
     Step result;
     if (m_barrier) {
@@ -67,7 +68,7 @@ private:
     }
     if (!m_system.assemble(uv, m_barrier))
       return result;
-    result.cycles = m_system.solve(tolerance);
+    result.cycles = m_system.solve();
     if (m_trial.size() == uv.size())
       m_system.add_previous_step(m_trial, uv);      // the line search left the map before that step in m_trial
     for_each_vertex([&](Index v) { m_direction[v] = m_system.move(v); });
@@ -75,7 +76,7 @@ private:
     const double slope = dot_with_gradient();
     result.predicted = -0.5 * slope;
     if (slope < 0)
-      search_line(uv, energy, slope, tolerance, result);
+      search_line(uv, energy, slope, result);
     return result;
   }
 
@@ -85,37 +86,43 @@ private:
   template <class Function>
   void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, Index(m_direction.size()), f); }
 
-  double dot_with_gradient() const { return dot(m_level.loops(), m_system.gradient(), m_direction); }
+  double dot_with_gradient() const { return inner_product(m_level.loops(), m_system.gradient(), m_direction); }
 
   // The least t > 0 at which a triangle vanishes on the way to uv + t direction.
   double longest_step(const Level::Uv& uv) const
   {
-    return m_energy.min(uv, [&](Index v, Index a, Index b, const Rest_corner&) {
-      const Vector_2 p = uv[a] - uv[v], q = uv[b] - uv[v];
-      const Pair d = m_direction[a] - m_direction[v], e = m_direction[b] - m_direction[v];
-      const Vector_2 dp(d[0], d[1]), dq(e[0], e[1]);
-      const double c0 = cross(p, q), c1 = cross(p, dq) + cross(dp, q), c2 = cross(dp, dq);
-      // The least positive root of c0 + c1 t + c2 t^2, c0 > 0, in the form that does not cancel.
-      const double discriminant = c1 * c1 - 4 * c0 * c2;
-      const double root = discriminant < 0 || (c1 >= 0 && c2 >= 0) ? 0 : 2 * c0 / (std::sqrt(discriminant) - c1);
-      return root > 0 ? root : (std::numeric_limits<double>::infinity)();
+    constexpr double infinity = (std::numeric_limits<double>::infinity)();
+    return m_level.loops().min(0, Index(uv.size()), infinity, [&](Index v) {
+      m_level.rings().prefetch_neighbors_after(v, uv);
+      double least = infinity;
+      for_each_triangle_of_least_vertex(m_level, v, [&](Index a, Index b, const Rest_corner&) {
+        const Vector_2 p = uv[a] - uv[v], q = uv[b] - uv[v];
+        const Block_vector d = m_direction[a] - m_direction[v], e = m_direction[b] - m_direction[v];
+        const Vector_2 dp(d.x, d.y), dq(e.x, e.y);
+        const double c0 = cross(p, q), c1 = cross(p, dq) + cross(dp, q), c2 = cross(dp, dq);
+        // The least positive root of c0 + c1 t + c2 t^2, c0 > 0, in the form that does not cancel.
+        const double discriminant = c1 * c1 - 4 * c0 * c2;
+        const double root = discriminant < 0 || (c1 >= 0 && c2 >= 0) ? 0 : 2 * c0 / (std::sqrt(discriminant) - c1);
+        if (root > 0)
+          least = (std::min)(least, root);
+      });
+      return least;
     });
   }
 
   // Goes along the direction as far as the energy falls and the map stays valid. Where the angles at a border vertex would reach a full turn, of which the
-  // energy knows nothing, the direction is bent so that they do not, and at last cut off: the rest of the map need not wait for them.
-  void search_line(Level::Uv& uv, double energy, double slope, double tolerance, Step& result)
+  // energy knows nothing, the direction is corrected so that they do not, and at last cut off: the rest of the map need not wait for them.
+  void search_line(Level::Uv& uv, double energy, double slope, Step& result)
   {
-    constexpr int rounds_of_bending = 6, most_rounds = 10;
-    for (int i = 0; i < most_rounds && slope < 0; ++i) {
+    for (int i = 0; i < m_options.most_rounds && slope < 0; ++i) {
       try_lengths(uv, energy, slope, result);
-      if (result.length > 0 || !Energy::is_flip_free)
+      if (result.length > 0 || !m_energy.is_flip_free())
         return;
       const std::vector<Border_guard::Gap> gaps = m_border_guard.lost_gaps(uv, m_trial);
       if (gaps.empty())
         return;
-      if (i < rounds_of_bending)
-        result.cycles += bend(gaps, tolerance);
+      if (i < m_options.most_corrections)
+        result.cycles += correct_direction(gaps);
       else
         cut_off(gaps);
       slope = dot_with_gradient();
@@ -124,13 +131,13 @@ private:
 
   // Changes the direction as little as is needed, in the norm of the Hessian, for no gap to lose too much, to first order: so the neighbors go along.
   // Returns the number of V-cycles.
-  std::size_t bend(const std::vector<Border_guard::Gap>& gaps, double tolerance)
+  std::size_t correct_direction(const std::vector<Border_guard::Gap>& gaps)
   {
-    std::vector<typename Newton_system<Energy>::Force> forces;
+    std::vector<Newton_system::Force> forces;
     for (const Border_guard::Gap& gap : gaps)
       for (int i = 0; i < 3 && gap.missing > 0; ++i)
         forces.push_back({ gap.vertices[i], gap.missing * gap.gradients[i] });
-    const std::size_t cycles = m_system.solve(forces, tolerance);
+    const std::size_t cycles = m_system.solve(forces);
     const auto correction = [&](Index v) { return m_system.move(v); };
     double factor = 0;
     std::vector<Border_guard::Gap> hopeless;
@@ -148,24 +155,22 @@ private:
   {
     for (const Border_guard::Gap& gap : gaps)
       for (const Index v : gap.vertices)
-        m_direction[v] = Pair(0, 0);
+        m_direction[v] = Block_vector(0, 0);
   }
 
   // Halves the step until it is acceptable; ends early at one that fails only by the angles at the border.
   void try_lengths(Level::Uv& uv, double energy, double slope, Step& result)
   {
-    constexpr int most_halvings = 12;
-    constexpr double part_of_longest_step = 0.9, sufficient_decrease = 1e-4;
-    double length = Energy::is_flip_free ? (std::min)(1., part_of_longest_step * longest_step(uv)) : 1;
+    double length = m_energy.is_flip_free() ? (std::min)(1., m_options.part_of_longest_step * longest_step(uv)) : 1;
     if (m_barrier)
-      length = (std::min)(length, part_of_longest_step * m_barrier->longest_step(uv, m_direction));
+      length = (std::min)(length, m_options.part_of_longest_step * m_barrier->longest_step(uv, m_direction));
     m_trial.resize(uv.size());
-    for (int i = 0; i < most_halvings; ++i, length *= 0.5) {
-      for_each_vertex([&](Index v) { m_trial[v] = uv[v] + Vector_2(length * m_direction[v][0], length * m_direction[v][1]); });
+    for (int i = 0; i < m_options.most_halvings; ++i, length *= 0.5) {
+      for_each_vertex([&](Index v) { m_trial[v] = uv[v] + Vector_2(length * m_direction[v].x, length * m_direction[v].y); });
       const double decrease = energy - objective(m_trial);
-      if (!(decrease > -sufficient_decrease * length * slope))
+      if (!(decrease > -m_options.sufficient_decrease * length * slope))
         continue;
-      if (!Energy::is_flip_free || (!m_border_guard.turns_too_far(uv, m_trial) && is_map_valid(m_level.rings(), m_trial, m_level.loops()) &&
+      if (!m_energy.is_flip_free() || (!m_border_guard.turns_too_far(uv, m_trial) && is_map_valid(m_level.rings(), m_trial, m_level.loops()) &&
                                     (!m_barrier || m_barrier->keeps_apart(m_trial)))) {
         uv.swap(m_trial);
         result.decrease = decrease;
@@ -177,15 +182,16 @@ private:
     }
   }
 
-  const Level_energy<Energy>& m_energy;
+  const Level_energy& m_energy;
   const Level& m_level;
+  Newton_options m_options;
   Border_barrier* m_barrier;
   Border_guard m_border_guard;
-  Newton_system<Energy> m_system;
-  Pair_vector m_direction;
+  Newton_system m_system;
+  Block_vectors m_direction;
   Level::Uv m_trial;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
-#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_MULTIGRID_H
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_METHOD_H

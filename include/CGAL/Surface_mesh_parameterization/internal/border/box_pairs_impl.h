@@ -1,0 +1,41 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_BOX_PAIRS_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_BOX_PAIRS_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/border/box_pairs.h>
+
+#include <CGAL/box_intersection_d.h>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+typedef CGAL::Box_intersection_d::Box_with_info_d<double, 2, std::size_t>   Numbered_box;
+
+inline std::vector<Numbered_box> numbered_boxes(const std::vector<Bbox_2>& boxes)
+{
+  std::vector<Numbered_box> result;
+  result.reserve(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    result.emplace_back(boxes[i], i);
+  return result;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void for_each_pair_of_boxes(const std::vector<Bbox_2>& boxes, Function_ref<void(std::size_t, std::size_t)> f)
+{
+  std::vector<Numbered_box> numbered = numbered_boxes(boxes);
+  CGAL::box_self_intersection_d(numbered.begin(), numbered.end(), [f](const Numbered_box& a, const Numbered_box& b) { f(a.info(), b.info()); });
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void for_each_pair_of_boxes(const std::vector<Bbox_2>& boxes, const std::vector<Bbox_2>& others, Function_ref<void(std::size_t, std::size_t)> f)
+{
+  std::vector<Numbered_box> numbered = numbered_boxes(boxes), numbered_others = numbered_boxes(others);
+  CGAL::box_intersection_d(numbered.begin(), numbered.end(), numbered_others.begin(), numbered_others.end(),
+                           [f](const Numbered_box& a, const Numbered_box& b) { f(a.info(), b.info()); });
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_BOX_PAIRS_IMPL_H

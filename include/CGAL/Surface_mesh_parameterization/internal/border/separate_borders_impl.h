@@ -1,0 +1,47 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_SEPARATE_BORDERS_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_SEPARATE_BORDERS_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/separate_borders.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool separate_borders(const Level& level, Level::Uv& uv)
+{
+  constexpr int most_rounds = 45;
+  constexpr double part_of_way = 0.4;
+  const std::vector<Border_edge> edges = border_edges(level.rings());
+  for (int i = 0; i < most_rounds; ++i) {
+    bool is_separate = true;
+    std::vector<Index> to_move;
+    for_each_crossing(edges, uv, [&](std::size_t e, std::size_t f) {
+      is_separate = false;
+      for (const Index v : { edges[e].source, edges[e].target, edges[f].source, edges[f].target })
+        if (v >= level.first_new_vertex())
+          to_move.push_back(v);
+    });
+    if (is_separate)
+      return true;
+    std::sort(to_move.begin(), to_move.end());
+    to_move.erase(std::unique(to_move.begin(), to_move.end()), to_move.end());
+    for (const Index v : to_move) {
+      const Point_2& kept = uv[level.hierarchy().kept_vertex(v)];
+      uv[v] = kept + part_of_way * (uv[v] - kept);
+      if (!is_star_valid(level.rings(), uv, v))
+        return false;
+    }
+  }
+  return false;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_SEPARATE_BORDERS_IMPL_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_SPARSE_MATRIX_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_SPARSE_MATRIX_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void Sparse_matrix::append(std::size_t i, std::size_t j, double value, bool replaces)
+{
+  CGAL_precondition(i < m_rows->number_of_rows() && j < m_columns);
+  const std::size_t most_waiting = (std::max)({ fewest_waiting, m_rows->values.size(), m_rows->first.size() * expected_row_size });
+  if (m_waiting.size() >= most_waiting)
+    merge();
+  if (m_waiting.empty())
+    m_waiting.reserve(most_waiting);
+  m_waiting.push_back({ Index(i), Index(j), replaces, value });
+  m_replacements_wait = m_replacements_wait || replaces;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void Sparse_matrix::merge() const
+{
+  if (m_waiting.empty())
+    return;
+  const Rows& old = *m_rows;
+  const Index n = old.number_of_rows();
+  std::vector<Index> order(m_waiting.size()), next(n + 1, 0);
+  for (const Entry& e : m_waiting)
+    ++next[e.row + 1];
+  for (Index i = 0; i < n; ++i)
+    next[i + 1] += next[i];
+  for (std::size_t k = 0; k < m_waiting.size(); ++k)
+    order[next[m_waiting[k].row]++] = Index(k);       // from here on next[i] ends row i
+
+  const auto merged = std::make_shared<Rows>();
+  merged->first.reserve(n + 1);
+  merged->first.push_back(0);
+  merged->columns.reserve(old.columns.size() + m_waiting.size());
+  merged->values.reserve(old.columns.size() + m_waiting.size());
+  std::vector<Index> place(m_columns, 0);
+  std::vector<std::pair<Index, double>> row;
+  for (Index i = 0; i < n; ++i)
+    merge_row(i, order.data() + (i == 0 ? 0 : next[i - 1]), order.data() + next[i], place, row, *merged);
+  merged->columns.shrink_to_fit();
+  merged->values.shrink_to_fit();
+  m_rows = merged;
+  std::vector<Entry>().swap(m_waiting);
+  m_replacements_wait = false;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void Sparse_matrix::merge_row(Index i, const Index* begin, const Index* end, std::vector<Index>& place, std::vector<std::pair<Index, double>>& row, Rows& merged) const
+{
+  row.clear();
+  const auto at = [&](Index column) -> double& {
+    if (!(place[column] < row.size() && row[place[column]].first == column)) {
+      place[column] = Index(row.size());
+      row.emplace_back(column, 0.);
+    }
+    return row[place[column]].second;
+  };
+  for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k)
+    at(m_rows->columns[k]) = m_rows->values[k];
+  for (; begin != end; ++begin) {
+    const Entry& e = m_waiting[*begin];
+    double& value = at(e.column);
+    value = e.replaces ? e.value : value + e.value;
+  }
+  std::sort(row.begin(), row.end());
+  for (const auto& [column, value] : row) {
+    merged.columns.push_back(column);
+    merged.values.push_back(value);
+  }
+  merged.first.push_back(Index(merged.columns.size()));
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_SPARSE_MATRIX_IMPL_H

@@ -1,0 +1,48 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HIERARCHY_INTERPOLATION_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HIERARCHY_INTERPOLATION_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_builder.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/pinned_vertices.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Hierarchy_interpolation::Hierarchy_interpolation(Vertex_hierarchy vertices)
+  : m_level_vertices(std::move(vertices.level_vertices)), m_input_vertex(std::move(vertices.input_vertex))
+{
+  m_parents.reserve(vertices.splits.size());
+  for (const Vertex_split& split : vertices.splits)
+    m_parents.push_back({ split.parent, { float(split.coordinates[0]), float(split.coordinates[1]) } });
+}
+
+inline Vertex_hierarchy build_vertex_hierarchy(Triangulated_surface_3 surface, const Hierarchy_options& options)
+{
+  std::vector<bool> is_pinned = pinned_vertices(surface, options.is_constrained);
+  return Hierarchy_builder(std::move(surface.points), std::move(is_pinned), surface.triangles, Loops()).build(options, Loops());
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Hierarchy_interpolation::Hierarchy_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options)
+  : Hierarchy_interpolation(build_vertex_hierarchy(std::move(surface), options))
+{ }
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::vector<Index> Hierarchy_interpolation::ranks() const
+{
+  std::vector<Index> result(number_of_vertices());
+  for (Index rank = 0; rank < result.size(); ++rank)
+    result[m_input_vertex[rank]] = rank;
+  return result;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HIERARCHY_INTERPOLATION_IMPL_H

@@ -1,0 +1,38 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_INPUT_SURFACE_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_INPUT_SURFACE_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Triangulated_surface_3 input_surface(const Collapse_hierarchy_3& hierarchy)
+{
+  Progressive_mesh_3 mesh(hierarchy);
+  mesh.walk_to_level(hierarchy.number_of_levels() - 1);
+  Triangulated_surface_3 surface;
+  surface.scale_exponent = hierarchy.scale_exponent();
+  surface.points.resize(hierarchy.number_of_vertices());
+  for (Index rank = 0; rank < surface.points.size(); ++rank) {
+    const Index v = hierarchy.input_vertex(rank);
+    surface.points[v] = hierarchy.point(rank);
+    if (hierarchy.is_on_outer_border(rank))
+      surface.outer_border.push_back(v);
+    if (hierarchy.is_fixed(rank))
+      surface.fixed_vertices.push_back({ v, hierarchy.fixed_place(rank) });
+  }
+  surface.triangles.resize(hierarchy.number_of_faces());
+  for (Index rank = 0; rank < surface.triangles.size(); ++rank)
+    for (int i = 0; i < 3; ++i)
+      surface.triangles[hierarchy.input_face(rank)][i] = hierarchy.input_vertex(mesh.triangles()[rank][i]);
+  return surface;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_INPUT_SURFACE_IMPL_H

@@ -1,0 +1,143 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_NESTED_ITERATION_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_NESTED_ITERATION_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Nested_iteration::Nested_iteration(Refinable_method& method, const Nested_iteration_options& options, Any_hierarchy_visitor& visitor, Parameterization_summary& summary)
+  : m_method(method), m_options(options), m_visitor(visitor), m_summary(summary)
+{
+  m_timer_of_level.start();
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::run(Triangulated_surface_3 surface, CGAL::Real_timer& timer, std::vector<Point_2>& uv)
+{
+  for (;;) {
+    const Collapse_hierarchy_3 hierarchy(std::move(surface), m_options.hierarchy, m_method.loops());
+    m_summary = Parameterization_summary();
+    m_summary.seconds_hierarchy = timer.time();
+
+    Level::Uv uv_by_rank;
+    const Error_code status = m_summary.error.code = parameterize(hierarchy, uv_by_rank);
+    m_summary.seconds_parameterize = timer.time() - m_summary.seconds_hierarchy;
+    if (status == OK) {
+      uv.resize(uv_by_rank.size());
+      for (Index rank = 0; rank < uv.size(); ++rank)
+        uv[hierarchy.input_vertex(rank)] = uv_by_rank[rank];
+      return OK;
+    }
+    if (status != ERROR_NO_1_TO_1_MAPPING || m_summary.stopped || !can_try_another_way(hierarchy))
+      return status;
+    timer.reset();
+    surface = input_surface(hierarchy);
+  }
+}
+
+// The algorithm of the paper, section 3: with the levels built, parameterizes the coarsest one; then, for each finer level, inserts the vertices that it has in
+// addition and lets the method refine the map from there.
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::parameterize(const Collapse_hierarchy_3& hierarchy, Level::Uv& uv)
+{
+  if (!m_visitor.hierarchy_built(hierarchy))
+    return stop();
+
+  Level level(hierarchy, 0, m_method.loops());
+  Error_code status = parameterize_coarsest(level, uv);
+  while (status == OK && !level.is_finest()) {
+    m_timer_of_level.reset();
+    level.go_to(level.index() + 1);
+    status = insert_vertices(level, uv);
+    if (status == OK)
+      status = refine(level, uv);
+  }
+  return status == OK ? finish(level, uv) : status;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::parameterize_coarsest(const Level& level, Level::Uv& uv)
+{
+  m_timer_of_level.reset();
+  const Error_code status = m_method.parameterize_coarsest(level, uv);
+  return status == OK ? refine(level, uv) : status;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::refine(const Level& level, Level::Uv& uv)
+{
+  m_summary.levels.emplace_back();
+  Level_summary& summary = m_summary.levels.back();
+  summary.vertices = level.number_of_vertices();
+  summary.faces = level.number_of_faces();
+  const Error_code status = m_method.refine(level, uv, summary);
+  summary.seconds = m_timer_of_level.time();
+  if (status != OK)
+    return status;
+  return m_visitor.level_parameterized(level, uv, summary) ? OK : stop();
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::insert_vertices(const Level& level, Level::Uv& uv) const
+{
+  if (m_method.is_flip_free())
+    return insert_new_vertices(level, uv) == no_index ? OK : ERROR_NO_1_TO_1_MAPPING;
+  insert_at_stored_places(level, uv);
+  return OK;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::finish(const Level& level, Level::Uv& uv)
+{
+  m_summary.energy = m_summary.levels.back().energy_end;
+  m_summary.converged = m_summary.levels.back().converged;
+  m_is_finished = true;
+  const auto surface_by_rank = [&] {
+    Triangulated_surface_3 surface;
+    surface.triangles = level.triangles();
+    for (Index v = 0; v < level.number_of_vertices(); ++v) {
+      surface.points.push_back(level.point(v));
+      if (level.hierarchy().is_on_outer_border(v))
+        surface.outer_border.push_back(v);
+    }
+    return surface;
+  };
+  return apply_flip_policy(m_options.flip_policy, level.rings(), surface_by_rank, uv, m_summary);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::stop()
+{
+  m_summary.stopped = true;
+  return ERROR_NO_1_TO_1_MAPPING;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Nested_iteration::can_try_another_way(const Collapse_hierarchy_3& hierarchy)
+{
+  if (!m_method.is_flip_free() || m_is_finished)
+    return false;
+  if (!m_summary.levels.empty()) {
+    ++m_options.hierarchy.random_seed;
+    return ++m_number_of_seeds < m_options.most_seeds || m_method.leave_room();
+  }
+  if (hierarchy.number_of_vertices(0) > m_options.hierarchy.coarsest_size)   // the mesh allows no coarser one
+    return false;
+  m_options.hierarchy.coarsest_size = hierarchy.number_of_vertices(0) / 2;
+  return true;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_NESTED_ITERATION_IMPL_H

@@ -1,0 +1,35 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_FLIP_POLICY_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_FLIP_POLICY_H
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Function_ref.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Whether a map has no flips, or its mirror image has none.
+bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const Loops& loops = Loops());
+
+// Does with the flips of a map what the policy says. `rings` are those of the surface that `make_surface()` makes, if it is needed. Returns `OK`,
+// `ERROR_NO_1_TO_1_MAPPING` if there are flips that the policy forbids or that cannot be repaired, or another error of the repair.
+Error_code apply_flip_policy(Flip_policy policy, const One_rings& rings, Function_ref<Triangulated_surface_3()> make_surface, std::vector<Point_2>& uv,
+                             Parameterization_summary& summary);
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy_impl.h>
+#endif
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_FLIP_POLICY_H

@@ -1,0 +1,94 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_FLIP_POLICY_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_FLIP_POLICY_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Map_repair.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const Loops& loops)
+{
+  if (!std::all_of(uv.begin(), uv.end(), [](const Point_2& p) { return is_finite(p); }))
+    return false;
+  if (is_map_valid(rings, uv, loops))
+    return true;
+  std::vector<Point_2> mirrored;
+  for (const Point_2& p : uv)
+    mirrored.emplace_back(-p.x(), p.y());
+  return is_map_valid(rings, mirrored, loops);
+}
+
+// The triangles that are turned the other way than most, are degenerate, or have a coordinate that is no number.
+inline std::size_t number_of_flips(const One_rings& rings, const std::vector<Point_2>& uv)
+{
+  std::size_t left = 0, right = 0, all = 0;
+  for (Index v = 0; v < uv.size(); ++v) {
+    const One_rings::Ring ring = rings[v];
+    for (std::size_t i = 0; i < rings.number_of_triangles(v); ++i) {
+      const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+      if (!(v < a && v < b))
+        continue;
+      ++all;
+      if (!is_finite(uv[v]) || !is_finite(uv[a]) || !is_finite(uv[b]))
+        continue;
+      const Orientation turn = exact_orientation(uv[v], uv[a], uv[b]);
+      left += turn == LEFT_TURN;
+      right += turn == RIGHT_TURN;
+    }
+  }
+  return all - (std::max)(left, right);
+}
+
+// Makes a map with flips, given by the surface's points, free of them, and counts the vertices that were moved.
+inline Error_code repair_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv, std::size_t& moved_vertices)
+{
+  constexpr unsigned int most_seeds = 3;      // where doubles leave no room for a vertex, in another hierarchy they may
+  Hierarchy_options options;
+  options.coarsest_size = 4;                  // as coarse as possible: there Tutte's map has surely no flip, if a start is needed
+  Error_code status = OK;
+  for (; options.random_seed < most_seeds; ++options.random_seed) {
+    const Collapse_hierarchy_3 hierarchy(surface, options, Loops());
+    std::vector<Point_2> map(uv.size()), repaired;
+    for (Index rank = 0; rank < map.size(); ++rank)
+      map[rank] = uv[hierarchy.input_vertex(rank)];
+    status = Map_repair(hierarchy, map).run(repaired);
+    if (status != OK)
+      continue;
+    for (Index rank = 0; rank < map.size(); ++rank)
+      if (repaired[rank] != map[rank]) {
+        uv[hierarchy.input_vertex(rank)] = repaired[rank];
+        ++moved_vertices;
+      }
+    return OK;
+  }
+  return status;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code apply_flip_policy(Flip_policy policy, const One_rings& rings, Function_ref<Triangulated_surface_3()> make_surface, std::vector<Point_2>& uv,
+                             Parameterization_summary& summary)
+{
+  if (policy == Flip_policy::KEEP || has_no_flips(rings, uv))
+    return OK;
+  summary.flips = number_of_flips(rings, uv);
+  if (policy == Flip_policy::FAIL)
+    return ERROR_NO_1_TO_1_MAPPING;
+  const Error_code status = repair_map(make_surface(), uv, summary.moved_vertices);
+  return status != OK || has_no_flips(rings, uv) ? status : ERROR_NO_1_TO_1_MAPPING;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_FLIP_POLICY_IMPL_H

@@ -1,0 +1,39 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_MINIMIZE_DISTORTION_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_MINIMIZE_DISTORTION_H
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Tutte's map of a level, scaled to the surface's area. Returns what compute_Tutte_embedding() does.
+Error_code compute_first_map(const Level& level, Level::Uv& uv);
+
+// Scales a map so that it has the area of the surface. Where rounding would spoil it, the nearest power of two is taken instead, which is exact. Where
+// `borders_must_not_meet`, that counts as spoilt, too.
+void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv);
+
+// Minimizes an energy from a map that is valid, if the energy keeps triangles positive.
+void minimize_energy(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options, Level_summary& summary);
+
+// The same for a map that must stay free of flips, and of borders that meet if the options say so.
+// Returns `OK`, or `ERROR_NO_1_TO_1_MAPPING` if the borders could not be separated.
+Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, Level::Uv& uv, const Refinement_options& options, Level_summary& summary);
+
+// Minimizes the as-rigid-as-possible energy with lambda = 0, see Conformal_refiner.
+void minimize_conformal_energy(const Level& level, Level::Uv& uv, const Refinement_options& options, Level_summary& summary);
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion_impl.h>
+#endif
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_MINIMIZE_DISTORTION_H

@@ -1,0 +1,78 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_RUN_NESTED_ITERATION_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_RUN_NESTED_ITERATION_H
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/write_map.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// A model of RefinableParameterizer_3 as the engine sees it.
+template <class Method>
+class Refinable_method_of final
+  : public Refinable_method
+{
+public:
+  explicit Refinable_method_of(Method& method) : m_method(method) { }
+
+  bool is_flip_free() const override { return Method::is_flip_free; }
+  Loops loops() const override { return Loops::of<typename Method::Concurrency_tag>(); }
+  Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) override { return m_method.parameterize_coarsest(level, uv); }
+  Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) override { return m_method.refine(level, uv, summary); }
+  bool leave_room() override { return leave_room(m_method, 0); }
+
+private:
+  // Calls the optional member of the concept.
+  template <class M>
+  static auto leave_room(M& method, int) -> decltype(method.leave_room()) { return method.leave_room(); }
+
+  template <class M>
+  static bool leave_room(M&, ...) { return false; }
+
+  Method& m_method;
+};
+
+// Runs a model of RefinableParameterizer_3 coarse to fine on the component of a mesh, and writes to the property maps if all went well.
+template <class Method, class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
+Error_code run_nested_iteration(Method method, const Nested_iteration_options& options, Any_hierarchy_visitor& visitor, Parameterization_summary& summary,
+                                const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap,
+                                VertexParameterizedMap vpmap)
+{
+  summary = Parameterization_summary();
+  CGAL::Real_timer timer;
+  timer.start();
+  Mesh_component<TriangleMesh> component(mesh, bhd, typename Method::Concurrency_tag());
+  summary.error = component.error();
+  if (summary.error.code == OK)
+    summary.error.code = place_border(method, mesh, bhd, component);
+  if (summary.error.code != OK)
+    return summary.error.code;
+  if (options.fills_holes)
+    component.fill_holes();
+
+  Refinable_method_of<Method> engine_method(method);
+  std::vector<Point_2> uv;
+  const Error_code status = Nested_iteration(engine_method, options, visitor, summary).run(std::move(component.surface()), timer, uv);
+  if (status == OK)
+    write_map(component, component.surface().scale_exponent, uv, uvmap, vpmap);
+  return status;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_RUN_NESTED_ITERATION_H

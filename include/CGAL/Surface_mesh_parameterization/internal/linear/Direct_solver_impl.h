@@ -1,0 +1,71 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_DIRECT_SOLVER_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_DIRECT_SOLVER_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// By one of Eigen's solvers.
+template <class Solver>
+class Eigen_direct_solver final
+  : public Direct_solver
+{
+public:
+  explicit Eigen_direct_solver(const typename Solver::MatrixType& matrix) : m_size(matrix.rows()) { m_solver.compute(matrix); }
+
+  bool is_ready() const { return m_solver.info() == Eigen::Success; }
+
+  void solve(const double* b, double* x, int number_of_right_sides) const override
+  {
+    for (int i = 0; i < number_of_right_sides; ++i) {
+      const Eigen::Map<const Eigen::VectorXd> right_side(b + i * m_size, m_size);
+      Eigen::Map<Eigen::VectorXd>(x + i * m_size, m_size) = m_solver.solve(right_side);
+    }
+  }
+
+private:
+  Solver m_solver;
+  Eigen::Index m_size;
+};
+
+template <class Solver>
+std::unique_ptr<Direct_solver> factorize_by_Eigen(Index n, const std::vector<Matrix_entry>& entries)
+{
+  typename Solver::MatrixType matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  auto solver = std::make_unique<Eigen_direct_solver<Solver>>(matrix);
+  return solver->is_ready() ? std::move(solver) : nullptr;
+}
+
+template <class Real>
+std::unique_ptr<Direct_solver> factorize_symmetric(Index n, const std::vector<Matrix_entry>& entries)
+{
+  return factorize_by_Eigen<Eigen::SimplicialLDLT<Eigen::SparseMatrix<Real>>>(n, entries);
+}
+
+template <class Real>
+std::unique_ptr<Direct_solver> factorize(Index n, const std::vector<Matrix_entry>& entries)
+{
+  // With an empty row or column, Eigen may not come to an end.
+  std::vector<bool> has_row(n, false), has_column(n, false);
+  for (const Matrix_entry& entry : entries)
+    has_row[entry.i] = has_column[entry.j] = true;
+  const auto is_full = [](const std::vector<bool>& has) { return std::find(has.begin(), has.end(), false) == has.end(); };
+  if (!is_full(has_row) || !is_full(has_column))
+    return nullptr;
+  return factorize_by_Eigen<Eigen::SparseLU<Eigen::SparseMatrix<Real>>>(n, entries);
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_DIRECT_SOLVER_IMPL_H

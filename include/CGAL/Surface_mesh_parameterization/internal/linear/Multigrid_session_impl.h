@@ -1,0 +1,124 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_MULTIGRID_SESSION_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_MULTIGRID_SESSION_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Multigrid_session::Multigrid_session(std::shared_ptr<const Hierarchy_interpolation> interpolation, Mesh_unknowns unknowns, const Linear_solver_options& options,
+                                     Make_linear_solver make_solver, bool defers)
+  : m_interpolation(std::move(interpolation)), m_unknowns(std::move(unknowns)), m_options(options), m_make_solver(make_solver), m_defers(defers)
+{ }
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Multigrid_session::~Multigrid_session()
+{
+  finish();
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::set_up(const Sparse_matrix& matrix, const std::vector<Index>& tied_vertices)
+{
+  std::shared_ptr<const Sparse_rows<double>> rows = matrix.rows();
+  if (m_solver && m_solver->rows() == rows)
+    return true;
+  finish();
+  m_solver.reset();
+  const std::size_t n = rows->number_of_rows();
+  std::vector<Mesh_unknown> unknowns = m_unknowns.of_system(n);
+  if (matrix.column_dimension() != matrix.row_dimension() || unknowns.size() != n)
+    return false;
+
+  CGAL::Real_timer timer;
+  timer.start();
+  m_solver = m_make_solver(*m_interpolation, std::move(rows), std::move(unknowns), tied_vertices);
+  ++m_summary.setups;
+  m_summary.seconds_setup += timer.time();
+  return true;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution)
+{
+  if (!set_up(matrix))
+    return false;
+  return m_defers ? put_off(right_side, solution) : solve(right_side, solution);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::solve(const Vector& right_side, Vector& solution)
+{
+  return m_solver && solve({ &right_side.values() }, { &solution.values() });
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::finish()
+{
+  if (const auto waiting = take_waiting_solution())
+    m_all_solved = solve({ &m_waiting_right_side }, { &waiting->values }) && m_all_solved;
+  return m_all_solved;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::put_off(const Vector& right_side, Vector& solution)
+{
+  if (const auto waiting = take_waiting_solution())
+    return solve({ &m_waiting_right_side, &right_side.values() }, { &waiting->values, &solution.values() });
+  m_waiting_right_side = right_side.values();
+  m_waiting_solution = solution.numbers();
+  m_waiting_solution->solver = this;
+  return true;
+}
+
+// What waits no longer. It has no numbers until it is solved.
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::shared_ptr<Solver_vector::Numbers> Multigrid_session::take_waiting_solution()
+{
+  if (m_waiting_solution) {
+    m_waiting_solution->solver = nullptr;
+    std::fill(m_waiting_solution->values.begin(), m_waiting_solution->values.end(), std::numeric_limits<double>::quiet_NaN());
+  }
+  return std::exchange(m_waiting_solution, nullptr);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::solve(const std::vector<const std::vector<double>*>& right_sides, const std::vector<std::vector<double>*>& solutions)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  const std::size_t n = m_solver->rows()->number_of_rows();
+  std::vector<const double*> b;
+  for (const std::vector<double>* right_side : right_sides) {
+    if (right_side->size() != n)
+      return false;
+    b.push_back(right_side->data());
+  }
+  std::vector<std::vector<double>> found(solutions.size(), std::vector<double>(n));
+  std::vector<double*> x;
+  for (std::vector<double>& solution : found)
+    x.push_back(solution.data());
+  const Linear_solver_result result = m_solver->solve(b, x, m_options);
+  m_summary.right_sides += b.size();
+  m_summary.iterations = (std::max)(m_summary.iterations, result.iterations);
+  m_summary.residual = (std::max)(m_summary.residual, result.residual);
+  m_summary.direct_solutions += result.is_direct ? b.size() : 0;
+  for (std::size_t i = 0; i < solutions.size() && result.is_solved; ++i)
+    solutions[i]->swap(found[i]);
+  m_summary.seconds_solve += timer.time();
+  return result.is_solved;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_MULTIGRID_SESSION_IMPL_H

@@ -1,0 +1,158 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SCALAR_MULTIGRID_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SCALAR_MULTIGRID_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Values.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Pruned_prolongation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Grid_transfer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Incomplete_LU.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/v_cycle.h>
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+struct Scalar_multigrid_options
+{
+  std::size_t groups_per_grid = 4;        // collapse groups from one grid to the next
+  std::size_t coarsest_size = 500;        // a grid of so many unknowns is solved directly
+  // Where angles are obtuse, cotangent weights are negative, and incomplete factors need not exist: a diagonal that is a little greater helps. Much more costs
+  // cycles, 10 % a third. Where all entries beside the diagonal are negative, as those of uniform or mean value weights are, it would cost some for nothing.
+  double enlargement_of_diagonal = 1.02;
+};
+
+// V-cycles for a matrix whose unknowns sit at the vertices of a hierarchy: Galerkin operators over every fourth collapse group, incomplete LU
+// as the smoother before and after, a direct solution at the bottom. With a symmetric matrix the cycle is symmetric, too.
+template <class Real>
+class Scalar_multigrid
+{
+public:
+  // `matrix` has a row, with ascending columns, for each of `unknowns`. These are best in the order of the hierarchy's input, for the cache.
+  // `tied_vertices` have none, but may have some on coarser grids, see Grid_transfer.
+  Scalar_multigrid(const Hierarchy_interpolation& hierarchy, const std::vector<Mesh_unknown>& unknowns, Sparse_rows<Real> matrix,
+                   const std::vector<Index>& tied_vertices = {}, const Scalar_multigrid_options& options = Scalar_multigrid_options())
+  {
+    std::size_t fine = hierarchy.number_of_levels() - 1;
+    const Real enlargement = has_positive_entries(matrix) ? Real(options.enlargement_of_diagonal) : Real(1);
+    m_grids.emplace_back(std::move(matrix), enlargement);
+    for (const std::vector<Mesh_unknown>* fine_unknowns = &unknowns; fine > 0 && fine_unknowns->size() > options.coarsest_size;) {
+      const std::size_t coarse = fine > options.groups_per_grid ? fine - options.groups_per_grid : 0;
+      m_transfers.emplace_back(Pruned_prolongation(hierarchy, coarse, fine, Loops()), *fine_unknowns, tied_vertices);
+      m_grids.emplace_back(m_transfers.back().template galerkin_product<Real>(m_grids.back()), enlargement);
+      fine_unknowns = &m_transfers.back().coarse_unknowns();
+      fine = coarse;
+    }
+    factorize_coarsest();
+  }
+
+  // Whether the direct solver at the bottom could factorize its matrix.
+  bool is_ready() const { return m_direct_solver != nullptr; }
+
+  // The vectors that cycles for so many right sides work on, one of each kind for every grid, and the parts of a cycle, see v_cycle().
+  template <int columns>
+  class Space
+  {
+    typedef Value_vector<Real, columns>   Vector;
+
+  public:
+    explicit Space(const Scalar_multigrid& multigrid) : m_multigrid(multigrid)
+    {
+      for (const Incomplete_LU<Real>& grid : multigrid.m_grids)
+        for (auto* vectors : { &m_right_side, &m_solution, &m_scratch })
+          vectors->emplace_back(grid.size());
+    }
+
+    bool is_coarsest(std::size_t g) const { return g + 1 == m_multigrid.m_grids.size(); }
+    Vector& right_side(std::size_t g) { return m_right_side[g]; }
+    Vector& solution(std::size_t g) { return m_solution[g]; }
+    Vector& scratch(std::size_t g) { return m_scratch[g]; }
+    void solve(const Vector& b, Vector& x) const { m_multigrid.solve_coarsest(b, x); }
+    void smooth_from_zero(std::size_t g, const Vector& b, Vector& x) const { m_multigrid.m_grids[g].solve(b, x); }
+    void smooth(std::size_t g, const Vector& b, Vector& x) { m_multigrid.m_grids[g].relax(b, x, m_scratch[g]); }
+
+    void restrict_residual(std::size_t g, const Vector& b, const Vector& x)
+    {
+      m_multigrid.m_transfers[g].restrict([&](Index i) { return m_multigrid.m_grids[g].residual(i, b, x); }, m_right_side[g + 1]);
+    }
+
+    void add_correction(std::size_t g, Vector& x) const { m_multigrid.m_transfers[g].add_prolongation(m_solution[g + 1], x); }
+
+  private:
+    const Scalar_multigrid& m_multigrid;
+    std::vector<Vector> m_right_side, m_solution, m_scratch;
+  };
+
+  // One cycle from 0: `space.solution(0)` for `space.right_side(0)`.
+  template <int columns>
+  void cycle(Space<columns>& space, std::size_t g = 0) const { v_cycle(space, g, space.right_side(g), space.solution(g)); }
+
+  // Full multigrid: the solution of every grid starts from that of the next coarser one, and is improved by a cycle. Changes `space.right_side(0)`.
+  template <int columns>
+  void full_cycle(Space<columns>& space) const
+  {
+    typedef Value_vector<Real, columns>   Vector;
+    space.scratch(0) = space.right_side(0);      // the right side of a grid, until there is a cycle on it
+    for (std::size_t g = 0; g + 1 < m_grids.size(); ++g)
+      m_transfers[g].restrict([&](Index i) { return space.scratch(g)[i]; }, space.scratch(g + 1));
+
+    std::size_t g = m_grids.size() - 1;
+    Vector coarse(m_grids[g].size());
+    solve_coarsest(space.scratch(g), coarse);
+    while (g-- > 0) {
+      Vector x(m_grids[g].size(), Values<Real, columns>::zero());
+      m_transfers[g].add_prolongation(coarse, x);
+      for (Index i = 0; i < x.size(); ++i)
+        space.right_side(g)[i] = m_grids[g].residual(i, space.scratch(g), x);
+      cycle(space, g);
+      for (Index i = 0; i < x.size(); ++i)
+        x[i] += space.solution(g)[i];
+      coarse.swap(x);
+    }
+    space.solution(0).swap(coarse);
+  }
+
+private:
+  static bool has_positive_entries(const Sparse_rows<Real>& matrix)      // beside the diagonal
+  {
+    for (Index i = 0; i < matrix.number_of_rows(); ++i)
+      for (Index k = matrix.first[i]; k < matrix.first[i + 1]; ++k)
+        if (matrix.columns[k] != i && matrix.values[k] > 0)
+          return true;
+    return false;
+  }
+
+  void factorize_coarsest()
+  {
+    const Incomplete_LU<Real>& grid = m_grids.back();
+    std::vector<Matrix_entry> entries;
+    for (Index i = 0; i < grid.size(); ++i) {
+      entries.push_back({ i, i, grid.diagonal(i) });
+      grid.for_each_entry(i, [&](Index column, Real value) { entries.push_back({ i, column, value }); });
+    }
+    m_direct_solver = factorize(grid.size(), entries);
+  }
+
+  template <int columns>
+  void solve_coarsest(const Value_vector<Real, columns>& right_side, Value_vector<Real, columns>& solution) const
+  {
+    m_direct_solver->solve_side_by_side([&](Index i) { return right_side[i].template cast<double>(); }, solution);
+  }
+
+  std::vector<Incomplete_LU<Real>> m_grids;      // finest first
+  std::vector<Grid_transfer> m_transfers;        // from the next coarser grid
+  std::unique_ptr<Direct_solver> m_direct_solver;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SCALAR_MULTIGRID_H

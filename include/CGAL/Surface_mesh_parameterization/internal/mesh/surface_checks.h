@@ -1,0 +1,35 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_SURFACE_CHECKS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_SURFACE_CHECKS_H
+
+#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Whether a connected surface is a disk with holes, and if not, the first vertex where several umbrellas meet, `no_index` if there is none.
+struct Disk_check
+{
+  bool is_disk_with_holes;
+  Index bad_vertex;
+};
+
+Disk_check check_disk_with_holes(const Triangulated_surface_3& surface, const Loops& loops);
+
+// Scales the points by a power of two, to about size 1, and moves them to the center of their box.
+void normalize(Triangulated_surface_3& surface);
+
+// Closes every border but the outer one by a virtual vertex in the middle of it. The virtual vertices come last.
+void fill_holes(Triangulated_surface_3& surface);
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks_impl.h>
+#endif
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_SURFACE_CHECKS_H

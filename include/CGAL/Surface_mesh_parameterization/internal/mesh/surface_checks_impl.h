@@ -1,0 +1,76 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_SURFACE_CHECKS_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_SURFACE_CHECKS_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Disk_check check_disk_with_holes(const Triangulated_surface_3& surface, const Loops& loops)
+{
+  One_rings rings;
+  rings.build(surface.points.size(), surface.triangles, loops);
+  if (const Index bad_vertex = rings.first_non_manifold_vertex(); bad_vertex != no_index)
+    return { false, bad_vertex };
+  // A connected surface whose vertices have one umbrella each is a disk with holes exactly if V - E + F = 2 - (number of borders).
+  long long border_edges = 0;
+  for (Index v = 0; v < surface.points.size(); ++v)
+    border_edges += rings.is_border(v);
+  const long long faces = (long long)(surface.triangles.size()), edges = (3 * faces + border_edges) / 2;
+  return { (long long)(surface.points.size()) - edges + faces == 2 - (long long)(rings.borders().size()), no_index };
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void normalize(Triangulated_surface_3& surface)
+{
+  CGAL::Bbox_3 box;
+  for (const Point_3& p : surface.points)
+    box += p.bbox();
+  // Halves, so that the sums of huge coordinates stay finite.
+  const double center[3] = { 0.5 * box.xmin() + 0.5 * box.xmax(), 0.5 * box.ymin() + 0.5 * box.ymax(), 0.5 * box.zmin() + 0.5 * box.zmax() };
+  double half_width = 0;
+  for (int i = 0; i < 3; ++i)
+    half_width = (std::max)(half_width, 0.5 * box.max(i) - 0.5 * box.min(i));
+  const int exponent = half_width > 0 ? -std::ilogb(half_width) : 0;
+  for (Point_3& p : surface.points)
+    p = Point_3(std::ldexp(p.x() - center[0], exponent), std::ldexp(p.y() - center[1], exponent), std::ldexp(p.z() - center[2], exponent));
+  surface.scale_exponent = exponent;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void fill_holes(Triangulated_surface_3& surface)
+{
+  std::vector<bool> is_on_outer_border(surface.points.size(), false);
+  for (const Index v : surface.outer_border)
+    is_on_outer_border[v] = true;
+  for (const std::vector<Index>& border : One_rings(surface.points.size(), surface.triangles).borders()) {
+    if (is_on_outer_border[border.front()])
+      continue;
+    const Index middle = Index(surface.points.size());
+    double x = 0, y = 0, z = 0;
+    for (std::size_t i = 0; i < border.size(); ++i) {
+      const Index v = border[i], next = border[i + 1 == border.size() ? 0 : i + 1];
+      surface.triangles.push_back({ next, v, middle });
+      x += surface.points[v].x();
+      y += surface.points[v].y();
+      z += surface.points[v].z();
+    }
+    const double n = double(border.size());
+    surface.points.emplace_back(x / n, y / n, z / n);
+  }
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_SURFACE_CHECKS_IMPL_H

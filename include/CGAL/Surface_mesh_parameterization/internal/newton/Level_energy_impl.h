@@ -1,0 +1,40 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LEVEL_ENERGY_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LEVEL_ENERGY_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/level_triangles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+double Level_energy::total_weight() const
+{
+  return m_level.loops().sum(0, Index(m_level.number_of_vertices()), 0., [&](Index v) {
+    double sum = 0;
+    for_each_triangle_of_least_vertex(m_level, v, [&](Index, Index, const Rest_corner& c) { sum += weight(c); });
+    return sum;
+  });
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+double Level_energy::operator()(const Level::Uv& uv) const
+{
+  return m_level.loops().reduce(0, Index(m_level.number_of_vertices()), 0., [&](Index begin, Index end) { return sum(begin, end, uv); },
+                                [](double& a, double b) { a += b; });
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void Level_energy::assemble(const Level::Uv& uv, double negative_twist, Block_vectors& gradient, Block_matrix& hessian) const
+{
+  // Row by row, so that no two rows write to one place.
+  m_level.loops().for_each_block(0, Index(m_level.number_of_vertices()), [&](Index begin, Index end) {
+    assemble_rows(begin, end, uv, negative_twist, gradient, hessian);
+  });
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LEVEL_ENERGY_IMPL_H

@@ -1,0 +1,120 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LEVEL_ENERGY_OF_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LEVEL_ENERGY_OF_H
+
+#include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/level_triangles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/corner_hessian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/relax_vertex.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <memory>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// The energy of a level whose triangles have that of a model of DistortionEnergy_2.
+template <class Energy>
+class Level_energy_of final
+  : public Level_energy
+{
+public:
+  Level_energy_of(const Level& level, Triangle_weight weight, const Energy& energy = Energy())
+    : Level_energy(level, weight, Energy::minimum, Energy::is_flip_free), m_energy(energy)
+  { }
+
+  void gather(Index v, const Level::Uv& uv, Star<Energy>& star) const
+  {
+    star.gather(level().rings(), uv, v, level().rest_corners(v), triangle_weight(), m_energy);
+  }
+
+  std::unique_ptr<Vertex_relaxer> make_vertex_relaxer() const override { return std::make_unique<Relaxer>(*this); }
+
+private:
+  struct Relaxer final
+    : Vertex_relaxer
+  {
+    const Level_energy_of& energy;
+    Star<Energy> star;
+
+    explicit Relaxer(const Level_energy_of& energy) : energy(energy) { }
+
+    double relax(Index v, double relaxation_factor, double reach, Level::Uv& uv) override
+    {
+      energy.gather(v, uv, star);
+      return relax_vertex(star, energy.level().rings(), v, relaxation_factor, uv, reach);
+    }
+  };
+
+  // The energy of the triangle of a corner.
+  Energy triangle_energy(const Rest_corner& c) const { return m_energy.of_area(1 / c.inverse_area); }
+
+  double sum(Index begin, Index end, const Level::Uv& uv) const override
+  {
+    double result = 0;
+    for (Index v = begin; v < end; ++v) {
+      level().rings().prefetch_neighbors_after(v, uv);
+      double sum = 0;
+      for_each_triangle_of_least_vertex(level(), v, [&](Index a, Index b, const Rest_corner& c) { sum += weight(c) * value(c, uv[v], uv[a], uv[b]); });
+      result += sum;
+    }
+    return result;
+  }
+
+  double value(const Rest_corner& c, const Point_2& v, const Point_2& a, const Point_2& b) const
+  {
+    const Vector_2 ab = b - a, x = v - a, from_foot = x - c.foot * ab;
+    const double doubled_area = cross(ab, x), scale = 0.5 * c.inverse_area;
+    if (Energy::is_flip_free && !(doubled_area > 0))
+      return (std::numeric_limits<double>::infinity)();
+    return triangle_energy(c).value(scale * (from_foot.squared_length() / c.height + c.height * ab.squared_length()), scale * doubled_area);
+  }
+
+  void assemble_rows(Index begin, Index end, const Level::Uv& uv, double negative_twist, Block_vectors& gradient, Block_matrix& hessian) const override
+  {
+    for (Index v = begin; v < end; ++v) {
+      level().rings().prefetch_neighbors_after(v, uv);
+      assemble_row(v, uv, negative_twist, gradient[v], hessian);
+    }
+  }
+
+  void assemble_row(Index v, const Level::Uv& uv, double negative_twist, Block_vector& gradient, Block_matrix& hessian) const
+  {
+    const Level::Ring ring = level().one_ring(v);
+    const Rest_corner* const corners = level().rest_corners(v);
+    Block* const row = hessian.blocks.data() + hessian.first[v];
+    std::fill(row, row + ring.size(), Block::zero());
+    Block diagonal = Block::zero();
+    gradient = Block_vector(0, 0);
+    for (std::size_t i = 0; i < level().rings().number_of_triangles(v); ++i) {
+      const std::size_t j = i + 1 == ring.size() ? 0 : i + 1;
+      const Corner_hessian h = corner_hessian(triangle_energy(corners[i]), corners[i], weight(corners[i]), uv[ring[i]] - uv[v], uv[ring[j]] - uv[v], negative_twist);
+      gradient += h.gradient;
+      diagonal += h.to_v;
+      row[j] += h.to_b;
+      row[i] -= h.to_v + h.to_b;
+    }
+    hessian.set_diagonal(v, diagonal);
+  }
+
+  Energy m_energy;
+};
+
+#ifdef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+extern template class Level_energy_of<MIPS_energy_2>;
+extern template class Level_energy_of<Scale_bounded_energy_2<MIPS_energy_2>>;
+extern template class Level_energy_of<Symmetric_Dirichlet_energy_2>;
+extern template class Level_energy_of<As_rigid_as_possible_energy_2>;
+#endif
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LEVEL_ENERGY_OF_H
