@@ -1,25 +1,31 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The as-rigid-as-possible energy and method, on all floors, beside CGAL's.
+// The as-rigid-as-possible method, beside CGAL's.
 
+#include "mapped_mesh.h"
+#include "measures.h"
+#include "mesh_conversions.h"
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/corner_hessian.h>
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/Two_vertices_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
-#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
-#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include <gtest/gtest.h>
 
@@ -29,6 +35,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <string>
@@ -40,28 +47,10 @@ using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
 namespace parameters = CGAL::parameters;
 
-typedef CGAL::Simple_cartesian<double>                                            Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3>                                       Surface_mesh;
-typedef Surface_mesh::Property_map<Surface_mesh::Vertex_index, Kernel::Point_2>   UV_map;
-typedef As_rigid_as_possible_energy_2                                             Energy;
-typedef As_rigid_as_possible_parameterizer_3<Surface_mesh>                        Method;
-typedef Hierarchical_parameterizer_3<Method>                                      Hierarchical_method;
-typedef SMP::internal::Rest_corner                                                Rest_corner;
+typedef As_rigid_as_possible_parameterizer_3<Surface_mesh>    Method;
+typedef Hierarchical_parameterizer_3<Method>                  Hierarchical_method;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// ---- what the energy is, in other words ----
-
-// The least value of a function that falls and then rises.
-template <class Function>
-double least_value(const Function& f, double from, double to)
-{
-  for (int i = 0; i < 200; ++i) {
-    const double left = from + (to - from) / 3, right = to - (to - from) / 3;
-    (f(left) < f(right) ? to : from) = f(left) < f(right) ? right : left;
-  }
-  return f(0.5 * (from + to));
-}
 
 // CGAL's energy of a map as it is defined: half of the sum over the triangles of sum cot |e - L x|^2 + lambda (a^2 + b^2 - 1)^2 with the best L = (a b; -b a).
 double energy_by_definition(const Flat_mesh& m, const std::vector<Kernel::Point_2>& uv, double lambda)
@@ -92,134 +81,11 @@ double energy_by_definition(const Flat_mesh& m, const std::vector<Kernel::Point_
   return 0.5 * sum;
 }
 
-const std::vector<double> stiffnesses = { 0, 1e-3, 0.3, 0.5, 1, 40, 1e6, 1e18, infinity };
-
-// Singular values, one of which is negative now and then.
-struct Random_map
-{
-  double s1, s2, f, d;
-
-  explicit Random_map(Random& random) : s1(std::exp(random(-2, 1.5))), s2(s1 * random(-0.9, 0.95)), f(s1 * s1 + s2 * s2), d(s1 * s2) { }
-};
-
-TEST(As_rigid_as_possible_energy_2, is_the_least_over_all_scales)
-{
-  Random random(1);
-  for (const double k : stiffnesses)
-    for (int i = 0; i < 200; ++i) {
-      const Random_map map(random);
-      const auto energy = [&](double s) { return (map.s1 - s) * (map.s1 - s) + (map.s2 - s) * (map.s2 - s) + k * (s * s - 1) * (s * s - 1); };
-      const double expected = k < 1e10 ? least_value(energy, 0, 10) : (map.s1 - 1) * (map.s1 - 1) + (map.s2 - 1) * (map.s2 - 1);
-      EXPECT_NEAR(Energy(2 * k).value(map.f, map.d), expected, 1e-8 * (1 + expected)) << "stiffness " << k;
-    }
-}
-
-TEST(As_rigid_as_possible_energy_2, depends_on_lambda_by_the_area)
-{
-  EXPECT_EQ(Energy(3).of_area(0.5).value(3, 0.7), Energy(12, 2).value(3, 0.7));
-  EXPECT_EQ(Energy(3, 7).of_area(0.5).value(3, 0.7), Energy(12, 2).value(3, 0.7));
-  EXPECT_LT(Energy(3).of_area(0.5).value(3, 0.7), Energy(3).of_area(0.4).value(3, 0.7));
-}
-
-TEST(As_rigid_as_possible_energy_2, derivatives_match_differences)
-{
-  Random random(2);
-  for (const double k : stiffnesses)
-    for (int i = 0; i < 200; ++i) {
-      const Random_map map(random);
-      const double f = map.f, d = map.d, q = f + 2 * d, h = 1e-5 * q;
-      const Energy energy(2 * k);
-      const Distortion_derivatives_2 e = energy.derivatives(f, d);
-      EXPECT_NEAR(e.value, energy.value(f, d), 1e-14 * (1 + f));
-      const double tolerance = 1e-6 * (1 + 1 / (q * q)), rounding = 1e-14 * (1 + f) / h;
-      EXPECT_NEAR(e.f, (energy.value(f + h, d) - energy.value(f - h, d)) / (2 * h), tolerance + rounding);
-      EXPECT_NEAR(e.d, (energy.value(f, d + h) - energy.value(f, d - h)) / (2 * h), tolerance + rounding);
-      EXPECT_NEAR(e.ff, (energy.derivatives(f + h, d).f - energy.derivatives(f - h, d).f) / (2 * h), tolerance);
-      EXPECT_NEAR(e.fd, (energy.derivatives(f, d + h).f - energy.derivatives(f, d - h).f) / (2 * h), tolerance);
-      EXPECT_NEAR(e.fd, (energy.derivatives(f + h, d).d - energy.derivatives(f - h, d).d) / (2 * h), tolerance);
-      EXPECT_NEAR(e.dd, (energy.derivatives(f, d + h).d - energy.derivatives(f, d - h).d) / (2 * h), tolerance);
-    }
-}
-
-TEST(As_rigid_as_possible_energy_2, is_finite_everywhere)
-{
-  for (const double k : stiffnesses)
-    for (const double d : { -2., 0., 2. })
-      for (const double f : { 2 * std::abs(d), 3 * std::abs(d) }) {
-        const Distortion_derivatives_2 e = Energy(2 * k).derivatives(f, d);
-        for (const double x : { e.value, e.f, e.d, e.ff, e.fd, e.dd })
-          EXPECT_TRUE(std::isfinite(x)) << "stiffness " << k << ", f " << f << ", d " << d;
-      }
-}
-
-// ---- its Hessian ----
-
-// The rows and columns of all vertices but those on the border, of the Hessian at a map that scales a planar grid.
-Eigen::MatrixXd inner_hessian(double scale, double lent)
-{
-  const Flat_mesh m = grid(8, 8, flat);
-  const One_rings rings(m.points.size(), m.triangles);
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(2 * Eigen::Index(m.points.size()), 2 * Eigen::Index(m.points.size()));
-  const auto in_plane = [&](Index v, Index w) { return scale * Vector_2(m.points[w].x() - m.points[v].x(), m.points[w].y() - m.points[v].y()); };
-  for (Index v = 0; v < m.points.size(); ++v)
-    for (std::size_t i = 0; i < rings[v].size() && !rings.is_border(v); ++i) {
-      const Index a = rings[v][i], b = rings[v][(i + 1) % rings[v].size()];
-      const auto h = SMP::internal::corner_hessian(Energy(infinity), SMP::internal::rest_corner(m.points[v], m.points[a], m.points[b]), 1, in_plane(v, a), in_plane(v, b), lent);
-      result.block<2, 2>(2 * v, 2 * v) += h.to_v;
-      if (!rings.is_border(b))
-        result.block<2, 2>(2 * v, 2 * b) += h.to_b;
-      if (!rings.is_border(a))
-        result.block<2, 2>(2 * v, 2 * a) -= h.to_v + h.to_b;
-    }
-  return result;
-}
-
-// Of a map that shrinks by less than one half, as a whole and not triangle by triangle.
-TEST(Corner_hessian, that_lends_curvature_is_positive_and_less_stiff)
-{
-  for (const double scale : { 0.3, 0.45, 0.52, 0.6, 0.9, 1.5 }) {
-    const Eigen::MatrixXd projected = inner_hessian(scale, 0), lending = inner_hessian(scale, 0.95);
-    EXPECT_NEAR((lending - lending.transpose()).norm(), 0, 1e-12 * lending.norm());
-    const Eigen::VectorXd least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(lending).eigenvalues();
-    EXPECT_GE(least[0], -1e-12 * lending.norm()) << "scale " << scale;
-    EXPECT_EQ((projected - lending).trace() > 0.1 * projected.trace(), scale < 0.8) << "scale " << scale;
-  }
-}
-
-TEST(Corner_hessian, that_lends_curvature_is_exact_down_to_half_the_scale)
-{
-  const Rest_corner corner = SMP::internal::rest_corner(Point_3(0, 0, 0), Point_3(1, 0.2, 0), Point_3(0.3, 0.8, 0));
-  const One_rings rings(3, { { 0, 1, 2 } });
-  for (const double scale : { 0.52, 0.7, 1.3 }) {
-    const Vector_2 a(scale, 0.2 * scale), b(0.3 * scale, 0.8 * scale);
-    SMP::internal::Star<Energy> star;
-    star.gather(rings, { Point_2(0, 0), CGAL::ORIGIN + a, CGAL::ORIGIN + b }, 0, &corner, Triangle_weight::ONE, Energy(infinity));
-    const auto d = star.derivatives(Point_2(0, 0));
-    const auto h = SMP::internal::corner_hessian(Energy(infinity), corner, 1, a, b, 0.95);
-    EXPECT_NEAR(h.to_v(0, 0), d.hessian[0], 1e-9);
-    EXPECT_NEAR(h.to_v(0, 1), d.hessian[1], 1e-9);
-    EXPECT_NEAR(h.to_v(1, 1), d.hessian[2], 1e-9);
-  }
-}
-
-// ---- the method ----
-
-struct Mapped_mesh
+struct Mapped_mesh : test_meshes::Mapped_mesh
 {
   const Flat_mesh flat_mesh;
-  Surface_mesh mesh;
-  UV_map uvmap;
-  Parameterization_summary summary;
 
-  explicit Mapped_mesh(const Flat_mesh& m) : flat_mesh(m), mesh(make<Surface_mesh>(m))
-  {
-    uvmap = mesh.add_property_map<Surface_mesh::Vertex_index, Kernel::Point_2>("v:uv", Kernel::Point_2(0, 0)).first;
-  }
-
-  Mapped_mesh(const Mapped_mesh&) = delete;
-
-  template <class Parameterizer>
-  Error_code parameterize(const Parameterizer& parameterizer) { return SMP::parameterize(mesh, parameterizer, longest_border(mesh), uvmap); }
+  explicit Mapped_mesh(const Flat_mesh& m) : test_meshes::Mapped_mesh(m), flat_mesh(m) { }
 
   Error_code parameterize_hierarchically(double lambda, double tolerance = 1e-6, unsigned int seed = 0)
   {
@@ -227,9 +93,7 @@ struct Mapped_mesh
                                             parameters::coarsest_size(20).flip_policy(Flip_policy::KEEP).summary(std::ref(summary)).random_seed(seed)));
   }
 
-  std::vector<Kernel::Point_2> uv() const { return std::vector<Kernel::Point_2>(uvmap.begin(), uvmap.end()); }
   double energy(double lambda) const { return energy_by_definition(flat_mesh, uv(), lambda); }
-  Parameterization_quality quality() const { return parameterization_quality(mesh, uvmap); }
 };
 
 std::vector<Flat_mesh> smooth_meshes() { return { grid(16, 12, wavy), hemisphere(), disk_with_hole(), delaunay_patch(200, 1, wavy) }; }
@@ -398,6 +262,35 @@ TEST(As_rigid_as_possible, threads_do_not_change_the_map)
 }
 #endif
 
+// Checks that all levels are free of flips but the finest.
+struct Checking_visitor
+{
+  bool hierarchy_built(const Collapse_hierarchy_3&) { return true; }
+
+  bool level_parameterized(const Level& level, const Level::Uv& uv, const Level_summary&)
+  {
+    EXPECT_TRUE(level.is_finest() || SMP::internal::is_map_valid(level.rings(), uv)) << "level " << level.index();
+    return true;
+  }
+};
+
+TEST(As_rigid_as_possible, takes_every_mesh)
+{
+  for (const auto& [name, m] : named_meshes())
+    for (const double lambda : { 0., 1000., infinity })
+      for (const Optimizer optimizer : { Optimizer::NEWTON, Optimizer::SWEEPS, Optimizer::RANDOM_VERTICES }) {
+        SCOPED_TRACE(name + ", lambda " + std::to_string(lambda) + ", optimizer " + std::to_string(int(optimizer)));
+        Mapped_mesh mapped(m);
+        const Method method(parameters::lambda(lambda).optimizer(optimizer).number_of_iterations(20));
+        EXPECT_EQ(mapped.parameterize(Hierarchical_method(method, parameters::coarsest_size(20).flip_policy(Flip_policy::KEEP).summary(std::ref(mapped.summary))
+                                                              .visitor(Checking_visitor()))), OK);
+        EXPECT_TRUE(std::isfinite(mapped.summary.energy));
+        EXPECT_LE(mapped.summary.levels.back().energy_end, mapped.summary.levels.back().energy_start + 1e-15);
+        for (const Kernel::Point_2& p : mapped.uv())
+          EXPECT_TRUE(std::isfinite(p.x()) && std::isfinite(p.y()));
+      }
+}
+
 // ---- in the place of CGAL's ----
 
 typedef ARAP_parameterizer_3<Surface_mesh>          CGAL_method;
@@ -438,35 +331,6 @@ TEST(Hierarchical_ARAP_parameterizer, tells_what_it_did)
   Mapped_mesh theirs(hemisphere());
   EXPECT_EQ(theirs.parameterize(CGAL_method(10.)), OK);
   EXPECT_LE(mapped.summary.energy, theirs.energy(10) * (1 + 1e-6));
-}
-
-// Checks that all levels are free of flips but the finest.
-struct Checking_visitor
-{
-  bool hierarchy_built(const Collapse_hierarchy_3&) { return true; }
-
-  bool level_parameterized(const Level& level, const Level::Uv& uv, const Level_summary&)
-  {
-    EXPECT_TRUE(level.is_finest() || SMP::internal::is_map_valid(level.rings(), uv)) << "level " << level.index();
-    return true;
-  }
-};
-
-TEST(As_rigid_as_possible, takes_every_mesh)
-{
-  for (const auto& [name, m] : named_meshes())
-    for (const double lambda : { 0., 1000., infinity })
-      for (const Optimizer optimizer : { Optimizer::NEWTON, Optimizer::SWEEPS, Optimizer::RANDOM_VERTICES }) {
-        SCOPED_TRACE(name + ", lambda " + std::to_string(lambda) + ", optimizer " + std::to_string(int(optimizer)));
-        Mapped_mesh mapped(m);
-        const Method method(parameters::lambda(lambda).optimizer(optimizer).number_of_iterations(20));
-        EXPECT_EQ(mapped.parameterize(Hierarchical_method(method, parameters::coarsest_size(20).flip_policy(Flip_policy::KEEP).summary(std::ref(mapped.summary))
-                                                              .visitor(Checking_visitor()))), OK);
-        EXPECT_TRUE(std::isfinite(mapped.summary.energy));
-        EXPECT_LE(mapped.summary.levels.back().energy_end, mapped.summary.levels.back().energy_start + 1e-15);
-        for (const Kernel::Point_2& p : mapped.uv())
-          EXPECT_TRUE(std::isfinite(p.x()) && std::isfinite(p.y()));
-      }
 }
 
 } // namespace

@@ -4,41 +4,27 @@
 #ifndef TEST_MESHES_H
 #define TEST_MESHES_H
 
-#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
-#include <Eigen/Core>
-#include <Eigen/LU>
-#include <Eigen/SVD>
-
-#include <boost/graph/graph_traits.hpp>
-
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
-#include <fstream>
 #include <map>
 #include <random>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-// Tiny meshes with names, and what several tests measure them with.
+// Tiny meshes with names.
 namespace test_meshes {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 using SMP::internal::Index;
 using SMP::internal::Index_triangle;
-using SMP::internal::One_rings;
 using SMP::internal::Point_2;
 using SMP::internal::Point_3;
 using SMP::internal::Vector_2;
@@ -233,6 +219,29 @@ inline Flat_mesh ramp(Index n, double turns)
   return m;
 }
 
+// A winding staircase: a developable surface whose angles at vertex 0, on the border, sum to more than a turn. The isometry is not allowed, so the best map has
+// hardly a gap there.
+inline Flat_mesh staircase()
+{
+  constexpr Index rings = 6, sectors = 40;
+  Flat_mesh m;
+  m.points.emplace_back(0, 0, 0);
+  for (Index r = 1; r <= rings; ++r)
+    for (Index k = 0; k <= sectors; ++k) {
+      const double angle = 2.2 * CGAL_PI * k / sectors;
+      m.points.emplace_back(r * std::cos(angle), r * std::sin(angle), 1e-3 * k);
+    }
+  const auto vertex = [&](Index r, Index k) { return 1 + (r - 1) * (sectors + 1) + k; };
+  for (Index k = 0; k < sectors; ++k) {
+    m.triangles.push_back({ 0, vertex(1, k), vertex(1, k + 1) });
+    for (Index r = 1; r < rings; ++r) {
+      m.triangles.push_back({ vertex(r, k), vertex(r + 1, k), vertex(r + 1, k + 1) });
+      m.triangles.push_back({ vertex(r, k), vertex(r + 1, k + 1), vertex(r, k + 1) });
+    }
+  }
+  return m;
+}
+
 inline Flat_mesh hemisphere() { return cap(6, 16, 0.5 * CGAL_PI); }
 inline Flat_mesh deep_cap() { return cap(14, 16, 0.93 * CGAL_PI); }
 
@@ -343,137 +352,6 @@ inline std::vector<std::pair<std::string, Flat_mesh>> named_meshes()
            { "grid", grid(12, 9, wavy) }, { "flat_grid", grid(15, 15, flat) }, { "crumpled_grid", crumpled_grid(14, 1) }, { "hemisphere", hemisphere() },
            { "deep_cap", deep_cap() }, { "delaunay_patch", delaunay_patch(400, 2, wavy) }, { "disk_with_hole", disk_with_hole() },
            { "grid_with_holes", grid_with_holes(20) }, { "degenerate_grid", degenerate_grid() } };
-}
-
-// ---- borders, conversions ----
-
-// All borders as cycles of vertices.
-inline std::vector<std::vector<Index>> borders(const One_rings& rings)
-{
-  std::vector<std::vector<Index>> result;
-  std::set<Index> found;
-  for (Index start = 0; start < rings.number_of_vertices(); ++start)
-    if (rings.is_border(start) && found.count(start) == 0) {
-      result.emplace_back();
-      for (Index v = start; found.insert(v).second; v = rings[v].front())
-        result.back().push_back(v);
-    }
-  return result;
-}
-
-// With the border that has most vertices as the outer one.
-inline SMP::Triangulated_surface_3 surface(const Flat_mesh& m)
-{
-  SMP::Triangulated_surface_3 s = { m.points, m.triangles, {} };
-  for (const std::vector<Index>& border : borders(One_rings(m.points.size(), m.triangles)))
-    if (border.size() > s.outer_border.size())
-      s.outer_border = border;
-  return s;
-}
-
-template <class TriangleMesh>
-void append(const Flat_mesh& m, TriangleMesh& mesh)
-{
-  typedef boost::graph_traits<TriangleMesh>   Graph_traits;
-  auto point_map = get(CGAL::vertex_point, mesh);
-  typedef typename boost::property_traits<decltype(point_map)>::value_type   Point;
-  std::vector<typename Graph_traits::vertex_descriptor> vertices;
-  for (const Point_3& p : m.points) {
-    vertices.push_back(add_vertex(mesh));
-    put(point_map, vertices.back(), Point(p.x(), p.y(), p.z()));
-  }
-  for (const Index_triangle& t : m.triangles)
-    CGAL::Euler::add_face(std::array<typename Graph_traits::vertex_descriptor, 3>{ vertices[t[0]], vertices[t[1]], vertices[t[2]] }, mesh);
-}
-
-template <class TriangleMesh>
-TriangleMesh make(const Flat_mesh& m)
-{
-  TriangleMesh mesh;
-  append(m, mesh);
-  return mesh;
-}
-
-// A halfedge of the border that has most edges.
-template <class TriangleMesh>
-typename boost::graph_traits<TriangleMesh>::halfedge_descriptor longest_border(const TriangleMesh& mesh)
-{
-  auto longest = boost::graph_traits<TriangleMesh>::null_halfedge();
-  std::size_t most = 0;
-  for (const auto h : halfedges(mesh))
-    if (CGAL::is_border(h, mesh)) {
-      std::size_t size = 0;
-      for (const auto g : CGAL::halfedges_around_face(h, mesh)) {
-        static_cast<void>(g);
-        ++size;
-      }
-      if (size > most) {
-        most = size;
-        longest = h;
-      }
-    }
-  return longest;
-}
-
-// V - E + F
-inline long euler_characteristic(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles)
-{
-  std::set<std::pair<Index, Index>> edges;
-  for (const Index_triangle& t : triangles)
-    for (int i = 0; i < 3; ++i)
-      edges.insert(std::minmax({ t[i], t[(i + 1) % 3] }));
-  return long(number_of_vertices) - long(edges.size()) + long(triangles.size());
-}
-
-// ---- measuring ----
-
-struct Singular_values
-{
-  double greatest, least, determinant, area;   // the area is that of the triangle in space
-
-  double mips() const { return greatest / least + least / greatest; }
-};
-
-inline Singular_values singular_values(const Point_3& p, const Point_3& q, const Point_3& r, const Point_2& a, const Point_2& b, const Point_2& c)
-{
-  const Vector_3 pq = q - p, pr = r - p;
-  const double length = std::sqrt(pq.squared_length()), doubled_area = std::sqrt(CGAL::cross_product(pq, pr).squared_length());
-  Eigen::Matrix2d rest, image;
-  rest << length, pq * pr / length, 0, doubled_area / length;
-  image << b.x() - a.x(), c.x() - a.x(), b.y() - a.y(), c.y() - a.y();
-  const Eigen::Matrix2d jacobian = image * rest.inverse();
-  const Eigen::Vector2d s = Eigen::JacobiSVD<Eigen::Matrix2d>(jacobian).singularValues();
-  return { s[0], s[1], jacobian.determinant(), 0.5 * doubled_area };
-}
-
-// ---- real meshes, where they are at hand ----
-
-// The folder with the real meshes: of the environment, or beside the repository; ends in '/'.
-inline std::string data_folder()
-{
-  if (const char* folder = std::getenv("SHARED_DATA"))
-    return std::string(folder) + '/';
-  const std::string file = __FILE__;
-  const std::size_t slash = file.find_last_of('/');
-  return (slash == std::string::npos ? std::string() : file.substr(0, slash + 1)) + "../../../shared/data/";
-}
-
-// Returns whether the file could be read; triangles only.
-inline bool read_off(const std::string& name, Flat_mesh& m)
-{
-  std::ifstream file(data_folder() + name);
-  std::string word;
-  std::size_t number_of_points, number_of_triangles, unused;
-  if (!(file >> word >> number_of_points >> number_of_triangles >> unused))
-    return false;
-  m = Flat_mesh();
-  double x, y, z;
-  for (std::size_t i = 0; i < number_of_points && file >> x >> y >> z; ++i)
-    m.points.emplace_back(x, y, z);
-  Index_triangle t;
-  for (std::size_t i = 0; i < number_of_triangles && file >> unused >> t[0] >> t[1] >> t[2]; ++i)
-    m.triangles.push_back(t);
-  return m.triangles.size() == number_of_triangles;
 }
 
 } // namespace test_meshes

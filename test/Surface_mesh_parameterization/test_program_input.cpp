@@ -1,104 +1,30 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// What the program makes of files that are no surface to parameterize, and of surfaces that are hard to. Each row is a file, made here, and what is to come of it.
+
+// What the program makes of files that are no surface to parameterize. Each row is a file and what is to come of it.
 
 #include "hostile_meshes.h"
 #include "mesh_files.h"
+#include "program_runs.h"
 
 #include <gtest/gtest.h>
 
-#include <sys/wait.h>
-
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <limits>
-#include <ostream>
 #include <string>
 #include <vector>
 
 namespace {
 
-namespace fs = std::filesystem;
 using namespace hostile_meshes;
 using namespace mesh_files;
+using namespace program_runs;
 
 const double NaN = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-
-struct Row
-{
-  std::string name;                          // of the test, with the ending of the file: "truncated.off"
-  std::function<std::string()> content;      // none: there is no file
-  int exit_status;
-  std::string status;                        // in the report; empty: whichever
-  std::string words = "";                    // on the line that stderr has then; no words: stderr is empty
-  std::string arguments = "";
-  std::string before = "";                   // a command of the shell
-};
-
-void PrintTo(const Row& row, std::ostream* os) { *os << row.name; }
-
-std::string test_name(const testing::TestParamInfo<Row>& info)
-{
-  std::string name = info.param.name;
-  std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
-  return name;
-}
-
-std::string content_of(const fs::path& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  return { std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>() };
-}
-
-// The value of that name in a report, quotes included.
-std::string field(const std::string& report, const std::string& name)
-{
-  const std::size_t at = report.find("\"" + name + "\":");
-  if (at == std::string::npos)
-    return "";
-  const std::size_t begin = at + name.size() + 3;
-  return report.substr(begin, report.find_first_of(",}", begin) - begin);
-}
-
-// A folder of its own for each test, which goes with it.
-class Program_input : public testing::TestWithParam<Row>
-{
-protected:
-  Program_input()
-    : m_folder(fs::path(testing::TempDir()) / (std::string("program_input_") + test_name({ GetParam(), 0 }) + "_" + std::to_string(getpid())))
-  {
-    fs::create_directories(m_folder);
-  }
-
-  ~Program_input() override { fs::remove_all(m_folder); }
-
-  // Runs the program. Returns its exit status; 124 after a minute, 128 and more after a crash.
-  int run(const std::string& arguments) const
-  {
-    const std::string command = GetParam().before + "cd '" + m_folder.string() + "' && timeout 60 '" PROGRAM "' " + arguments + " >stdout.txt 2>stderr.txt";
-    const int status = std::system(command.c_str());
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
-  // The files there are, but for those of the test.
-  std::vector<std::string> files() const
-  {
-    std::vector<std::string> names;
-    for (const fs::directory_entry& entry : fs::directory_iterator(m_folder))
-      names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-
-  fs::path m_folder;
-};
 
 TEST_P(Program_input, comes_to_what_is_expected)
 {
@@ -128,10 +54,6 @@ TEST_P(Program_input, comes_to_what_is_expected)
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(files(), expected) << "a file is missing, or was left";
 }
-
-constexpr int good = 0, bad_input = 2, failed = 3;
-const std::string ok = "ok", any = "", unreadable = "unreadable", no_disk = "ERROR_NO_TOPOLOGICAL_DISC", no_number = "ERROR_WRONG_PARAMETER", no_faces = "ERROR_EMPTY_MESH",
-                  no_triangle = "ERROR_NON_TRIANGULAR_MESH";
 
 // A text as it stands.
 std::function<std::string()> as_is(const std::string& content) { return [content] { return content; }; }
@@ -303,95 +225,6 @@ INSTANTIATE_TEST_SUITE_P(ply, Program_input, testing::ValuesIn(ply_files), test_
 INSTANTIATE_TEST_SUITE_P(stl, Program_input, testing::ValuesIn(stl_files), test_name);
 INSTANTIATE_TEST_SUITE_P(no_surface, Program_input, testing::ValuesIn(no_surfaces), test_name);
 INSTANTIATE_TEST_SUITE_P(surface, Program_input, testing::ValuesIn(surfaces), test_name);
-
-// ---- hard, but surfaces: every triangle of the map is positive ----
-
-struct Hard_mesh
-{
-  std::string name;
-  std::function<Mesh()> make;
-};
-
-const std::vector<Hard_mesh> hard_meshes = {
-  { "needles", [] { return moved(grid(12, 12), [](double x, double y, double) { return Point{ x, 1e-8 * y, 0 }; }); } },
-  { "caps", [] { return caps(8, 1e-8); } },
-  { "caps_without_area", [] { return caps(8, 0); } },
-  { "crumpled_needles", [] { return moved(crumpled(10, 1), [](double x, double y, double z) { return Point{ x, 1e-8 * y, 1e-8 * z }; }); } },
-  { "edges_without_length", [] { return coinciding(12); } },
-  { "all_at_a_point", [] { return moved(grid(5, 5), [](double, double, double) { return Point{ 1, 2, 3 }; }); } },
-  { "all_on_a_line", [] { return moved(grid(5, 5), [](double x, double y, double) { return Point{ x + 0.1 * y, 0, 0 }; }); } },
-  { "hub_500", [] { return hub(500, 0); } },
-  { "crown_500", [] { return hub(500, 1); } },
-  { "border_hub_500", [] { return staircase_fan(500, 0.6); } },
-  { "graded_1e6", [] { return graded(12, 1e6); } },
-  { "graded_1e12", [] { return graded(12, 1e12); } },
-  { "graded_rings_1e6", [] { return graded_rings(12, 20, 1e6); } },
-  { "graded_rings_1e12", [] { return graded_rings(12, 20, 1e12); } },
-  { "scaled_1e_minus_150", [] { return scaled(patch(), 1e-150); } },
-  { "scaled_1e150", [] { return scaled(patch(), 1e150); } },
-  { "scaled_1e300", [] { return scaled(patch(), 1e300); } },
-  { "offset_1e8", [] { return scaled(patch(), 1, 1e8); } },
-  { "tube_20", [] { return tube(12, 20); } },
-  { "bottle", [] { return bottle(0.1); } },
-  { "narrow_bottle", [] { return bottle(1e-3); } },
-  { "octopus", [] { return octopus(6, 12); } },
-  { "octopus_with_long_legs", [] { return octopus(3, 60); } },
-  { "ribbon", [] { return ribbon(1500); } },
-  { "comb", [] { return comb(12, 15); } },
-  { "spiral", [] { return spiral(300, 6); } },
-  { "cap_with_three_border_edges", [] { return without_face(octasphere(4), 77); } },
-  { "fan_of_540_degrees", [] { return staircase_fan(9, 1.5); } },
-  { "staircase_of_540_degrees", [] { return staircase(18, 5, 1.5); } },
-  { "staircase_of_three_turns", [] { return staircase(36, 5, 3); } },
-  { "annulus", [] { return cells(9, 9, [](long i, long j) { return i < 3 || i > 5 || j < 3 || j > 5; }); } },
-  { "narrow_annulus", [] { return revolution(60, 2, [](long j) { return std::make_pair(j < 2 ? 1. : 2., 0.01 * double(j)); }); } },
-  { "open_tube", [] { return revolution(12, 60, [](long j) { return std::make_pair(1., 0.5 * double(j)); }); } },
-  { "sieve", [] { return cells(17, 17, [](long i, long j) { return i % 2 == 0 || j % 2 == 0; }); } },
-  { "crumpled", [] { return crumpled(16, 3); } },
-  { "crumpled_100", [] { return crumpled(10, 100); } },
-  { "tube_60", [] { return tube(8, 60); } },      // along which the scale of a conformal map falls by the factor exp(2) with every diameter
-  { "tube_200", [] { return tube(6, 200); } },
-  { "peak", [] { return revolution(12, 15, [](long j) { return std::make_pair(1 - double(j) / 15., 1e6 * double(j)); }); } } };
-
-class Hard_input : public Program_input { };
-
-TEST_P(Hard_input, has_a_map_without_flips)
-{
-  const Row& row = GetParam();
-  std::ofstream(m_folder / row.name, std::ios::binary) << row.content();
-  EXPECT_EQ(run(row.name + " --quiet --report report.json " + row.arguments), 0);
-  const std::string report = content_of(m_folder / "report.json");
-  EXPECT_EQ(content_of(m_folder / "stderr.txt"), "");
-  EXPECT_EQ(field(report, "flips"), "0");
-  EXPECT_EQ(field(report, "degenerate"), "0");
-  if (row.arguments.find("globally-injective") != std::string::npos) {
-    EXPECT_EQ(field(report, "overlaps"), "0");
-  }
-}
-
-std::vector<Row> hard_rows(const std::vector<Hard_mesh>& meshes, const std::string& method)
-{
-  std::vector<Row> rows;
-  for (const Hard_mesh& mesh : meshes)
-    rows.push_back({ mesh.name + ".off", [mesh] { return OFF(mesh.make()); }, good, ok, "", "--method " + method });
-  return rows;
-}
-
-// Those that have holes, and that a circle does not squeeze beyond what doubles can hold.
-std::vector<Hard_mesh> with_holes()
-{
-  std::vector<Hard_mesh> meshes;
-  for (const Hard_mesh& mesh : hard_meshes)
-    if (mesh.name == "annulus" || mesh.name == "narrow_annulus" || mesh.name == "sieve")
-      meshes.push_back(mesh);
-  return meshes;
-}
-
-INSTANTIATE_TEST_SUITE_P(mips, Hard_input, testing::ValuesIn(hard_rows(hard_meshes, "mips")), test_name);
-INSTANTIATE_TEST_SUITE_P(symmetric_dirichlet, Hard_input, testing::ValuesIn(hard_rows(hard_meshes, "symmetric-dirichlet")), test_name);
-INSTANTIATE_TEST_SUITE_P(filled, Hard_input, testing::ValuesIn(hard_rows(hard_meshes, "mips --fill-holes")), test_name);
-INSTANTIATE_TEST_SUITE_P(filled_barycentric, Hard_input, testing::ValuesIn(hard_rows(with_holes(), "barycentric --fill-holes")), test_name);
-INSTANTIATE_TEST_SUITE_P(globally_injective, Hard_input, testing::ValuesIn(hard_rows(hard_meshes, "symmetric-dirichlet --globally-injective")), test_name);
 
 // ---- files that cannot be read or written ----
 

@@ -1,0 +1,108 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef MAPPED_MESH_H
+#define MAPPED_MESH_H
+
+#include "mesh_conversions.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <vector>
+
+// Meshes with maps.
+namespace test_meshes {
+
+using SMP::Collapse_hierarchy_3;
+using SMP::Error_code;
+using SMP::Level;
+using SMP::Level_summary;
+using SMP::Mesh_component;
+using SMP::Parameterization_quality;
+using SMP::Parameterization_summary;
+using SMP::internal::is_map_valid;
+using SMP::parameterization_quality;
+
+// Whether a map is free of flips, with less than one turn at each border vertex, by exact predicates.
+template <class TriangleMesh, class VertexUVMap>
+bool is_valid(const TriangleMesh& mesh, Halfedge<TriangleMesh> bhd, VertexUVMap uvmap)
+{
+  Mesh_component<TriangleMesh> component(mesh, bhd);
+  std::vector<Point_2> uv;
+  for (const auto v : component.vertices_of_component())
+    uv.push_back(Point_2(get(uvmap, v).x(), get(uvmap, v).y()));
+  return is_map_valid(One_rings(uv.size(), component.surface().triangles), uv);
+}
+
+// A mesh with a map that says "untouched" where nobody wrote.
+struct Mapped_mesh
+{
+  typedef Surface_mesh::Property_map<Surface_mesh::Vertex_index, Kernel::Point_2>   UV_map;
+
+  Surface_mesh mesh;
+  UV_map uvmap;
+  Parameterization_summary summary;      // for those who want one
+
+  explicit Mapped_mesh(const Flat_mesh& m) : mesh(make<Surface_mesh>(m))
+  {
+    uvmap = mesh.add_property_map<Surface_mesh::Vertex_index, Kernel::Point_2>("v:uv", untouched()).first;
+  }
+
+  Mapped_mesh(const Mapped_mesh&) = delete;
+
+  static Kernel::Point_2 untouched() { return Kernel::Point_2(-77, 77); }
+
+  template <class Parameterizer>
+  Error_code parameterize(const Parameterizer& parameterizer) { return SMP::parameterize(mesh, parameterizer, longest_border(mesh), uvmap); }
+
+  bool is_valid() const { return test_meshes::is_valid(mesh, longest_border(mesh), uvmap); }
+  Parameterization_quality quality() const { return parameterization_quality(mesh, uvmap); }
+
+  std::vector<Kernel::Point_2> uv() const
+  {
+    std::vector<Kernel::Point_2> result;
+    for (const auto v : vertices(mesh))
+      result.push_back(uvmap[v]);
+    return result;
+  }
+
+  bool is_untouched() const { return uv() == std::vector<Kernel::Point_2>(mesh.number_of_vertices(), untouched()); }
+};
+
+// Checks every level.
+struct Checking_visitor
+{
+  std::vector<std::size_t>* level_sizes = nullptr;
+
+  bool hierarchy_built(const Collapse_hierarchy_3& hierarchy)
+  {
+    if (level_sizes)
+      for (std::size_t i = 0; i < hierarchy.number_of_levels(); ++i)
+        level_sizes->push_back(hierarchy.number_of_vertices(i));
+    return true;
+  }
+
+  bool level_parameterized(const Level& level, const Level::Uv& uv, const Level_summary& summary)
+  {
+    EXPECT_EQ(uv.size(), level.number_of_vertices());
+    EXPECT_EQ(summary.vertices, level.number_of_vertices());
+    EXPECT_TRUE(is_map_valid(level.rings(), uv)) << "level " << level.index();
+    return true;
+  }
+};
+
+} // namespace test_meshes
+
+#endif // MAPPED_MESH_H

@@ -1,0 +1,111 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Loops, and the matrix that others fill.
+
+#include "dense_matrices.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
+
+#include <CGAL/tags.h>
+
+#include <Eigen/Core>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+using namespace test_systems;
+using internal::Loops;
+
+// The blocks are computed at once, and the result of each one counts.
+TEST(Loops, least_and_sum_see_every_index)
+{
+  const Loops loops = Loops::of<CGAL::Parallel_if_available_tag>();
+  constexpr Index n = 300000;
+  for (int i = 0; i < 300; ++i)
+    for (const Index bad : { Index(0), Index(997 * i), n - 1 })
+      ASSERT_FALSE(loops.min(0, n, true, [&](Index k) { return k != bad; }));
+  EXPECT_TRUE(loops.min(0, n, true, [](Index) { return true; }));
+  EXPECT_EQ(loops.sum(3, n, 0., [](Index k) { return double(k); }), 0.5 * n * (n - 1.) - 3);
+  EXPECT_EQ(loops.sum(5, 5, 0., [](Index) { return 7.; }), 0);
+}
+
+TEST(Sparse_matrix, equals_a_dense_one_after_any_sequence_of_changes)
+{
+  for (const std::size_t n : { 1, 3, 40 })
+    for (unsigned int seed = 0; seed < 5; ++seed) {
+      const std::size_t m = n + seed;
+      Random random(seed);
+      Sparse_matrix matrix(n, m);
+      Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(n, m);
+      Eigen::MatrixXi is_known = Eigen::MatrixXi::Zero(n, m);
+      EXPECT_EQ(matrix.row_dimension(), int(n));
+      EXPECT_EQ(matrix.column_dimension(), int(m));
+      for (int step = 0; step < 20000; ++step) {
+        const std::size_t i = random.below(n), j = random.below(m);
+        const double value = double(random.below(100)) - 50;      // whole numbers, whose sums are exact
+        const double action = random(0, 1);
+        if (action < 0.5) {
+          matrix.add_coef(i, j, value);
+          expected(i, j) += value;
+        } else if (action < 0.999) {
+          matrix.set_coef(i, j, value, !is_known(i, j) && random(0, 1) < 0.5);
+          expected(i, j) = value;
+        } else if (action < 0.9995)
+          ASSERT_EQ(matrix.get_coef(i, j), expected(i, j)) << "step " << step;
+        else
+          ASSERT_EQ(dense(*matrix.rows(), m), expected) << "step " << step;
+        is_known(i, j) = action < 0.999 || is_known(i, j);
+      }
+      EXPECT_EQ(dense(*matrix.rows(), m), expected);
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < m; ++j)
+          EXPECT_EQ(matrix.get_coef(i, j), expected(i, j));
+    }
+}
+
+TEST(Sparse_matrix, knows_nothing_but_zeros_at_first)
+{
+  const Sparse_matrix matrix(3);
+  EXPECT_EQ(matrix.get_coef(2, 1), 0);
+  EXPECT_EQ(matrix.rows()->number_of_rows(), 3u);
+  EXPECT_TRUE(matrix.rows()->values.empty());
+}
+
+TEST(Sparse_matrix, rows_stay_as_they_are_while_somebody_holds_them)
+{
+  Sparse_matrix matrix(2);
+  matrix.set_coef(0, 0, 1, true);
+  matrix.set_coef(1, 0, 2, true);
+  const auto change = [&](auto&& f) {
+    const auto rows = matrix.rows();
+    const Sparse_rows<double> before = *rows;
+    EXPECT_EQ(matrix.get_coef(0, 0), before.values.front());
+    EXPECT_EQ(matrix.rows(), rows) << "reading changes nothing";
+    f();
+    EXPECT_NE(matrix.rows(), rows);
+    EXPECT_EQ(rows->columns, before.columns);
+    EXPECT_EQ(rows->values, before.values);
+  };
+  change([&] { matrix.set_coef(0, 0, 7); });
+  change([&] { matrix.set_coef(0, 1, 7); });
+  change([&] { matrix.set_coef(1, 1, 7, true); });
+  change([&] { matrix.add_coef(0, 0, 7); });
+  change([&] { matrix.add_coef(1, 0, -7); });
+
+  Sparse_matrix copy = matrix;
+  EXPECT_EQ(copy.rows(), matrix.rows());
+  copy.set_coef(0, 0, -1);
+  EXPECT_EQ(matrix.get_coef(0, 0), 14);
+  EXPECT_EQ(copy.get_coef(0, 0), -1);
+}
+
+} // namespace

@@ -1,0 +1,189 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The methods that minimize a distortion energy without flips: one check for all.
+
+#include "mapped_mesh.h"
+#include "mesh_conversions.h"
+#include "real_meshes.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+namespace parameters = CGAL::parameters;
+
+typedef MIPS_parameterizer_3<Surface_mesh>                   MIPS;
+typedef Symmetric_Dirichlet_parameterizer_3<Surface_mesh>    Symmetric_Dirichlet;
+typedef Hierarchical_parameterizer_3<MIPS>                   Hierarchical_MIPS;
+
+template <class Method>
+class RefinableParameterizer_3 : public testing::Test { };
+typedef testing::Types<MIPS, Symmetric_Dirichlet> Methods;
+TYPED_TEST_SUITE(RefinableParameterizer_3, Methods, );
+
+TYPED_TEST(RefinableParameterizer_3, result_is_valid_on_every_level)
+{
+  for (const auto& [name, m] : named_meshes())
+    for (const Optimizer optimizer : { Optimizer::NEWTON, Optimizer::SWEEPS, Optimizer::RANDOM_VERTICES })
+      for (const std::size_t coarsest_size : { 1, 30, 100 }) {
+        SCOPED_TRACE(name + ", optimizer " + std::to_string(int(optimizer)) + ", coarsest size " + std::to_string(coarsest_size));
+        Mapped_mesh mapped(m);
+        const TypeParam method(parameters::optimizer(optimizer).number_of_iterations(20));
+        EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(method, parameters::coarsest_size(coarsest_size).visitor(Checking_visitor()))), OK);
+        EXPECT_TRUE(mapped.is_valid());
+        EXPECT_EQ(mapped.quality().flips, 0u);
+      }
+}
+
+TYPED_TEST(RefinableParameterizer_3, flat_result_is_valid)
+{
+  for (const auto& [name, m] : named_meshes()) {
+    SCOPED_TRACE(name);
+    Mapped_mesh mapped(m);
+    EXPECT_EQ(mapped.parameterize(TypeParam()), OK);
+    EXPECT_TRUE(mapped.is_valid());
+  }
+}
+
+TYPED_TEST(RefinableParameterizer_3, same_seed_same_bytes)
+{
+  const Flat_mesh m = delaunay_patch(300, 1, wavy);
+  const auto run = [&](Optimizer optimizer, unsigned int seed) {
+    Mapped_mesh mapped(m);
+    const TypeParam method(parameters::optimizer(optimizer).number_of_iterations(3).random_seed(seed));
+    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(method, parameters::coarsest_size(20).random_seed(seed))), OK);
+    return mapped.uv();
+  };
+  for (const Optimizer optimizer : { Optimizer::NEWTON, Optimizer::SWEEPS, Optimizer::RANDOM_VERTICES }) {
+    EXPECT_EQ(run(optimizer, 8), run(optimizer, 8));
+    EXPECT_NE(run(optimizer, 8), run(optimizer, 9));
+  }
+}
+
+TYPED_TEST(RefinableParameterizer_3, hierarchical_and_flat_runs_find_the_same_minimum)
+{
+  for (const Flat_mesh& m : { grid(16, 12, wavy), hemisphere(), disk_with_hole(), delaunay_patch(200, 1, wavy) }) {
+    Mapped_mesh mapped(m);
+    Parameterization_summary hierarchical, flat, relaxed;
+    const auto np = parameters::tolerance(1e-9);
+    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(TypeParam(np), parameters::coarsest_size(20).summary(std::ref(hierarchical)))), OK);
+    EXPECT_EQ(mapped.parameterize(TypeParam(np.summary(std::ref(flat)))), OK);
+    EXPECT_EQ(mapped.parameterize(TypeParam(np.optimizer(Optimizer::SWEEPS).summary(std::ref(relaxed)).number_of_iterations(5000))), OK);
+    EXPECT_TRUE(hierarchical.converged && flat.converged && relaxed.converged);
+    const double minimum = std::is_same<TypeParam, MIPS>::value ? 2 * double(m.triangles.size()) : 4;
+    EXPECT_NEAR((hierarchical.energy - minimum) / (flat.energy - minimum), 1, 1e-3);
+    EXPECT_NEAR((relaxed.energy - minimum) / (flat.energy - minimum), 1, 1e-3);
+  }
+}
+
+TYPED_TEST(RefinableParameterizer_3, similar_surfaces_have_similar_maps)
+{
+  const Flat_mesh m = delaunay_patch(300, 1, wavy);
+  // The quality as a map of `m`.
+  const auto run = [&](const Flat_mesh& similar, double scale) {
+    Mapped_mesh mapped(similar), measured(m);
+    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(TypeParam(parameters::tolerance(1e-10)), parameters::coarsest_size(30))), OK);
+    for (const auto v : vertices(measured.mesh))
+      measured.uvmap[v] = Kernel::Point_2(mapped.uvmap[v].x() / scale, mapped.uvmap[v].y() / scale);
+    return measured.quality();
+  };
+  const Parameterization_quality expected = run(m, 1);
+  for (const double scale : { 1e-120, 1e-3, 1., 0.7, 1e120 }) {
+    Flat_mesh moved = m;
+    for (Point_3& p : moved.points)
+      p = Point_3(scale * (0.6 * p.x() - 0.8 * p.z() + 3), scale * (0.8 * p.x() + 0.6 * p.z()), scale * (5 - p.y()));
+    const Parameterization_quality found = run(moved, scale);
+    EXPECT_NEAR(found.mips_excess / expected.mips_excess, 1, 1e-6) << "scale " << scale;
+    EXPECT_NEAR((found.symmetric_dirichlet - 4) / (expected.symmetric_dirichlet - 4), 1, 1e-5) << "scale " << scale;   // is not what MIPS minimizes
+  }
+}
+
+TYPED_TEST(RefinableParameterizer_3, result_has_the_units_of_the_surface)
+{
+  const Flat_mesh m = grid(8, 6, flat);
+  for (const double scale : { 1e-120, 1e-3, 1., 100., 1e120 }) {
+    Flat_mesh scaled = m;
+    for (Point_3& p : scaled.points)
+      p = Point_3(scale * p.x(), scale * p.y(), scale * p.z());
+    Mapped_mesh mapped(scaled);
+    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(TypeParam(parameters::tolerance(1e-10)))), OK);
+    for (const auto e : edges(mapped.mesh)) {
+      const auto s = source(e, mapped.mesh), t = target(e, mapped.mesh);
+      const double in_space = std::sqrt(CGAL::squared_distance(mapped.mesh.point(s), mapped.mesh.point(t)));
+      const double in_plane = std::sqrt(CGAL::squared_distance(mapped.uvmap[s], mapped.uvmap[t]));
+      EXPECT_NEAR(in_plane / in_space, 1, 1e-3) << "scale " << scale;
+    }
+  }
+}
+
+// ---- threads ----
+
+#ifdef CGAL_LINKED_WITH_TBB
+template <class Method>
+std::vector<Kernel::Point_2> map_of(const Flat_mesh& m, int threads)
+{
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+  Mapped_mesh mapped(m);
+  EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Method>(Method(parameters::tolerance(1e-3)))), OK);
+  return mapped.uv();
+}
+
+TEST(Threads, do_not_change_the_map)
+{
+  const Flat_mesh m = grid(120, 110, wavy);     // groups of several blocks
+  const auto mips = map_of<MIPS_parameterizer_3<Surface_mesh>>(m, 1);
+  const auto symmetric_dirichlet = map_of<Symmetric_Dirichlet_parameterizer_3<Surface_mesh>>(m, 1);
+  for (const int threads : { 1, 2, 5 }) {
+    EXPECT_EQ(mips, (map_of<MIPS_parameterizer_3<Surface_mesh, CGAL::Parallel_tag>>(m, threads)));
+    EXPECT_EQ(symmetric_dirichlet, (map_of<Symmetric_Dirichlet_parameterizer_3<Surface_mesh, CGAL::Parallel_tag>>(m, threads)));
+  }
+}
+#endif
+
+// ---- real meshes ----
+
+class Real_mesh : public testing::TestWithParam<const char*> { };
+
+TEST_P(Real_mesh, is_valid_on_every_level)
+{
+  Flat_mesh m;
+  if (!read_off(GetParam() + std::string(".off"), m))
+    GTEST_SKIP() << "no such file in " << data_folder();
+  Mapped_mesh mapped(m);
+  Parameterization_summary summary;
+  EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(MIPS(), parameters::summary(std::ref(summary)).visitor(Checking_visitor()))), OK);
+  EXPECT_TRUE(mapped.is_valid());
+  EXPECT_EQ(mapped.quality().flips, 0u);
+  EXPECT_GT(summary.levels.size(), 3u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, Real_mesh, testing::Values("face_1042", "patch_476", "homer_cut", "fertility_cut", "hand"),
+                         [](const auto& info) { return std::string(info.param); });
+
+} // namespace

@@ -1,0 +1,132 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The iterations around a preconditioner.
+
+#include "dense_matrices.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
+
+#include <Eigen/Core>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <limits>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+using namespace test_systems;
+using internal::Loops;
+
+// A dense system for two right sides, preconditioned by the diagonal.
+struct Dense_system
+{
+  typedef SMP::internal::Values<double, 2>   Value_2;
+  typedef Value_vector<double, 2>            Vector_2;
+
+  Eigen::MatrixXd matrix;
+  double target = 1e-12;
+  Loops sequential = {};
+
+  Index number_of_rows() const { return Index(matrix.rows()); }
+  const Loops& loops() const { return sequential; }
+
+  Value_2 row_times(Index i, const Vector_2& x) const
+  {
+    Value_2 sum = Value_2::Zero();
+    for (Index j = 0; j < x.size(); ++j)
+      sum += matrix(i, j) * x[j];
+    return sum;
+  }
+
+  void precondition(const Vector_2& r, Vector_2& z) const
+  {
+    for (Index i = 0; i < r.size(); ++i)
+      z[i] = r[i] / matrix(i, i);
+  }
+
+  bool is_finished(const Vector_2& r) const { return (SMP::internal::dot(sequential, r, r).sqrt() <= target).all(); }
+
+  Vector_2 times(const Vector_2& x) const
+  {
+    Vector_2 result;
+    for (Index i = 0; i < x.size(); ++i)
+      result.push_back(row_times(i, x));
+    return result;
+  }
+};
+
+struct Conjugate_gradients
+{
+  static constexpr bool needs_symmetry = true;
+  template <class... Arguments>
+  std::size_t operator()(Arguments&&... arguments) const { return SMP::internal::conjugate_gradients(arguments...); }
+};
+
+struct Stabilized_biconjugate_gradients
+{
+  static constexpr bool needs_symmetry = false;
+  template <class... Arguments>
+  std::size_t operator()(Arguments&&... arguments) const { return SMP::internal::stabilized_biconjugate_gradients(arguments...); }
+};
+
+template <class Method>
+class Krylov_method : public testing::Test { };
+typedef testing::Types<Conjugate_gradients, Stabilized_biconjugate_gradients> Krylov_methods;
+TYPED_TEST_SUITE(Krylov_method, Krylov_methods, );
+
+TYPED_TEST(Krylov_method, solves_dense_systems)
+{
+  for (const bool is_symmetric : { true, false }) {
+    if (TypeParam::needs_symmetry && !is_symmetric)
+      continue;
+    Dense_system system{ laplacian(4, is_symmetric) };
+    Random random(2);
+    Dense_system::Vector_2 expected(16);
+    for (auto& value : expected)
+      value = { random(-1, 1), random(-1, 1) };
+    Dense_system::Vector_2 x(16, Dense_system::Value_2::Zero()), r = system.times(expected);
+    const std::size_t iterations = TypeParam()(system, x, r, 100);
+    EXPECT_LE(iterations, 16u + 4);      // as many as unknowns, but for rounding
+    EXPECT_GE(iterations, 3u);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      EXPECT_TRUE(((x[i] - expected[i]).abs() < 1e-10).all());
+    EXPECT_TRUE(system.is_finished(r));
+    EXPECT_EQ(TypeParam()(system, x, r, 100), 0u) << "there is nothing left to do";
+  }
+}
+
+TYPED_TEST(Krylov_method, leaves_a_solved_right_side_as_it_is)
+{
+  Dense_system system{ laplacian(4, true) };
+  Dense_system::Vector_2 solution(16, Dense_system::Value_2(0, 1));
+  Dense_system::Vector_2 x(16, Dense_system::Value_2(5, 0)), r = system.times(solution);
+  TypeParam()(system, x, r, 100);
+  for (const auto& value : x) {
+    EXPECT_EQ(value[0], 5);
+    EXPECT_NEAR(value[1], 1, 1e-10);
+  }
+}
+
+TYPED_TEST(Krylov_method, stops_in_time)
+{
+  Dense_system system{ laplacian(4, true) };
+  for (const std::size_t most : { 0, 1, 3 }) {
+    Dense_system::Vector_2 x(16, Dense_system::Value_2::Zero()), r(16, Dense_system::Value_2(1, -1));
+    r[3] = { 7, 4 };
+    EXPECT_EQ(TypeParam()(system, x, r, most), most);
+  }
+
+  // What no iteration can reach, it does not fill with numbers that are none.
+  system.matrix.setZero();
+  system.matrix.diagonal().setConstant(std::numeric_limits<double>::infinity());
+  Dense_system::Vector_2 x(16, Dense_system::Value_2::Zero()), r(16, Dense_system::Value_2::Ones());
+  EXPECT_LE(TypeParam()(system, x, r, 100), 100u);
+}
+
+} // namespace

@@ -1,0 +1,144 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A level refined by each of the optimizers.
+
+#include "hierarchies.h"
+#include "level_maps.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+
+#include <CGAL/number_utils.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace CGAL::Surface_mesh_parameterization::internal;
+using namespace test_meshes;
+
+TEST(Level_refiner, finds_the_isometry_of_a_developable_surface)
+{
+  for (const Flat_mesh& m : { grid(12, 9, flat), grid(12, 9, rolled), delaunay_patch(150, 4, flat), strip(20), fan(3), single_triangle() })
+    for (const Optimizer optimizer : { Optimizer::NEWTON, Optimizer::SWEEPS }) {
+      const Finest_level f(m);
+      Refinement_options options;
+      options.optimizer = optimizer;
+      options.number_of_iterations = 5000;
+      options.tolerance = 1e-9;
+      Level::Uv uv = first_map(f.level);
+      Level_summary summary;
+      Level_refiner<MIPS_energy_2>(f.level, uv, options, summary).run();
+      const bool is_cone = m.triangles.size() == 3;     // the one that cannot be developed
+      const double excess = summary.energy_end - 2 * double(m.triangles.size());
+      EXPECT_EQ(excess < 1e-5 * double(m.triangles.size()), !is_cone) << m.triangles.size() << " triangles, excess " << excess;
+      EXPECT_GE(excess, -1e-9);
+    }
+}
+
+// Newton's method must slide along that bound, to where sweeps do not get further down either.
+TEST(Level_refiner, slides_along_the_bound_of_the_angles_at_the_border)
+{
+  const Flat_mesh m = staircase();
+  const Finest_level f(m);
+  const Level::Uv start = first_map(f.level);
+  double energy[2];
+  for (const Optimizer optimizer : { Optimizer::NEWTON, Optimizer::SWEEPS }) {
+    Refinement_options options;
+    options.optimizer = optimizer;
+    options.number_of_iterations = optimizer == Optimizer::NEWTON ? 100 : 5000;
+    options.tolerance = optimizer == Optimizer::NEWTON ? 1e-6 : 1e-9;
+    Level::Uv uv = start;
+    Level_summary summary;
+    Level_refiner<Symmetric_Dirichlet_energy_2>(f.level, uv, options, summary).run();
+    energy[int(optimizer)] = summary.energy_end - 4 * double(m.triangles.size());
+    EXPECT_TRUE(is_map_valid(f.level.rings(), uv));
+    const Level::Ring ring = f.level.one_ring(0);
+    double turn = 0;
+    for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+      const Vector_2 a = uv[ring[i]] - uv[0], b = uv[ring[i + 1]] - uv[0];
+      turn += std::atan2(cross(a, b), a * b);
+    }
+    EXPECT_LT(turn, 2 * CGAL_PI);
+    EXPECT_GT(turn, 2 * CGAL_PI - 0.05);
+  }
+  EXPECT_GT(energy[int(Optimizer::NEWTON)], 1e-3);
+  EXPECT_LT(energy[int(Optimizer::NEWTON)], 1.001 * energy[int(Optimizer::SWEEPS)]);
+}
+
+TEST(Level_refiner, tells_what_it_did)
+{
+  const Finest_level f(grid(12, 9, wavy));
+  for (const Optimizer optimizer : { Optimizer::NEWTON, Optimizer::SWEEPS, Optimizer::RANDOM_VERTICES })
+    for (const Triangle_weight weight : { Triangle_weight::ONE, Triangle_weight::AREA }) {
+      Refinement_options options;
+      options.optimizer = optimizer;
+      options.triangle_weight = weight;
+      options.number_of_iterations = 3;
+      options.tolerance = 0;
+      const Level_energy<MIPS_energy_2> energy(f.level, weight);
+      const double unit = weight == Triangle_weight::ONE ? 1 : energy.total_weight();
+      Level::Uv uv = first_map(f.level);
+      Level_summary summary;
+      const double before = energy(uv);
+      Level_refiner<MIPS_energy_2>(f.level, uv, options, summary).run();
+      EXPECT_NEAR(summary.energy_start * unit / before, 1, 1e-12);
+      EXPECT_NEAR(summary.energy_end * unit / energy(uv), 1, 1e-12);
+      EXPECT_LT(summary.energy_end, summary.energy_start);
+      EXPECT_EQ(summary.iterations, 3u);
+      EXPECT_FALSE(summary.converged);
+      EXPECT_EQ(summary.cycles > 0, optimizer == Optimizer::NEWTON);
+      EXPECT_TRUE(optimizer == Optimizer::NEWTON || summary.vertex_visits == 3 * uv.size());
+    }
+}
+
+TEST(Level_refiner, takes_exactly_the_local_steps_it_is_given)
+{
+  const Finest_level f(grid(12, 9, wavy));
+  Refinement_options options;
+  options.optimizer = Optimizer::RANDOM_VERTICES;
+  options.number_of_local_steps = 1000;
+  std::vector<Level::Uv> results;
+  for (const unsigned int seed : { 3u, 3u, 4u }) {
+    options.random_seed = seed;
+    results.push_back(first_map(f.level));
+    Level_summary summary;
+    Level_refiner<MIPS_energy_2>(f.level, results.back(), options, summary).run();
+    EXPECT_EQ(summary.vertex_visits, 1000u);
+  }
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_NE(results[0], results[2]);
+}
+
+TEST(Level_refiner, weights_matter_on_an_irregular_mesh)
+{
+  const Finest_level f(delaunay_patch(300, 5, wavy));
+  Refinement_options options;
+  std::vector<Level::Uv> maps;
+  for (const Triangle_weight weight : { Triangle_weight::ONE, Triangle_weight::AREA }) {
+    options.triangle_weight = weight;
+    maps.push_back(first_map(f.level));
+    Level_summary summary;
+    Level_refiner<MIPS_energy_2>(f.level, maps.back(), options, summary).run();
+    EXPECT_TRUE(is_map_valid(f.level.rings(), maps.back()));
+  }
+  const Level_energy<MIPS_energy_2> one(f.level, Triangle_weight::ONE), by_area(f.level, Triangle_weight::AREA);
+  EXPECT_LT(one(maps[0]), one(maps[1]));    // each is best by its own measure
+  EXPECT_LT(by_area(maps[1]), by_area(maps[0]));
+}
+
+} // namespace

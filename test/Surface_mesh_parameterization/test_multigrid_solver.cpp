@@ -1,0 +1,331 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Multigrid_solver_traits as a user has it.
+
+#include "mesh_conversions.h"
+#include "multigrid_systems.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+using namespace test_systems;
+namespace parameters = CGAL::parameters;
+
+typedef boost::graph_traits<Surface_mesh>::halfedge_descriptor   Halfedge;
+
+// ---- solutions ----
+
+TEST(Multigrid_solver_traits, solves_what_sits_on_a_mesh)
+{
+  for (const auto& [name, m] : named_meshes()) {
+    SCOPED_TRACE(name);
+    Solver_on_mesh on(m);
+    for (const bool is_symmetric : { true, false }) {
+      Sparse_matrix matrix = is_symmetric ? edge_matrix(m, Uniform_edge_weights_3()) : edge_matrix(m, Mean_value_edge_weights_3());
+      const Known_system system(std::move(matrix));
+      Vector x;
+      double d = 0;
+      EXPECT_TRUE(on.solver.linear_solver(system.matrix, system.right_side, x, d));
+      EXPECT_EQ(d, 1);
+      EXPECT_LT(system.error(x), 1e-4);       // of degenerate triangles the matrix is nearly singular
+    }
+    EXPECT_EQ(on.solver.error().code, OK);
+    EXPECT_EQ(on.solver.summary().right_sides, 2u);
+    EXPECT_EQ(on.solver.summary().setups, 2u);
+    EXPECT_EQ(on.solver.summary().direct_solutions, 0u);
+    EXPECT_LE(on.solver.summary().residual, 1e-10);
+  }
+}
+
+// Whose coarse levels have no vertex that is not on the border.
+TEST(Multigrid_solver_traits, solves_where_coarse_levels_have_no_unknown)
+{
+  for (const Flat_mesh& m : { grid(1500, 2, wavy), grid(700, 3, wavy), grid_with_holes(60) }) {
+    Solver_on_mesh on(m, parameters::coarsest_size(5));
+    const Known_system system(edge_matrix(m, Uniform_edge_weights_3()));
+    Vector x;
+    double d;
+    EXPECT_TRUE(on.solver.linear_solver(system.matrix, system.right_side, x, d));
+    EXPECT_LT(system.error(x), 1e-6);
+    EXPECT_EQ(on.solver.summary().direct_solutions, 0u);
+  }
+}
+
+TEST(Multigrid_solver_traits, factor_keeps_the_matrix_for_several_right_sides)
+{
+  const Flat_mesh m = grid(20, 20, wavy);
+  Solver_on_mesh on(m);
+  const Known_system system(edge_matrix(m, Uniform_edge_weights_3()));
+  Vector never_solved;
+  EXPECT_FALSE(on.solver.linear_solver(system.right_side, never_solved)) << "nothing has been factored";
+  double d = 0;
+  EXPECT_TRUE(on.solver.factor(system.matrix, d));
+  EXPECT_EQ(d, 1);
+  for (int i = 0; i < 3; ++i) {
+    Vector x;
+    EXPECT_TRUE(on.solver.linear_solver(system.right_side, x));
+    EXPECT_LT(system.error(x), 1e-8);
+  }
+  Vector x;
+  EXPECT_TRUE(on.solver.linear_solver(system.matrix, system.right_side, x, d));
+  EXPECT_EQ(on.solver.summary().setups, 1u);
+  EXPECT_EQ(on.solver.summary().right_sides, 4u);
+}
+
+TEST(Multigrid_solver_traits, notices_that_a_matrix_has_changed_in_its_place)
+{
+  const Flat_mesh m = grid(20, 20, wavy);
+  Solver_on_mesh on(m);
+  Known_system system(edge_matrix(m, Uniform_edge_weights_3()));
+  Vector x;
+  double d;
+  EXPECT_TRUE(on.solver.linear_solver(system.matrix, system.right_side, x, d));
+  system.matrix.set_coef(200, 200, 100 + system.matrix.get_coef(200, 200));
+  const Known_system changed(system.matrix);
+  EXPECT_TRUE(on.solver.linear_solver(system.matrix, changed.right_side, x, d));
+  EXPECT_LT(changed.error(x), 1e-8);
+  EXPECT_EQ(on.solver.summary().setups, 2u);
+}
+
+TEST(Multigrid_solver_traits, copies_share_what_was_set_up)
+{
+  const Flat_mesh m = grid(20, 20, wavy);
+  Solver_on_mesh on(m);
+  Multigrid_solver_traits copy = on.solver;
+  const Known_system system(edge_matrix(m, Uniform_edge_weights_3()));
+  Vector x;
+  double d;
+  EXPECT_TRUE(copy.factor(system.matrix, d));
+  EXPECT_TRUE(on.solver.linear_solver(system.right_side, x));
+  EXPECT_EQ(copy.summary().right_sides, 1u);
+}
+
+TEST(Multigrid_solver_traits, default_constructed_takes_the_solver_of_the_innermost_scope)
+{
+  const auto solves = [](const Flat_mesh& m) {
+    const Known_system system(edge_matrix(m, Uniform_edge_weights_3()));
+    Vector x;
+    double d = 0;
+    const bool result = Multigrid_solver_traits().linear_solver(system.matrix, system.right_side, x, d);
+    EXPECT_EQ(Multigrid_solver_traits().factor(system.matrix, d), result);
+    return result && system.error(x) < 1e-8;
+  };
+  const Flat_mesh outer_mesh = grid(9, 9, wavy), inner_mesh = fan(17);
+  Solver_on_mesh outer(outer_mesh), inner(inner_mesh);
+  EXPECT_FALSE(solves(outer_mesh));
+  {
+    const Multigrid_solver_traits::Scope outer_scope(outer.solver);
+    EXPECT_TRUE(solves(outer_mesh));
+    EXPECT_FALSE(solves(inner_mesh));
+    {
+      const Multigrid_solver_traits::Scope inner_scope(inner.solver);
+      EXPECT_FALSE(solves(outer_mesh));
+      EXPECT_TRUE(solves(inner_mesh));
+    }
+    EXPECT_TRUE(solves(outer_mesh));
+    const Multigrid_solver_traits::Scope empty_scope{ Multigrid_solver_traits(nullptr) };
+    EXPECT_FALSE(solves(outer_mesh));
+  }
+  EXPECT_FALSE(solves(outer_mesh));
+  EXPECT_EQ(Multigrid_solver_traits().summary().setups, 0u);
+}
+
+// ---- failures ----
+
+// The solution of a call that fails must be as it was.
+template <class Call>
+void expect_failure(const Call& call)
+{
+  Vector x(3);
+  for (int i = 0; i < 3; ++i)
+    x[i] = i + 0.5;
+  EXPECT_FALSE(call(x));
+  ASSERT_EQ(x.size(), 3);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_EQ(x[i], i + 0.5);
+}
+
+TEST(Multigrid_solver_traits, refuses_wrong_sizes)
+{
+  const Flat_mesh m = grid(5, 5, wavy);
+  Solver_on_mesh on(m);
+  double d = 0;
+  for (const auto& size : { std::make_pair(35, 35), std::make_pair(37, 37), std::make_pair(36, 72) }) {
+    const int rows = size.first, columns = size.second;
+    Sparse_matrix matrix(rows, columns);
+    for (int i = 0; i < (std::min)(rows, columns); ++i)
+      matrix.set_coef(i, i, 1, true);
+    EXPECT_FALSE(on.solver.factor(matrix, d)) << rows << " x " << columns;
+    expect_failure([&](Vector& x) { return on.solver.linear_solver(matrix, Vector(rows), x, d); });
+  }
+  const Known_system system(edge_matrix(m, Uniform_edge_weights_3()));
+  EXPECT_TRUE(on.solver.factor(system.matrix, d));
+  for (const int n : { 0, 35, 37 }) {
+    expect_failure([&](Vector& x) { return on.solver.linear_solver(Vector(n), x); });
+    expect_failure([&](Vector& x) { return on.solver.linear_solver(system.matrix, Vector(n), x, d); });
+  }
+}
+
+TEST(Multigrid_solver_traits, fails_with_a_singular_matrix_and_leaves_the_solution)
+{
+  const Flat_mesh m = grid(30, 30, wavy);
+  double d = 0;
+  const std::size_t n = m.points.size();
+
+  Sparse_matrix zero_row = edge_matrix(m, Uniform_edge_weights_3());
+  for (std::size_t j = 0; j < n; ++j)
+    if (zero_row.get_coef(480, j) != 0)
+      zero_row.set_coef(480, j, 0);
+
+  Sparse_matrix not_finite = edge_matrix(m, Uniform_edge_weights_3());
+  not_finite.set_coef(480, 481, std::numeric_limits<double>::quiet_NaN());
+
+  Sparse_matrix empty_row(n), empty_column(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    empty_row.add_coef(i == 7 ? 8 : i, i, 1);
+    empty_column.add_coef(i, i == 7 ? 8 : i, 1);
+  }
+
+  for (const Sparse_matrix& matrix : { Sparse_matrix(n), zero_row, empty_row, empty_column, not_finite }) {
+    Solver_on_mesh on(m);
+    Vector b(n);
+    for (std::size_t i = 0; i < n; ++i)
+      b[i] = 1 + double(i % 3);
+    expect_failure([&](Vector& x) { return on.solver.linear_solver(matrix, b, x, d); });
+  }
+
+  Solver_on_mesh on(m);
+  Known_system system(edge_matrix(m, Uniform_edge_weights_3()));
+  system.right_side[480] = std::numeric_limits<double>::infinity();
+  expect_failure([&](Vector& x) { return on.solver.linear_solver(system.matrix, system.right_side, x, d); });
+}
+
+TEST(Multigrid_solver_traits, tells_when_the_direct_solver_took_over)
+{
+  const Flat_mesh m = delaunay_patch(2000, 1, wavy);
+  const Known_system system(edge_matrix(m, Mean_value_edge_weights_3()));
+  for (const std::size_t most : { 0, 1 }) {
+    Solver_on_mesh on(m, parameters::number_of_iterations(most));
+    Vector x;
+    double d;
+    EXPECT_TRUE(on.solver.linear_solver(system.matrix, system.right_side, x, d));
+    EXPECT_LT(system.error(x), 1e-8);
+    EXPECT_EQ(on.solver.summary().direct_solutions, 1u);
+    EXPECT_EQ(on.solver.summary().right_sides, 1u);
+    EXPECT_EQ(on.solver.summary().iterations, most);
+    EXPECT_LT(on.solver.summary().residual, 1e-10);
+  }
+}
+
+TEST(Multigrid_solver_traits, tells_what_is_wrong_with_the_mesh)
+{
+  Surface_mesh closed = make<Surface_mesh>(sphere(5, 8));
+  Multigrid_solver_traits no_border(closed, *halfedges(closed).begin(), get(CGAL::vertex_index, closed));
+  EXPECT_EQ(no_border.error().code, ERROR_WRONG_PARAMETER);
+  double d = 0;
+  EXPECT_FALSE(no_border.factor(Sparse_matrix(42), d));
+  EXPECT_EQ(no_border.summary().setups, 0u);
+
+  Flat_mesh m = grid(5, 5, wavy);
+  m.points[9] = Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  Solver_on_mesh no_number(m);
+  EXPECT_EQ(no_number.solver.error().code, ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(no_number.solver.error().place, Parameterization_error::VERTEX);
+  EXPECT_EQ(no_number.solver.error().index, 9u);
+}
+
+// ---- users ----
+
+// The vertices in the system may be some of the mesh's, in any order, with several unknowns each.
+TEST(Multigrid_solver_traits, follows_the_vertex_index_map)
+{
+  const Flat_mesh m = delaunay_patch(6000, 1, wavy);
+  const One_rings rings(m.points.size(), m.triangles);
+  Surface_mesh mesh = make<Surface_mesh>(m);
+  auto index = mesh.add_property_map<Surface_mesh::Vertex_index, int>("v:index", -1).first;
+  std::vector<Index> inner;
+  for (Index v = 0; v < m.points.size(); ++v)
+    if (!rings.is_border(v))
+      inner.push_back(v);
+  Random random(4);
+  for (std::size_t i = inner.size(); i > 1; --i)
+    std::swap(inner[i - 1], inner[random.below(i)]);
+  for (std::size_t i = 0; i < inner.size(); ++i)
+    index[Surface_mesh::Vertex_index(inner[i])] = int(10 * i);     // gaps do not matter
+
+  for (const std::size_t components : { 1, 2 }) {
+    Sparse_matrix matrix(components * inner.size());
+    for (std::size_t i = 0; i < inner.size(); ++i)
+      for (std::size_t c = 0; c < components; ++c)
+        for (const Index w : rings[inner[i]]) {
+          matrix.add_coef(components * i + c, components * i + c, 1);
+          const int j = index[Surface_mesh::Vertex_index(w)];
+          if (j >= 0)
+            matrix.add_coef(components * i + c, components * (j / 10) + c, -1);
+        }
+    Multigrid_solver_traits solver(mesh, longest_border(mesh), index);
+    const Known_system system(std::move(matrix));
+    Vector x;
+    double d;
+    EXPECT_TRUE(solver.linear_solver(system.matrix, system.right_side, x, d));
+    EXPECT_LT(system.error(x), 1e-8);
+    EXPECT_EQ(solver.summary().direct_solutions, 0u);
+    EXPECT_LE(solver.summary().iterations, 12u);      // which wrong places of the unknowns would not allow
+  }
+}
+
+TEST(Multigrid_solver_traits, solves_for_a_parameterizer_of_CGAL)
+{
+  typedef Square_border_arc_length_parameterizer_3<Surface_mesh>                                          Border;
+  typedef Mean_value_coordinates_parameterizer_3<Surface_mesh, Border>                                    Direct;
+  typedef Mean_value_coordinates_parameterizer_3<Surface_mesh, Border, Multigrid_solver_traits>           Multigrid;
+  const Flat_mesh m = grid(30, 30, wavy);
+  Surface_mesh mesh = make<Surface_mesh>(m);
+  const Halfedge bhd = longest_border(mesh);
+  const auto vimap = get(CGAL::vertex_index, mesh);
+  const auto parameterize = [&](auto&& parameterizer) {
+    const auto uvmap = get(CGAL::dynamic_vertex_property_t<Kernel::Point_2>(), mesh);
+    const auto vpmap = get(CGAL::dynamic_vertex_property_t<bool>(), mesh);
+    EXPECT_EQ(parameterizer.parameterize(mesh, bhd, uvmap, vimap, vpmap), OK);
+    return uvmap;
+  };
+  Multigrid_solver_traits solver(mesh, bhd, vimap, parameters::tolerance(1e-12));
+  const auto expected = parameterize(Direct()), by_object = parameterize(Multigrid(Border(), solver));
+  const Multigrid_solver_traits::Scope scope(solver);
+  const auto by_scope = parameterize(Multigrid());
+  for (const auto v : vertices(mesh)) {
+    EXPECT_LT(CGAL::squared_distance(get(expected, v), get(by_object, v)), 1e-18);
+    EXPECT_EQ(get(by_object, v), get(by_scope, v));
+  }
+  EXPECT_EQ(solver.summary().right_sides, 4u);
+  EXPECT_EQ(solver.summary().setups, 2u);
+}
+
+} // namespace

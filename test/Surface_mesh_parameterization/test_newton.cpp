@@ -1,0 +1,270 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Newton's method: the Hessian of a triangle, and steps of the whole map.
+
+#include "hierarchies.h"
+#include "level_maps.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_multigrid.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/corner_hessian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Star.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace CGAL::Surface_mesh_parameterization::internal;
+using namespace test_meshes;
+namespace parameters = CGAL::parameters;
+
+typedef As_rigid_as_possible_energy_2   Energy;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <class Energy>
+class Newton_of : public testing::Test { };
+typedef testing::Types<MIPS_energy_2, Symmetric_Dirichlet_energy_2, As_rigid_as_possible_energy_2> All_energies;     // some let triangles flip
+TYPED_TEST_SUITE(Newton_of, All_energies, );
+
+// Triangles in space and in the plane, among them isometries and similarities.
+struct Random_triangle
+{
+  std::array<Point_3, 3> p;
+  std::array<Point_2, 3> q;
+
+  Random_triangle(int kind, Random& random)
+  {
+    for (Point_3& point : p) {
+      const double x = random(-1, 1), y = random(-1, 1);
+      point = Point_3(x, y, kind > 0 ? 0 : random(-1, 1));
+    }
+    const double angle = random(0, 6), scale = kind == 2 ? random(0.5, 2) : 1;
+    for (int i = 0; i < 3; ++i)
+      q[i] = kind > 0 ? Point_2(scale * (p[i].x() * std::cos(angle) - p[i].y() * std::sin(angle)), scale * (p[i].x() * std::sin(angle) + p[i].y() * std::cos(angle)))
+                      : Point_2(random(-1, 1), p[i].z() * random(0.1, 1));
+    if (!is_left_turn(q[0], q[1], q[2])) {
+      std::swap(q[0], q[1]);
+      if (kind > 0)
+        std::swap(p[0], p[1]);
+    }
+  }
+
+  // Row i of the Hessian by its blocks for the corners i, i + 1, i + 2, and the gradient.
+  template <class Energy>
+  Corner_hessian corner(int i) const
+  {
+    const int a = (i + 1) % 3, b = (i + 2) % 3;
+    return corner_hessian(Energy(), rest_corner(p[i], p[a], p[b]), 1.5, q[a] - q[i], q[b] - q[i]);
+  }
+
+  template <class Energy>
+  Star<Energy> star(int i) const
+  {
+    const One_rings rings(3, { { 0, 1, 2 } });
+    const int a = (i + 1) % 3, b = (i + 2) % 3;
+    const Rest_corner c = rest_corner(p[i], p[a], p[b]);
+    Star<Energy> result;
+    result.gather(rings, { q[i], q[a], q[b] }, 0, &c, Triangle_weight::ONE);
+    return result;
+  }
+
+  // Well shaped in space and in the plane.
+  bool is_fat() const
+  {
+    for (int i = 0; i < 3; ++i) {
+      const Vector_2 ab = q[(i + 2) % 3] - q[(i + 1) % 3];
+      if (rest_corner(p[i], p[(i + 1) % 3], p[(i + 2) % 3]).height < 0.2 || cross(ab, q[i] - q[(i + 1) % 3]) < 0.2 * ab.squared_length())
+        return false;
+    }
+    return true;
+  }
+};
+
+TYPED_TEST(Newton_of, gradient_is_that_of_the_star)
+{
+  Random random(1);
+  for (int k = 0; k < 600; ++k) {
+    const Random_triangle t(k % 3, random);
+    if (!t.is_fat())
+      continue;
+    for (int i = 0; i < 3; ++i) {
+      const auto d = t.star<TypeParam>(i).derivatives(t.q[i]);
+      const Corner_hessian h = t.corner<TypeParam>(i);
+      for (int e = 0; e < 2; ++e)
+        EXPECT_NEAR(h.gradient[e], 1.5 * d.gradient[e], 1e-9 * (d.value + std::abs(d.hessian[0]) + std::abs(d.hessian[2])));
+    }
+  }
+}
+
+TYPED_TEST(Newton_of, hessian_is_exact_at_an_isometry)
+{
+  Random random(2);
+  for (int k = 0; k < 300; ++k) {
+    const Random_triangle t(1, random);
+    if (!t.is_fat())
+      continue;
+    for (int i = 0; i < 3; ++i) {
+      const auto d = t.star<TypeParam>(i).derivatives(t.q[i]);
+      const Corner_hessian h = t.corner<TypeParam>(i);
+      const double tolerance = 1e-8 * (d.hessian[0] + d.hessian[2]);
+      EXPECT_NEAR(h.to_v(0, 0), 1.5 * d.hessian[0], tolerance);
+      EXPECT_NEAR(h.to_v(0, 1), 1.5 * d.hessian[1], tolerance);
+      EXPECT_NEAR(h.to_v(1, 0), 1.5 * d.hessian[1], tolerance);
+      EXPECT_NEAR(h.to_v(1, 1), 1.5 * d.hessian[2], tolerance);
+    }
+  }
+}
+
+TYPED_TEST(Newton_of, hessian_is_symmetric_and_positive_semidefinite)
+{
+  Random random(3);
+  for (int k = 0; k < 600; ++k) {
+    const Random_triangle t(k % 3, random);
+    if (!t.is_fat())
+      continue;
+    Eigen::Matrix<double, 6, 6> hessian;
+    for (int i = 0; i < 3; ++i) {
+      const Corner_hessian h = t.corner<TypeParam>(i);
+      hessian.block<2, 2>(2 * i, 2 * i) = h.to_v;
+      hessian.block<2, 2>(2 * i, 2 * ((i + 2) % 3)) = h.to_b;
+      hessian.block<2, 2>(2 * i, 2 * ((i + 1) % 3)) = -h.to_v - h.to_b;
+    }
+    EXPECT_NEAR((hessian - hessian.transpose()).norm(), 0, 1e-9 * hessian.norm());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(hessian);
+    EXPECT_GE(solver.eigenvalues()[0], -1e-9 * solver.eigenvalues()[5]);
+  }
+}
+
+TYPED_TEST(Newton_of, steps_lower_the_energy_by_exactly_what_they_return)
+{
+  for (const Flat_mesh& m : { grid(12, 9, wavy), grid_with_holes(20), delaunay_patch(400, 2, wavy), deep_cap(), folded_fan(), strip(20) }) {
+    const Finest_level f(m);
+    const Level_energy<TypeParam> energy(f.level, Triangle_weight::AREA);
+    Newton_multigrid<TypeParam> newton(energy);
+    Level::Uv uv = first_map(f.level);
+    for (int i = 0; i < 10; ++i) {
+      const double before = energy(uv);
+      const auto step = newton.step(uv, before, 0.1);
+      EXPECT_GE(step.decrease, 0);
+      EXPECT_NEAR(before - energy(uv), step.decrease, 1e-12 * before);
+      EXPECT_TRUE(!TypeParam::is_flip_free || is_map_valid(f.level.rings(), uv));
+    }
+  }
+}
+
+TYPED_TEST(Newton_of, finds_the_same_minimum_as_relaxation)
+{
+  for (const Flat_mesh& m : { grid(12, 9, wavy), disk_with_hole(), hemisphere() }) {
+    const Finest_level f(m);
+    Refinement_options options;
+    options.triangle_weight = Triangle_weight::AREA;
+    options.number_of_iterations = 3000;
+    options.tolerance = 1e-9;
+    double energy[2];
+    for (int i = 0; i < 2; ++i) {
+      options.optimizer = i == 0 ? Optimizer::NEWTON : Optimizer::SWEEPS;
+      Level::Uv uv = first_map(f.level);
+      Level_summary summary;
+      Level_refiner<TypeParam>(f.level, uv, options, summary).run();
+      EXPECT_TRUE(summary.converged);
+      energy[i] = summary.energy_end;
+    }
+    EXPECT_NEAR((energy[0] - TypeParam::minimum) / (energy[1] - TypeParam::minimum), 1, 1e-4);
+  }
+}
+
+// Steps of the whole map come close to that place in full length, without sweeps that free them: where the bound turns a border vertex aside, its neighbors go along.
+TEST(Newton_multigrid, keeps_the_length_of_steps_at_the_bound_of_the_angles_at_the_border)
+{
+  const Flat_mesh m = staircase();
+  const Finest_level f(m);
+  const Level_energy<Symmetric_Dirichlet_energy_2> energy(f.level, Triangle_weight::ONE);
+  const auto excess = [&](const Level::Uv& uv) { return energy(uv) - 4 * double(m.triangles.size()); };
+  Level::Uv best = first_map(f.level), uv = best;
+  Refinement_options options;
+  options.number_of_iterations = 200;
+  Level_summary summary;
+  Level_refiner<Symmetric_Dirichlet_energy_2>(f.level, best, options, summary).run();
+
+  Newton_multigrid<Symmetric_Dirichlet_energy_2> newton(energy);
+  for (int i = 0; i < 10; ++i)
+    newton.step(uv, energy(uv), 0.07);
+  EXPECT_TRUE(is_map_valid(f.level.rings(), uv));
+  EXPECT_LT(excess(uv), 1.2 * excess(best));
+}
+
+// ---- curvature that is lent ----
+
+// The rows and columns of all vertices but those on the border, of the Hessian at a map that scales a planar grid.
+Eigen::MatrixXd inner_hessian(double scale, double lent)
+{
+  const Flat_mesh m = grid(8, 8, flat);
+  const One_rings rings(m.points.size(), m.triangles);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(2 * Eigen::Index(m.points.size()), 2 * Eigen::Index(m.points.size()));
+  const auto in_plane = [&](Index v, Index w) { return scale * Vector_2(m.points[w].x() - m.points[v].x(), m.points[w].y() - m.points[v].y()); };
+  for (Index v = 0; v < m.points.size(); ++v)
+    for (std::size_t i = 0; i < rings[v].size() && !rings.is_border(v); ++i) {
+      const Index a = rings[v][i], b = rings[v][(i + 1) % rings[v].size()];
+      const auto h = SMP::internal::corner_hessian(Energy(infinity), SMP::internal::rest_corner(m.points[v], m.points[a], m.points[b]), 1, in_plane(v, a), in_plane(v, b), lent);
+      result.block<2, 2>(2 * v, 2 * v) += h.to_v;
+      if (!rings.is_border(b))
+        result.block<2, 2>(2 * v, 2 * b) += h.to_b;
+      if (!rings.is_border(a))
+        result.block<2, 2>(2 * v, 2 * a) -= h.to_v + h.to_b;
+    }
+  return result;
+}
+
+// Of a map that shrinks by less than one half, as a whole and not triangle by triangle.
+TEST(Corner_hessian, that_lends_curvature_is_positive_and_less_stiff)
+{
+  for (const double scale : { 0.3, 0.45, 0.52, 0.6, 0.9, 1.5 }) {
+    const Eigen::MatrixXd projected = inner_hessian(scale, 0), lending = inner_hessian(scale, 0.95);
+    EXPECT_NEAR((lending - lending.transpose()).norm(), 0, 1e-12 * lending.norm());
+    const Eigen::VectorXd least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(lending).eigenvalues();
+    EXPECT_GE(least[0], -1e-12 * lending.norm()) << "scale " << scale;
+    EXPECT_EQ((projected - lending).trace() > 0.1 * projected.trace(), scale < 0.8) << "scale " << scale;
+  }
+}
+
+TEST(Corner_hessian, that_lends_curvature_is_exact_down_to_half_the_scale)
+{
+  const Rest_corner corner = SMP::internal::rest_corner(Point_3(0, 0, 0), Point_3(1, 0.2, 0), Point_3(0.3, 0.8, 0));
+  const One_rings rings(3, { { 0, 1, 2 } });
+  for (const double scale : { 0.52, 0.7, 1.3 }) {
+    const Vector_2 a(scale, 0.2 * scale), b(0.3 * scale, 0.8 * scale);
+    SMP::internal::Star<Energy> star;
+    star.gather(rings, { Point_2(0, 0), CGAL::ORIGIN + a, CGAL::ORIGIN + b }, 0, &corner, Triangle_weight::ONE, Energy(infinity));
+    const auto d = star.derivatives(Point_2(0, 0));
+    const auto h = SMP::internal::corner_hessian(Energy(infinity), corner, 1, a, b, 0.95);
+    EXPECT_NEAR(h.to_v(0, 0), d.hessian[0], 1e-9);
+    EXPECT_NEAR(h.to_v(0, 1), d.hessian[1], 1e-9);
+    EXPECT_NEAR(h.to_v(1, 1), d.hessian[2], 1e-9);
+  }
+}
+
+} // namespace

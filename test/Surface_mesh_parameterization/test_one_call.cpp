@@ -1,0 +1,97 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The one call that finds the outer border itself.
+
+#include "mapped_model.h"
+#include "mesh_conversions.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
+#include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/Kernel/global_functions.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+namespace parameters = CGAL::parameters;
+
+template <class Mesh>
+using Uniform = Edge_energy_parameterizer_3<Mesh, Uniform_edge_weights_3>;
+
+TEST(One_call, gives_the_map_of_the_class)
+{
+  Mapped<Surface_mesh> by_class(grid_with_holes(20)), by_call(grid_with_holes(20));
+  by_class.parameterize(Hierarchical_parameterizer_3<MIPS_parameterizer_3<Surface_mesh>>());
+  Parameterization_summary result = hierarchical_parameterization(by_call.mesh, by_call.uvmap);
+  EXPECT_TRUE(result.is_ok() && result.converged);
+  EXPECT_EQ(by_class.uv(), by_call.uv());
+  EXPECT_GT(result.levels.size(), 1u);
+
+  result = hierarchical_parameterization<Symmetric_Dirichlet_parameterizer_3>(by_call.mesh, by_call.uvmap, parameters::coarsest_size(10000).number_of_iterations(0));
+  EXPECT_EQ(result.levels.size(), 1u);                  // of the hierarchy
+  EXPECT_EQ(result.levels[0].cycles, 0u);               // of the method
+  EXPECT_FALSE(result.converged);
+
+  result = hierarchical_parameterization<LSCM_parameterizer_3>(by_call.mesh, by_call.uvmap, parameters::flip_policy(Flip_policy::KEEP));
+  EXPECT_TRUE(result.is_ok() && result.linear_solver.right_sides > 0);
+  EXPECT_TRUE(hierarchical_parameterization<Uniform>(by_call.mesh, by_call.uvmap, parameters::fill_holes(true)).is_ok());
+}
+
+template <class Mesh>
+using Barycentric_uniform = Barycentric_mapping_parameterizer_3<Mesh, Circular_border_uniform_parameterizer_3<Mesh>>;
+
+// Where squares of lengths would over- or underflow too.
+TEST(One_call, the_longest_border_is_the_outer_one_at_any_scale)
+{
+  const auto radius = [](const Kernel::Point_3& p) { return std::hypot(p.x(), p.y()); };
+  for (const double scale : { 1e-200, 1., 1e200 }) {
+    SCOPED_TRACE(scale);
+    Flat_mesh m = annulus(12);
+    for (Point_3& p : m.points)
+      p = Point_3(scale * p.x(), scale * p.y(), scale * p.z());
+    Mapped<Surface_mesh> run(m);
+    ASSERT_TRUE(hierarchical_parameterization<Barycentric_uniform>(run.mesh, run.uvmap).is_ok());
+    double greatest_radius = 0;
+    for (const auto v : vertices(run.mesh))
+      greatest_radius = (std::max)(greatest_radius, radius(run.mesh.point(v)));
+    for (const auto v : vertices(run.mesh)) {
+      const double distance = std::sqrt(CGAL::squared_distance(get(run.uvmap, v), Kernel::Point_2(0.5, 0.5)));
+      EXPECT_EQ(distance > 0.49, radius(run.mesh.point(v)) > 0.99 * greatest_radius);
+    }
+  }
+}
+
+TEST(One_call, tells_what_cannot_be_laid_out)
+{
+  Mapped<Surface_mesh> closed(sphere(6, 8)), empty{ Flat_mesh() }, handle(torus_with_hole(8));
+  for (Mapped<Surface_mesh>* run : { &closed, &handle }) {
+    const Parameterization_summary result = hierarchical_parameterization(run->mesh, run->uvmap);
+    EXPECT_EQ(result.error.code, ERROR_NO_TOPOLOGICAL_DISC);
+    EXPECT_NE(error_message(result.error).find("cut it open"), std::string::npos);
+    EXPECT_EQ(run->uv(), Points(run->mesh.number_of_vertices(), run->untouched()));
+  }
+  EXPECT_EQ(hierarchical_parameterization(empty.mesh, empty.uvmap).error.code, ERROR_EMPTY_MESH);
+}
+
+} // namespace

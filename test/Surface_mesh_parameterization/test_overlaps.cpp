@@ -1,0 +1,217 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Maps whose borders run over each other: counting them, and the barrier that keeps them apart.
+
+#include "mesh_conversions.h"
+#include "one_to_one_maps.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/Kernel/global_functions.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace CGAL::Surface_mesh_parameterization::internal;
+using namespace test_meshes;
+using one_to_one::Mapped_mesh;
+using one_to_one::Mesh;
+using one_to_one::bend;
+using one_to_one::pairs_by_counting;
+namespace parameters = CGAL::parameters;
+
+// ---- overlaps ----
+
+Triangle_2 triangle(double ax, double ay, double bx, double by, double cx, double cy) { return { Point_2(ax, ay), Point_2(bx, by), Point_2(cx, cy) }; }
+
+TEST(Overlapping_pairs, of_two_triangles)
+{
+  const Triangle_2 t = triangle(0, 0, 4, 0, 0, 4);
+  const std::vector<std::pair<Triangle_2, bool>> others = {
+    { t, true }, { triangle(1, 1, 2, 1, 1, 2), true }, { triangle(-1, -1, 9, -1, -1, 9), true },    // the same, inside, around
+    { triangle(-1, 1, 9, 1, -1, 2), true },                                                        // across, no corner inside
+    { triangle(4, 0, 4, 4, 0, 4), false }, { triangle(0, 0, -1, 0, 0, -1), false },              // an edge, a corner in common
+    { triangle(2, 2, 5, 2, 5, 5), false }, { triangle(5, 0, 9, 0, 5, 4), false },                // a corner on an edge, apart
+    { triangle(2, 2 - 1e-15, 5, 2, 5, 5), true } };
+  for (const auto& [other, overlaps] : others)
+    for (const int turn : { 0, 1, 2 })
+      for (const bool is_flipped : { false, true }) {
+        Triangle_2 turned = { other[turn], other[(turn + 1) % 3], other[(turn + 2) % 3] };
+        if (is_flipped)
+          std::swap(turned[0], turned[1]);
+        EXPECT_EQ(number_of_overlapping_pairs({ t, turned }), overlaps ? 1u : 0u);
+        EXPECT_EQ(number_of_overlapping_pairs({ turned, t }), overlaps ? 1u : 0u);
+      }
+  EXPECT_EQ(number_of_overlapping_pairs({ t, triangle(0, 1, 1, 1, 2, 1) }), 0u);    // it has no interior
+  EXPECT_EQ(number_of_overlapping_pairs(std::vector<Triangle_2>(10, t)), 45u);
+  EXPECT_EQ(number_of_overlapping_pairs(std::vector<Triangle_2>(10, t), 20), 20u);  // counting ends
+}
+
+TEST(Overlapping_pairs, borders_tell_what_counting_does)
+{
+  for (const double turns : { 0.3, 0.9, 0.99, 1.01, 1.1, 1.9, 2.5 }) {
+    Mapped_mesh ring(grid(40, 3, flat));
+    bend(ring, turns);
+    const Parameterization_quality q = ring.quality();
+    EXPECT_EQ(q.flips, 0u);
+    EXPECT_EQ(q.overlaps > 0, turns > 1) << turns;
+    EXPECT_EQ(q.overlaps, pairs_by_counting(ring));
+  }
+}
+
+TEST(Overlapping_pairs, of_a_surface_with_holes)
+{
+  Mapped_mesh m(grid_with_holes(20));
+  for (const auto v : vertices(m.mesh))
+    m.uvmap[v] = Kernel::Point_2(m.mesh.point(v).x(), m.mesh.point(v).y());
+  EXPECT_EQ(m.quality().flips, 0u);
+  EXPECT_EQ(m.quality().overlaps, 0u);
+  EXPECT_EQ(pairs_by_counting(m), 0u);
+}
+
+TEST(Overlapping_pairs, of_some_faces)
+{
+  Mapped_mesh ring(grid(40, 3, flat));
+  bend(ring, 1.5);
+  std::vector<Mesh::Face_index> half;
+  for (const auto f : faces(ring.mesh))
+    if (half.size() < ring.mesh.number_of_faces() / 3)      // the first row
+      half.push_back(f);
+  EXPECT_GT(parameterization_quality(ring.mesh, half, ring.uvmap).overlaps, 0u);
+  half.resize(half.size() / 2);
+  EXPECT_EQ(parameterization_quality(ring.mesh, half, ring.uvmap).overlaps, 0u);
+}
+
+// ---- a barrier between borders ----
+
+struct Barrier_on_ring
+{
+  Flat_mesh mesh = grid(40, 3, flat);
+  Collapse_hierarchy_3 hierarchy{ surface(mesh), parameters::coarsest_size(1000) };
+  Progressive_mesh_3 progressive{ hierarchy };
+  Level level{ progressive, 0 };
+  Border_barrier barrier{ level, 0.7 };
+  Level::Uv uv;
+
+  // The ends of the ring are so far from each other, in turns.
+  explicit Barrier_on_ring(double gap)
+  {
+    Mapped_mesh ring(mesh);
+    bend(ring, 1 - gap);
+    for (Index rank = 0; rank < hierarchy.number_of_vertices(); ++rank) {
+      const Kernel::Point_2& p = ring.uvmap[Mesh::Vertex_index(hierarchy.input_vertex(rank))];
+      uv.emplace_back(p.x(), p.y());
+    }
+    barrier.set_gaps(uv);
+  }
+};
+
+TEST(Border_barrier, vanishes_where_borders_are_far_apart)
+{
+  EXPECT_EQ(Barrier_on_ring(0.2).barrier(Barrier_on_ring(0.2).uv), 0);
+  const double near = Barrier_on_ring(0.005).barrier(Barrier_on_ring(0.005).uv), nearer = Barrier_on_ring(0.0005).barrier(Barrier_on_ring(0.0005).uv);
+  EXPECT_GT(near, 0);
+  EXPECT_GT(nearer, 50 * near);     // as the square of the inverse distance
+}
+
+TEST(Border_barrier, gradient_matches_differences_and_the_matrix_bounds_the_curvature)
+{
+  Barrier_on_ring ring(0.004);
+  const std::size_t n = ring.uv.size();
+  Pair_vector gradient(n, Pair(0, 0));
+  std::vector<Block_matrix::Block> diagonal(n, Block_matrix::Block::Zero());
+  ring.barrier.derivatives(ring.uv, [&](Index v, const Pair& g, const Block_matrix::Block& b) {
+    gradient[v] += g;
+    diagonal[v] += b;
+  });
+  Random random(3);
+  for (int k = 0; k < 20; ++k) {
+    std::vector<Vector_2> move;
+    for (std::size_t v = 0; v < n; ++v)
+      move.emplace_back(random(-1, 1), random(-1, 1));
+    const auto at = [&](double t) {
+      Level::Uv moved = ring.uv;
+      for (std::size_t v = 0; v < n; ++v)
+        moved[v] = ring.uv[v] + t * move[v];
+      return ring.barrier(moved);
+    };
+    constexpr double h = 1e-7;
+    double slope = 0, bound = 0, size = 0;
+    for (std::size_t v = 0; v < n; ++v) {
+      const Pair m(move[v].x(), move[v].y());
+      slope += gradient[v].dot(m);
+      bound += m.dot(diagonal[v] * m);
+      size += std::abs(gradient[v].dot(m));
+    }
+    EXPECT_NEAR((at(h) - at(-h)) / (2 * h), slope, 1e-4 * size);
+    EXPECT_LT((at(1e-5) - 2 * at(0) + at(-1e-5)) / 1e-10, bound);
+  }
+}
+
+// Also where a long edge, whose ends may go far, lies beside vertices with short ones.
+TEST(Border_barrier, nothing_meets_within_reach)
+{
+  Barrier_on_ring ring(0.004);
+  std::vector<std::pair<double, Index>> end;      // the vertices at one end, from side to side
+  for (Index v = 0; v < ring.uv.size(); ++v)
+    if (ring.level.point(v).x() == 1)
+      end.emplace_back(ring.level.point(v).y(), v);
+  std::sort(end.begin(), end.end());
+  ASSERT_EQ(end.size(), 4u);
+  const Point_2 first = ring.uv[end[0].second];
+  const Vector_2 along = ring.uv[end[3].second] - first;
+  const double places[] = { 0.48, 0.495, 0.505, 0.52 };     // before the middle edge of the other end
+  for (std::size_t i = 0; i < end.size(); ++i)
+    ring.uv[end[i].second] = first + places[i] * along;
+  ring.barrier.set_reach(ring.uv);
+  // Edges that end at the vertex, or at a neighbor of it, are kept off by the triangles between them.
+  const auto is_near = [&](Index v, Index w) { return v == w || ring.level.one_ring(v).front() == w || ring.level.one_ring(v).back() == w; };
+  for (const Border_edge& e : border_edges(ring.level.rings()))
+    for (Index v = 0; v < ring.uv.size(); ++v)
+      if (ring.level.is_border(v) && !is_near(v, e.source) && !is_near(v, e.target)) {
+        const double distance = std::sqrt(CGAL::squared_distance(ring.uv[v], CGAL::Segment_2<Flat_kernel>(ring.uv[e.source], ring.uv[e.target])));
+        EXPECT_LT(ring.barrier.reach(v) + (std::max)(ring.barrier.reach(e.source), ring.barrier.reach(e.target)), distance);
+      }
+}
+
+TEST(Border_barrier, knows_when_the_ends_meet)
+{
+  Barrier_on_ring ring(0.01);
+  EXPECT_TRUE(ring.barrier.keeps_apart(ring.uv));
+  EXPECT_FALSE(ring.barrier.keeps_apart(Barrier_on_ring(-0.01).uv));
+  Pair_vector direction;    // to the ring with the ends so far over each other
+  for (std::size_t v = 0; v < ring.uv.size(); ++v) {
+    const Vector_2 d = Barrier_on_ring(-0.01).uv[v] - ring.uv[v];
+    direction.emplace_back(d.x(), d.y());
+  }
+  const double longest = ring.barrier.longest_step(ring.uv, direction);
+  EXPECT_GT(longest, 0);
+  EXPECT_LT(longest, 1);
+  for (const double part : { 0.999, 1.001 }) {
+    Level::Uv moved;
+    for (std::size_t v = 0; v < ring.uv.size(); ++v)
+      moved.push_back(ring.uv[v] + part * longest * Vector_2(direction[v][0], direction[v][1]));
+    EXPECT_EQ(ring.barrier.keeps_apart(moved), part < 1);
+  }
+}
+
+} // namespace

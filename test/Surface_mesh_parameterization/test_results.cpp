@@ -1,0 +1,226 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What measures a result, and what writes it.
+
+#include "mapped_mesh.h"
+#include "measures.h"
+#include "mesh_conversions.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
+#include <CGAL/Surface_mesh_parameterization/IO/write_SVG.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+
+typedef MIPS_parameterizer_3<Surface_mesh>                   MIPS;
+typedef Hierarchical_parameterizer_3<MIPS>                   Hierarchical_MIPS;
+
+// ---- quality ----
+
+// A map of the plane, given by its matrix, of a planar mesh.
+Parameterization_quality quality_of_linear_map(double xx, double xy, double yx, double yy)
+{
+  Mapped_mesh mapped(delaunay_patch(100, 1, flat));
+  for (const auto v : vertices(mapped.mesh)) {
+    const Kernel::Point_3& p = mapped.mesh.point(v);
+    mapped.uvmap[v] = Kernel::Point_2(xx * p.x() + xy * p.y() + 3, yx * p.x() + yy * p.y() - 4);
+  }
+  return mapped.quality();
+}
+
+TEST(Parameterization_quality, is_perfect_for_similarities)
+{
+  for (const double scale : { 1e-3, 1., 7. }) {
+    const Parameterization_quality q = quality_of_linear_map(0.6 * scale, -0.8 * scale, 0.8 * scale, 0.6 * scale);
+    EXPECT_EQ(q.flips, 0u);
+    EXPECT_EQ(q.degenerate, 0u);
+    EXPECT_NEAR(q.mips_excess, 0, 1e-6);
+    EXPECT_NEAR(q.symmetric_dirichlet, 4, 1e-8);
+    EXPECT_NEAR(q.linf_stretch, 1, 1e-4);   // that of a sliver
+    for (const double measure : { q.l2_stretch, q.angle, q.area })
+      EXPECT_NEAR(measure, 1, 1e-8);
+  }
+}
+
+TEST(Parameterization_quality, of_a_shear)
+{
+  const double k = 1.5, f = 2 + k * k, s1 = 0.5 * (k + std::sqrt(k * k + 4));     // s1 s2 = 1
+  const Parameterization_quality q = quality_of_linear_map(1, k, 0, 1);
+  const double n = double(delaunay_patch(100, 1, flat).triangles.size());
+  EXPECT_NEAR(q.mips / (n * f), 1, 1e-6);
+  EXPECT_NEAR(q.mips_excess / (n * k * k), 1, 1e-6);
+  EXPECT_NEAR(q.symmetric_dirichlet / (2 * f), 1, 1e-6);
+  EXPECT_NEAR(q.l2_stretch / std::sqrt(0.5 * f), 1, 1e-6);
+  EXPECT_NEAR(q.linf_stretch / s1, 1, 1e-6);
+  EXPECT_NEAR(q.angle / (0.5 * f), 1, 1e-6);
+  EXPECT_NEAR(q.area, 1, 1e-6);
+}
+
+TEST(Parameterization_quality, agrees_with_the_singular_values)
+{
+  const Flat_mesh m = grid(12, 9, wavy);
+  Random random(1);
+  Mapped_mesh mapped(m);
+  std::vector<Point_2> uv;
+  for (const Point_3& p : m.points) {
+    const double x = 3 * p.x() + random(-0.05, 0.05);
+    uv.push_back(Point_2(x, p.x() + p.y() + random(-0.02, 0.02)));
+  }
+  for (const auto v : vertices(mapped.mesh))
+    mapped.uvmap[v] = Kernel::Point_2(uv[v].x(), uv[v].y());
+
+  double mips = 0, dirichlet = 0, inverse_dirichlet = 0, angle = 0, area = 0, image_area = 0, greatest = 0, inverse_determinant = 0;
+  for (const Index_triangle& t : m.triangles) {
+    const Singular_values s = singular_values(m.points[t[0]], m.points[t[1]], m.points[t[2]], uv[t[0]], uv[t[1]], uv[t[2]]);
+    ASSERT_GT(s.determinant, 0);
+    mips += s.mips();
+    area += s.area;
+    image_area += s.area * s.greatest * s.least;
+    angle += 0.5 * s.area * s.mips();
+    dirichlet += s.area * (s.greatest * s.greatest + s.least * s.least);
+    inverse_dirichlet += s.area * (1 / (s.greatest * s.greatest) + 1 / (s.least * s.least));
+    inverse_determinant += s.area / s.determinant;
+    greatest = (std::max)(greatest, 1 / s.least);
+  }
+  const double scale = std::sqrt(area / image_area);       // to equal areas
+  double best = std::numeric_limits<double>::infinity();   // over scales of the plane
+  for (double c = 0.05; c < 5; c *= 1.0001)
+    best = (std::min)(best, (c * c * dirichlet + inverse_dirichlet / (c * c)) / area);
+
+  const Parameterization_quality q = mapped.quality();
+  EXPECT_EQ(q.flips, 0u);
+  EXPECT_NEAR(q.mips / mips, 1, 1e-10);
+  EXPECT_NEAR(q.mips_excess / (mips - 2 * double(m.triangles.size())), 1, 1e-9);
+  EXPECT_NEAR(q.symmetric_dirichlet / best, 1, 1e-7);
+  EXPECT_NEAR(q.l2_stretch / std::sqrt(0.5 * inverse_dirichlet / (scale * scale * area)), 1, 1e-10);
+  EXPECT_NEAR(q.linf_stretch / (greatest / scale), 1, 1e-8);
+  EXPECT_NEAR(q.angle / (angle / area), 1, 1e-10);
+  EXPECT_NEAR(q.area / (0.5 * (1 + inverse_determinant / (scale * scale * area))), 1, 1e-10);
+}
+
+TEST(Parameterization_quality, does_not_depend_on_units)
+{
+  const Flat_mesh m = grid(12, 9, wavy);
+  for (const double in_space : { 1e-20, 1e20 })
+    for (const double in_plane : { 1e-20, 1e20 }) {
+      Mapped_mesh mapped(m), scaled(m);
+      for (const auto v : vertices(mapped.mesh)) {
+        const Kernel::Point_3 p = mapped.mesh.point(v);
+        mapped.uvmap[v] = Kernel::Point_2(p.x() + 0.3 * p.z(), p.y());
+        scaled.uvmap[v] = Kernel::Point_2(in_plane * (p.x() + 0.3 * p.z()), in_plane * p.y());
+        scaled.mesh.point(v) = Kernel::Point_3(in_space * p.x(), in_space * p.y(), in_space * p.z());
+      }
+      const Parameterization_quality q = mapped.quality(), r = scaled.quality();
+      EXPECT_NEAR(q.mips / r.mips, 1, 1e-12);
+      EXPECT_NEAR(q.symmetric_dirichlet / r.symmetric_dirichlet, 1, 1e-12);
+      EXPECT_NEAR(q.l2_stretch / r.l2_stretch, 1, 1e-12);
+      EXPECT_NEAR(q.linf_stretch / r.linf_stretch, 1, 1e-12);
+      EXPECT_NEAR(q.angle / r.angle, 1, 1e-12);
+      EXPECT_NEAR(q.area / r.area, 1, 1e-12);
+    }
+}
+
+TEST(Parameterization_quality, counts_what_is_not_positive)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  Mapped_mesh mapped(grid(2, 2, flat));
+  const auto reset = [&] {
+    for (const auto v : vertices(mapped.mesh))
+      mapped.uvmap[v] = Kernel::Point_2(mapped.mesh.point(v).x(), mapped.mesh.point(v).y());
+  };
+  Kernel::Point_2& corner = mapped.uvmap[Surface_mesh::Vertex_index(2)];   // of one triangle: 1, 2, 5
+  reset();
+  EXPECT_EQ(mapped.quality().flips, 0u);
+  corner = Kernel::Point_2(0, 1);
+  EXPECT_EQ(mapped.quality().flips, 1u);
+  EXPECT_EQ(mapped.quality().degenerate, 0u);
+  EXPECT_EQ(mapped.quality().mips, infinity);
+  corner = mapped.uvmap[Surface_mesh::Vertex_index(1)];
+  EXPECT_EQ(mapped.quality().flips, 1u);
+  EXPECT_EQ(mapped.quality().degenerate, 1u);
+  for (const double bad : { infinity, -infinity, std::numeric_limits<double>::quiet_NaN() }) {
+    corner = Kernel::Point_2(bad, 0);
+    EXPECT_EQ(mapped.quality().flips, 1u);
+    EXPECT_EQ(mapped.quality().degenerate, 0u);
+    EXPECT_EQ(mapped.quality().symmetric_dirichlet, infinity);
+  }
+  std::vector<Surface_mesh::Face_index> others;    // without the bad one
+  for (const auto f : faces(mapped.mesh)) {
+    const auto around = CGAL::vertices_around_face(mapped.mesh.halfedge(f), mapped.mesh);
+    if (std::find(around.begin(), around.end(), Surface_mesh::Vertex_index(2)) == around.end())
+      others.push_back(f);
+  }
+  ASSERT_EQ(others.size(), 7u);
+  EXPECT_EQ(parameterization_quality(mapped.mesh, others, mapped.uvmap).flips, 0u);
+  EXPECT_NEAR(parameterization_quality(mapped.mesh, others, mapped.uvmap).mips, 14, 1e-12);
+}
+
+// ---- files ----
+
+TEST(Write_OBJ, writes_what_can_be_read_back)
+{
+  Mapped_mesh mapped(grid(4, 3, wavy));
+  append(single_triangle(), mapped.mesh);     // has no place in the plane
+  const auto vpmap = mapped.mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:parameterized", false).first;
+  EXPECT_EQ(Hierarchical_MIPS().parameterize(mapped.mesh, longest_border(mapped.mesh), mapped.uvmap, get(CGAL::vertex_index, mapped.mesh), vpmap), OK);
+  std::stringstream file;
+  SMP::IO::write_OBJ(file, mapped.mesh, mapped.uvmap, vpmap);
+  std::vector<Kernel::Point_3> points;
+  std::vector<Kernel::Point_2> uv;
+  std::size_t with_uv = 0, without_uv = 0;
+  for (std::string line, word; std::getline(file, line);) {
+    std::istringstream words(line);
+    words >> word;
+    double x, y, z;
+    if (word == "v" && words >> x >> y >> z)
+      points.emplace_back(x, y, z);
+    else if (word == "vt" && words >> x >> y)
+      uv.emplace_back(x, y);
+    else
+      ++(line.find('/') == std::string::npos ? without_uv : with_uv);
+  }
+  ASSERT_EQ(points.size(), mapped.mesh.number_of_vertices());
+  ASSERT_EQ(uv.size(), 20u);
+  for (const auto v : vertices(mapped.mesh)) {
+    EXPECT_EQ(points[v], mapped.mesh.point(v));
+    EXPECT_TRUE(v >= 20 || uv[v] == mapped.uvmap[v]);
+  }
+  EXPECT_EQ(with_uv, 24u);
+  EXPECT_EQ(without_uv, 1u);
+}
+
+TEST(Write_SVG, draws_every_triangle)
+{
+  Mapped_mesh mapped(grid(4, 3, wavy));
+  EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS()), OK);
+  std::ostringstream file;
+  SMP::IO::write_SVG(file, mapped.mesh, faces(mapped.mesh), mapped.uvmap);
+  const std::string text = file.str();
+  EXPECT_EQ(text.rfind("<svg ", 0), 0u);
+  EXPECT_EQ(std::count(text.begin(), text.end(), 'Z'), 24);
+  for (const std::string label : { ">1<", ">1.25<", ">1.5<", "2<" })
+    EXPECT_NE(text.find(label + "/text>"), std::string::npos) << label;
+  EXPECT_EQ(text.find("nan"), std::string::npos);
+}
+
+} // namespace

@@ -1,0 +1,196 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The first map of a level: of the coarsest one, its scale, and with the new vertices of a finer one.
+
+#include "hierarchies.h"
+#include "level_maps.h"
+#include "mesh_conversions.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
+#include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/scale_to_area.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/Kernel/global_functions.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace CGAL::Surface_mesh_parameterization::internal;
+using namespace test_meshes;
+namespace parameters = CGAL::parameters;
+
+// ---- Tutte's map ----
+
+TEST(Tutte_embedding, is_valid)
+{
+  for (const auto& [name, m] : named_meshes()) {
+    SCOPED_TRACE(name);
+    const Finest_level f(m);
+    Level::Uv uv;
+    ASSERT_EQ(Tutte_embedding::compute(f.level, uv), OK);
+    EXPECT_TRUE(is_map_valid(f.level.rings(), uv));
+    for (Index v = 0; v < f.level.number_of_vertices(); ++v) {
+      const double radius2 = (uv[v] - CGAL::ORIGIN).squared_length();
+      if (f.hierarchy.is_on_outer_border(v))
+        EXPECT_NEAR(radius2, 1, 1e-14);
+      else
+        EXPECT_LT(radius2, 1);
+    }
+  }
+}
+
+TEST(Tutte_embedding, puts_interior_vertices_into_the_middle_of_their_neighbors)
+{
+  const Finest_level f(grid_with_holes(20));
+  Level::Uv uv;
+  ASSERT_EQ(Tutte_embedding::compute(f.level, uv), OK);
+  for (Index v = 0; v < f.level.number_of_vertices(); ++v)
+    if (!f.level.is_border(v)) {
+      Vector_2 sum(0, 0);
+      for (const Index w : f.level.one_ring(v))
+        sum = sum + (uv[w] - uv[v]);
+      EXPECT_NEAR(sum.squared_length(), 0, 1e-24);
+    }
+}
+
+// ---- scale ----
+
+double area_in_space(const Level& level)
+{
+  double area = 0;
+  for (const Index_triangle& t : level.triangles())
+    area += std::sqrt(CGAL::squared_area(level.point(t[0]), level.point(t[1]), level.point(t[2])));
+  return area;
+}
+
+double area_in_plane(const Level& level, const Level::Uv& uv)
+{
+  double area = 0;
+  for (const Index_triangle& t : level.triangles())
+    area += CGAL::area(uv[t[0]], uv[t[1]], uv[t[2]]);
+  return area;
+}
+
+TEST(Scale_to_area, makes_the_areas_equal)
+{
+  for (const auto& [name, m] : named_meshes()) {
+    SCOPED_TRACE(name);
+    const Finest_level f(m);
+    for (const double scale : { 1e-5, 1., 1e5 }) {
+      Level::Uv uv = first_map(f.level);
+      for (Point_2& p : uv)
+        p = Point_2(scale * p.x(), scale * p.y());
+      scale_to_area(f.level, uv);
+      EXPECT_NEAR(area_in_plane(f.level, uv) / area_in_space(f.level), 1, 1e-9);
+      EXPECT_TRUE(is_map_valid(f.level.rings(), uv));
+    }
+  }
+}
+
+TEST(Scale_to_area, leaves_the_map_of_a_surface_without_area)
+{
+  Flat_mesh m = fan(5);
+  std::fill(m.points.begin(), m.points.end(), Point_3(0, 0, 0));
+  const Finest_level f(m);
+  Level::Uv uv;
+  ASSERT_EQ(Tutte_embedding::compute(f.level, uv), OK);
+  const Level::Uv before = uv;
+  scale_to_area(f.level, uv);
+  EXPECT_EQ(uv, before);
+}
+
+// ---- up the levels ----
+
+TEST(Insert_new_vertices, keeps_every_level_valid)
+{
+  Refinement_options options;
+  options.optimizer = Optimizer::SWEEPS;
+  options.number_of_iterations = 20;
+  for (const auto& [name, m] : named_meshes())
+    for (unsigned int seed = 0; seed < 10; ++seed) {
+      SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+      const Collapse_hierarchy_3 hierarchy(surface(m), parameters::coarsest_size(3).random_seed(seed));
+      Progressive_mesh_3 mesh(hierarchy);
+      Level::Uv uv;
+      for (std::size_t i = 0; i < hierarchy.number_of_levels(); ++i) {
+        mesh.walk_to_level(i);
+        const Level level(mesh, i);
+        if (i == 0)
+          uv = first_map(level);
+        else {
+          const Level::Uv before = uv;
+          ASSERT_EQ(insert_new_vertices(level, uv), no_index);
+          EXPECT_TRUE(std::equal(before.begin(), before.end(), uv.begin()));
+        }
+        ASSERT_EQ(uv.size(), level.number_of_vertices());
+        ASSERT_TRUE(is_map_valid(level.rings(), uv));
+        Level_summary summary;
+        Level_refiner<MIPS_energy_2>(level, uv, options, summary).run();
+        ASSERT_TRUE(is_map_valid(level.rings(), uv));
+      }
+    }
+}
+
+// The exponential map of an interior vertex of a planar mesh is an isometry, and the best place is where the vertex was.
+TEST(Insert_new_vertices, of_a_planar_mesh_puts_interior_vertices_back)
+{
+  for (const Flat_mesh& m : { grid(15, 15, flat), delaunay_patch(400, 2, flat) }) {
+    const Finest_level f(m, parameters::coarsest_size(60));
+    for (std::size_t i = 1; i < f.hierarchy.number_of_levels(); ++i) {
+      Progressive_mesh_3 mesh(f.hierarchy);
+      mesh.walk_to_level(i - 1);
+      Level::Uv uv = identity_map(Level(mesh, i - 1));
+      if (!is_map_valid(Level(mesh, i - 1).rings(), uv))
+        continue;     // a coarse level of a convex patch can have a flat ear
+      mesh.walk_to_level(i);
+      const Level level(mesh, i);
+      const Level::Uv expected = identity_map(level);
+      ASSERT_EQ(insert_new_vertices(level, uv), no_index);
+      for (Index v = 0; v < level.number_of_vertices(); ++v)
+        EXPECT_TRUE(level.is_border(v) || CGAL::squared_distance(uv[v], expected[v]) < 1e-20);
+    }
+  }
+}
+
+// An ear goes where its triangle is similar to the one in space.
+TEST(Insert_new_vertices, puts_ears_back_in_shape)
+{
+  const Flat_mesh m = { { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.5, 0.8, 0), Point_3(0.5, -0.5, 0), Point_3(1.2, 0.8, 0), Point_3(-0.2, 0.8, 0) },
+                        { { 0, 1, 2 }, { 1, 0, 3 }, { 2, 1, 4 }, { 0, 2, 5 } } };
+  int ears = 0;
+  for (unsigned int seed = 0; seed < 10; ++seed) {
+    const Finest_level f(m, parameters::coarsest_size(5).random_seed(seed));
+    ASSERT_EQ(f.hierarchy.number_of_levels(), 2u);
+    const Level::Uv expected = identity_map(f.level);
+    Level::Uv uv(expected.begin(), expected.begin() + f.hierarchy.number_of_vertices(0));
+    if (!is_map_valid(Level(Progressive_mesh_3(f.hierarchy), 0).rings(), uv))
+      continue;
+    ASSERT_EQ(insert_new_vertices(f.level, uv), no_index);
+    for (Index v = Index(f.level.first_new_vertex()); v < 6; ++v)
+      if (f.level.rings().number_of_triangles(v) == 1) {
+        EXPECT_NEAR(std::sqrt(CGAL::squared_distance(uv[v], expected[v])), 0, 1e-12);
+        ++ears;
+      }
+  }
+  EXPECT_GT(ears, 3);
+}
+
+} // namespace

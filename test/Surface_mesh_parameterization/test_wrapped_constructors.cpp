@@ -1,0 +1,212 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// How the adaptor of a parameterizer is made, and the adaptor of a user's own parameterizer.
+
+#include "mesh_conversions.h"
+#include "test_meshes.h"
+#include "wrapped_maps.h"
+
+#include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <Eigen/SparseLU>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <functional>
+
+// A user's own parameterizer, as small as can be: every vertex but those of the border goes to the mean of its neighbors.
+namespace archetype {
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
+template <class Mesh, class Solver>
+struct Mean_parameterizer
+{
+  typedef Mesh Triangle_mesh;
+
+  template <class Halfedge, class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
+  SMP::Error_code parameterize(Mesh& mesh, Halfedge bhd, VertexUVMap uvmap, VertexIndexMap vimap, VertexParameterizedMap vpmap)
+  {
+    SMP::Circular_border_arc_length_parameterizer_3<Mesh>().parameterize(mesh, bhd, uvmap, vimap, vpmap);
+    const std::size_t n = num_vertices(mesh);
+    typename Solver::Matrix matrix(n);
+    typename Solver::Vector right_side_u(n), right_side_v(n), u(n), v(n);
+    for (const auto vertex : vertices(mesh)) {
+      const int i = get(vimap, vertex);
+      if (get(vpmap, vertex)) {
+        matrix.set_coef(i, i, 1, true);
+        right_side_u.set(i, get(uvmap, vertex).x());
+        right_side_v.set(i, get(uvmap, vertex).y());
+      } else
+        for (const auto neighbor : CGAL::vertices_around_target(vertex, mesh)) {
+          matrix.add_coef(i, i, 1);
+          matrix.add_coef(i, get(vimap, neighbor), -1);
+        }
+    }
+    Solver solver;
+    double d;
+    if (!solver.linear_solver(matrix, right_side_u, u, d) || !solver.linear_solver(matrix, right_side_v, v, d))
+      return SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+    for (const auto vertex : vertices(mesh))
+      put(uvmap, vertex, typename boost::property_traits<VertexUVMap>::value_type(u[get(vimap, vertex)], v[get(vimap, vertex)]));
+    return SMP::OK;
+  }
+};
+
+} // namespace archetype
+
+namespace CGAL::Surface_mesh_parameterization {
+
+template <class Mesh, class Solver, class NewSolver>
+struct Rebind_solver<archetype::Mean_parameterizer<Mesh, Solver>, NewSolver>
+{
+  typedef archetype::Mean_parameterizer<Mesh, NewSolver>   type;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+using namespace wrapped_maps;
+namespace parameters = CGAL::parameters;
+
+typedef Circular_border_arc_length_parameterizer_3<Surface_mesh>     Circle;
+typedef Hierarchical_parameterizer_3<Mean_value<Circle>>             Hierarchical_mean_value;
+
+TEST(Wrapped_constructor, takes_the_arguments_and_then_named_parameters)
+{
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
+  Parameterization_summary summary;
+  const auto np = parameters::tolerance(1e-4).coarsest_size(7).summary(std::ref(summary)).random_seed(3).number_of_iterations(50);
+  expect_equal_maps(mesh, Mean_value<Circle>(), Hierarchical_mean_value());
+  expect_equal_maps(mesh, Mean_value<Circle>(), Hierarchical_mean_value(Circle()));
+
+  const auto residual = [&](Hierarchical_mean_value parameterizer) {
+    summary = Parameterization_summary();
+    EXPECT_EQ(Mapped<Surface_mesh>(mesh).parameterize(parameterizer, longest_border(mesh)), OK);
+    return summary.linear_solver.residual;
+  };
+  for (const Hierarchical_mean_value& parameterizer : { Hierarchical_mean_value(np), Hierarchical_mean_value(Circle(), np) }) {
+    EXPECT_GT(residual(parameterizer), 1e-10);
+    EXPECT_LE(residual(parameterizer), 1e-4);
+    EXPECT_EQ(summary.linear_solver.right_sides, 2u);
+    EXPECT_EQ(summary.linear_solver.setups, 1u);
+    EXPECT_GE(summary.linear_solver.iterations, 1u);
+  }
+}
+
+TEST(Wrapped_constructor, number_of_iterations_limits_the_iteration)
+{
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
+  Parameterization_summary summary;
+  expect_equal_maps(mesh, Mean_value<Circle>(), Hierarchical_mean_value(parameters::summary(std::ref(summary)).number_of_iterations(1)));
+  EXPECT_EQ(summary.linear_solver.direct_solutions, 2u);
+  EXPECT_EQ(summary.linear_solver.iterations, 1u);
+}
+
+// Stops a run when the hierarchy is built.
+struct Stopping_visitor : Hierarchy_visitor_3
+{
+  std::size_t* coarsest_size;
+  explicit Stopping_visitor(std::size_t& size) : coarsest_size(&size) { }
+
+  bool hierarchy_built(const Collapse_hierarchy_3& hierarchy)
+  {
+    *coarsest_size = hierarchy.number_of_vertices(0);
+    return false;
+  }
+};
+
+TEST(Wrapped_constructor, visitor_sees_the_hierarchy_and_can_stop_the_run)
+{
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
+  for (const std::size_t coarsest_size : { 10, 60 }) {
+    std::size_t seen = 0;
+    Parameterization_summary summary;
+    Mapped<Surface_mesh> mapped(mesh);
+    const auto np = parameters::coarsest_size(coarsest_size).summary(std::ref(summary)).visitor(Stopping_visitor(seen));
+    EXPECT_NE(mapped.parameterize(Hierarchical_mean_value(np), longest_border(mesh)), OK);
+    EXPECT_TRUE(summary.stopped);
+    EXPECT_TRUE(mapped.is_untouched());
+    EXPECT_LE(seen, coarsest_size);
+    EXPECT_GT(seen, coarsest_size / 3);
+  }
+}
+
+// Without a visitor the hierarchy has no faces; the map is the same to the last digit.
+TEST(Wrapped_constructor, visitor_that_looks_on_changes_nothing)
+{
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
+  Mapped<Surface_mesh> seen(mesh), unseen(mesh);
+  EXPECT_EQ(seen.parameterize(Hierarchical_mean_value(parameters::visitor(Hierarchy_visitor_3())), longest_border(mesh)), OK);
+  EXPECT_EQ(unseen.parameterize(Hierarchical_mean_value(), longest_border(mesh)), OK);
+  for (const auto v : vertices(mesh))
+    ASSERT_EQ(get(seen.uvmap, v), get(unseen.uvmap, v));
+}
+
+// The weights are the same on a stretched mesh, and the hierarchy is as good.
+TEST(Wrapped_barycentric, takes_no_more_iterations_on_stretched_triangles)
+{
+  Surface_mesh mesh = make<Surface_mesh>(affine_image(grid(120, 120, flat), 6, 0, 0, 1));
+  const auto iterations = [&](const auto& np) {
+    Parameterization_summary summary;
+    EXPECT_EQ(Mapped<Surface_mesh>(mesh).parameterize(Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Surface_mesh>>(np.summary(std::ref(summary))),
+                                                      longest_border(mesh)), OK);
+    return summary.linear_solver.iterations;
+  };
+  EXPECT_LT(iterations(parameters::tolerance(1e-8)), iterations(parameters::tolerance(1e-8).unit_edges(false)));
+}
+
+TEST(Wrapped_constructor, copies_give_the_same_map)
+{
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
+  Parameterization_summary summary;
+  Hierarchical_mean_value parameterizer(Circle(), parameters::summary(std::ref(summary)));
+  Hierarchical_mean_value copy(parameterizer), assigned;
+  assigned = copy;
+  Mapped<Surface_mesh> expected(mesh);
+  EXPECT_EQ(expected.parameterize(parameterizer, longest_border(mesh)), OK);
+  for (const Hierarchical_mean_value& p : { parameterizer, copy, assigned }) {
+    Mapped<Surface_mesh> found(mesh);
+    summary.converged = false;
+    EXPECT_EQ(SMP::parameterize(mesh, p, longest_border(mesh), found.uvmap), OK);
+    EXPECT_TRUE(summary.converged);
+    for (const auto v : vertices(mesh))
+      ASSERT_EQ(get(found.uvmap, v), get(expected.uvmap, v));
+  }
+}
+
+// ---- a user's own ----
+
+TEST(Rebind_solver, opens_the_adaptor_to_a_parameterizer_of_the_user)
+{
+  typedef CGAL::Eigen_solver_traits<Eigen::SparseLU<CGAL::Eigen_sparse_matrix<double>::EigenType>>   Direct_solver;
+  typedef archetype::Mean_parameterizer<Surface_mesh, Direct_solver>                                Parameterizer;
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
+  check<Parameterizer>(mesh);
+  expect_equal_maps(mesh, Parameterizer(), Hierarchical_parameterizer_3<Parameterizer>());
+
+  Parameterization_summary summary;
+  Hierarchical_parameterizer_3<Parameterizer> parameterizer(parameters::summary(std::ref(summary)));
+  EXPECT_EQ(Mapped<Surface_mesh>(mesh).parameterize(parameterizer, longest_border(mesh)), OK);
+  EXPECT_EQ(summary.linear_solver.setups, 1u);
+  EXPECT_EQ(summary.linear_solver.right_sides, 2u);
+}
+
+} // namespace

@@ -1,0 +1,215 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// CGAL's parameterizers in Hierarchical_parameterizer_3: the same maps as without it.
+
+#include "mesh_conversions.h"
+#include "seam_meshes.h"
+#include "test_meshes.h"
+#include "wrapped_maps.h"
+
+#include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_authalic_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Iterative_authalic_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Two_vertices_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+#include <CGAL/number_utils.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+using namespace wrapped_maps;
+namespace parameters = CGAL::parameters;
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel    Epick;
+typedef CGAL::Surface_mesh<Epick::Point_3>                     Epick_surface_mesh;
+typedef CGAL::Polyhedron_3<Epick>                              Polyhedron;
+
+// ---- the methods ----
+
+std::vector<std::pair<std::string, Flat_mesh>> meshes()
+{
+  return { { "grid", grid(20, 16, wavy) }, { "hemisphere", hemisphere() }, { "disk with a hole", disk_with_hole() }, { "fan", fan(7) },
+           { "several grids", cap(40, 80, 0.5 * CGAL_PI) } };
+}
+
+template <class Parameterizer>
+class Wrapped : public testing::Test { };
+typedef testing::Types<Barycentric_mapping_parameterizer_3<Surface_mesh>, Mean_value_coordinates_parameterizer_3<Surface_mesh>,
+                       Discrete_conformal_map_parameterizer_3<Surface_mesh>, Discrete_authalic_parameterizer_3<Surface_mesh>,
+                       LSCM_parameterizer_3<Surface_mesh>> Parameterizers;
+TYPED_TEST_SUITE(Wrapped, Parameterizers, );
+
+TYPED_TEST(Wrapped, gives_the_map_of_CGAL)
+{
+  for (const auto& [name, m] : meshes()) {
+    SCOPED_TRACE(name);
+    Surface_mesh mesh = make<Surface_mesh>(m);
+    check<TypeParam>(mesh);
+  }
+}
+
+TYPED_TEST(Wrapped, leaves_other_components_alone)
+{
+  Surface_mesh mesh = make<Surface_mesh>(sphere(4, 6));
+  const std::size_t others = num_vertices(mesh);
+  append(grid(9, 8, wavy), mesh);
+  append(torus_with_hole(6), mesh);
+  const auto bhd = longest_border(mesh);
+  Mapped<Surface_mesh> expected(mesh), found(mesh);
+  EXPECT_EQ(SMP::parameterize(mesh, TypeParam(), bhd, expected.uvmap), OK);
+  EXPECT_EQ(SMP::parameterize(mesh, Hierarchical_parameterizer_3<TypeParam>(), bhd, found.uvmap), OK);
+  found.expect_equal(expected, tolerance);
+  for (const auto v : vertices(mesh))
+    EXPECT_EQ(get(found.uvmap, v) == found.untouched(), std::size_t(v) < others || std::size_t(v) >= others + 90);
+}
+
+TYPED_TEST(Wrapped, leaves_the_maps_untouched_on_errors)
+{
+  const auto expect_error = [](Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, Error_code code, Parameterization_error::Place place, std::size_t index) {
+    Mapped<Surface_mesh> mapped(mesh);
+    Parameterization_summary summary;
+    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(parameters::summary(std::ref(summary))), bhd), code);
+    EXPECT_EQ(summary.error.code, code);
+    EXPECT_EQ(summary.error.place, place);
+    EXPECT_EQ(summary.error.index, index);
+    EXPECT_EQ(summary.linear_solver.setups, 0u);
+    EXPECT_FALSE(summary.converged);
+    EXPECT_TRUE(mapped.is_untouched());
+  };
+  Surface_mesh empty, closed = make<Surface_mesh>(sphere(4, 6)), open = make<Surface_mesh>(grid(5, 5, wavy)), torus = make<Surface_mesh>(torus_with_hole(6));
+  expect_error(empty, Surface_mesh::null_halfedge(), ERROR_EMPTY_MESH, Parameterization_error::NOWHERE, 0);
+  expect_error(closed, *closed.halfedges().begin(), ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0);
+  expect_error(open, open.opposite(longest_border(open)), ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0);
+  expect_error(torus, longest_border(torus), ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::NOWHERE, 0);
+  open.point(Surface_mesh::Vertex_index(9)) = Kernel::Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  expect_error(open, longest_border(open), ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, 9);
+}
+
+// ---- the models of a mesh ----
+
+template <class TriangleMesh>
+struct Model
+{
+  TriangleMesh mesh = make<TriangleMesh>(delaunay_patch(1200, 3, wavy));
+};
+
+template <>
+struct Model<Seam_mesh> : Cut_sphere { };
+
+template <class TriangleMesh>
+class FaceGraph : public testing::Test { };
+typedef testing::Types<Epick_surface_mesh, Polyhedron, Seam_mesh> Meshes;
+TYPED_TEST_SUITE(FaceGraph, Meshes, );
+
+TYPED_TEST(FaceGraph, has_the_maps_of_CGAL)
+{
+  Model<TypeParam> model;
+  check<Mean_value_coordinates_parameterizer_3<TypeParam>>(model.mesh);
+  check<LSCM_parameterizer_3<TypeParam>>(model.mesh);
+}
+
+// ---- borders ----
+
+TEST(Wrapped_borders, are_those_of_CGAL)
+{
+  Surface_mesh mesh = make<Surface_mesh>(grid(20, 16, wavy));
+  check<Mean_value<Circular_border_uniform_parameterizer_3<Surface_mesh>>>(mesh);
+  check<Mean_value<Square_border_uniform_parameterizer_3<Surface_mesh>>>(mesh);
+  typedef Square_border_arc_length_parameterizer_3<Surface_mesh> Square;
+  check<Mean_value<Square>>(mesh);
+
+  const auto corner = [](std::size_t i) { return Surface_mesh::Vertex_index(i); };
+  const Square square(corner(0), corner(20), corner(21 * 17 - 1), corner(21 * 16));
+  check<Mean_value<Square>>(mesh, square);
+  Mapped<Surface_mesh> mapped(mesh);
+  EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Mean_value<Square>>(square), longest_border(mesh)), OK);
+  EXPECT_NEAR(CGAL::squared_distance(get(mapped.uvmap, corner(0)), get(mapped.uvmap, corner(21 * 17 - 1))), 2, 1e-12);
+}
+
+TEST(Wrapped_borders, that_cannot_be_placed_are_errors_as_in_CGAL)
+{
+  typedef Mean_value<Square_border_arc_length_parameterizer_3<Surface_mesh>> Parameterizer;
+  Surface_mesh mesh = make<Surface_mesh>(single_triangle());
+  Mapped<Surface_mesh> expected(mesh), found(mesh);
+  const Error_code status = expected.parameterize(Parameterizer(), longest_border(mesh));
+  Parameterization_summary summary;
+  EXPECT_NE(status, OK);
+  EXPECT_EQ(found.parameterize(Hierarchical_parameterizer_3<Parameterizer>(parameters::summary(std::ref(summary))), longest_border(mesh)), status);
+  EXPECT_EQ(summary.error.code, status);
+  EXPECT_TRUE(found.is_untouched());
+}
+
+TEST(Wrapped_LSCM, pins_the_given_vertices)
+{
+  typedef Two_vertices_parameterizer_3<Surface_mesh>             Two_vertices;
+  typedef LSCM_parameterizer_3<Surface_mesh, Two_vertices>       LSCM;
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
+  const Surface_mesh::Vertex_index v0(7), v1(800);
+  check<LSCM>(mesh, Two_vertices(v0, v1));
+  Mapped<Surface_mesh> mapped(mesh);
+  EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<LSCM>(Two_vertices(v0, v1), parameters::flip_policy(Flip_policy::KEEP)), longest_border(mesh)), OK);
+  EXPECT_EQ(get(mapped.uvmap, v0), Kernel::Point_2(0, 0.5));
+  EXPECT_EQ(get(mapped.uvmap, v1), Kernel::Point_2(1, 0.5));
+
+  // The user's map may hold further ones.
+  Mapped<Surface_mesh> expected(mesh), found(mesh);
+  for (auto* m : { &expected, &found }) {
+    put(m->uvmap, Surface_mesh::Vertex_index(42), Kernel::Point_2(0.3, 0.9));
+    put(m->vpmap, Surface_mesh::Vertex_index(42), true);
+  }
+  EXPECT_EQ(expected.parameterize(LSCM(Two_vertices(v0, v1)), longest_border(mesh)), OK);
+  EXPECT_EQ(found.parameterize(Hierarchical_parameterizer_3<LSCM>(Two_vertices(v0, v1), parameters::flip_policy(Flip_policy::KEEP)), longest_border(mesh)), OK);
+  found.expect_equal(expected, tolerance);
+  EXPECT_EQ(get(found.uvmap, Surface_mesh::Vertex_index(42)), Kernel::Point_2(0.3, 0.9));
+}
+
+// ---- one that has arguments of its own ----
+
+TEST(Wrapped_iterative_authalic, iterates_as_CGAL_does)
+{
+  typedef Iterative_authalic_parameterizer_3<Surface_mesh> Parameterizer;
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(700, 3, wavy));
+  const auto bhd = longest_border(mesh);
+  Mapped<Surface_mesh> expected(mesh), found(mesh);
+  Parameterization_summary summary;
+  unsigned int iterations = 6, hierarchical_iterations = 6;
+  double error = -1, hierarchical_error = -1;
+  EXPECT_EQ(expected.parameterize(Parameterizer(), bhd, iterations, error), OK);
+  EXPECT_EQ(found.parameterize(Hierarchical_parameterizer_3<Parameterizer>(parameters::summary(std::ref(summary))), bhd, hierarchical_iterations, hierarchical_error), OK);
+  found.expect_equal(expected, tolerance);
+  EXPECT_EQ(hierarchical_iterations, iterations);
+  EXPECT_NEAR(hierarchical_error, error, 1e-6);
+  EXPECT_EQ(summary.linear_solver.setups, 6u);
+  EXPECT_EQ(summary.linear_solver.right_sides, 12u);
+
+  expect_equal_maps(mesh, Parameterizer(), Hierarchical_parameterizer_3<Parameterizer>());
+}
+
+} // namespace
