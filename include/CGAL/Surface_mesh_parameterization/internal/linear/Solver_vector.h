@@ -49,6 +49,7 @@ public:
 
   double operator[](std::size_t i) const { return values()[i]; }
   double& operator[](std::size_t i) { return values()[i]; }
+  double operator()(std::size_t i) const { return values()[i]; }      // as Orbifold_Tutte_parameterizer_3 reads it
   void set(std::size_t i, double value) { values()[i] = value; }
 
   const std::vector<double>& values() const { return found()->values; }
