@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/settle_flips.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/settle_flips.h>

@@ -65,7 +65,7 @@ public:
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv)
   {
     ++m_log->coarsest;
-    return SMP::internal::Tutte_embedding::compute(level, uv);
+    return SMP::internal::compute_Tutte_embedding(level, uv);
   }
 
   Error_code refine(const Level& level, Level::Uv&, Level_summary& summary)

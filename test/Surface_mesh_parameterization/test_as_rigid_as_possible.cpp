@@ -122,7 +122,7 @@ TEST(As_rigid_as_possible, energy_is_not_above_that_of_CGAL)
     }
 }
 
-// Which takes curvature that is lent: the map of a cap must compress its triangles.
+// Which takes negative twist that is kept: the map of a cap must compress its triangles.
 TEST(As_rigid_as_possible, converges_in_few_steps)
 {
   for (const Flat_mesh& m : { cap(24, 60, 0.93 * CGAL_PI), cap(40, 100, 0.93 * CGAL_PI) }) {

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
@@ -36,7 +37,8 @@ using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
 namespace parameters = CGAL::parameters;
 
-typedef CGAL::Surface_mesh<SMP::internal::Flat_kernel::Point_3>    Epick_surface_mesh;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel        Epick;
+typedef CGAL::Surface_mesh<Epick::Point_3>                         Epick_surface_mesh;
 typedef CGAL::Polyhedron_3<Kernel>                                 Polyhedron;
 
 template <class TriangleMesh>
