@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Draws the figures of the applications into fig/: make_application_figures.sh FOLDER, which has the built examples. Needs rsvg-convert.
+# Draws the figures of the applications into fig/: make_application_figures.sh BUILD, the folder of a build. Needs rsvg-convert.
 set -euo pipefail
-examples=$(cd "${1:?usage: make_application_figures.sh FOLDER_OF_EXAMPLES}" && pwd)
+build=$(cd "${1:?usage: make_application_figures.sh BUILD}" && pwd)
+examples=$build/examples/Surface_mesh_parameterization
 figures=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/fig
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -48,7 +49,7 @@ side_by_side seam.png 360 360 one.png "cut along one path" three.png "along thre
 
 pictures=()
 for method in uniform symmetric-dirichlet; do
-  "$examples/hierarchical_parameterization" --method $method --picture map.svg --quiet
+  "$build/examples/hierarchical_parameterization/hierarchical_parameterization" --method $method --picture map.svg --quiet
   rsvg-convert -w 900 --background-color=white map.svg -o "$method.png"
   pictures+=("$method.png" "$method")
 done

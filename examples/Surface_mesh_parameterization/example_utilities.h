@@ -4,7 +4,10 @@
 #ifndef EXAMPLE_UTILITIES_H
 #define EXAMPLE_UTILITIES_H
 
-#include "program_input.h"
+#include "face_mesh.h"
+
+#include "errors.h"
+#include "read_mesh.h"
 
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/error_message.h>

@@ -6,7 +6,7 @@
 // as OBJ. Without INPUT, a face.
 
 #include "example_utilities.h"
-#include "program_file.h"
+#include "write_file.h"
 #include "remesher.h"
 #include "render_checker.h"
 

@@ -6,7 +6,7 @@
 
 #include "example_utilities.h"
 #include "image.h"
-#include "program_file.h"
+#include "write_file.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 // the least squares sense, tells the errors, and writes the part of it over the map as OBJ, with its parameters as texture coordinates. Without INPUT, a face.
 
 #include "example_utilities.h"
-#include "program_file.h"
+#include "write_file.h"
 #include "render_checker.h"
 
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>

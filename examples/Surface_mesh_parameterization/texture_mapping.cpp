@@ -7,7 +7,7 @@
 
 #include "chart.h"
 #include "example_utilities.h"
-#include "program_file.h"
+#include "write_file.h"
 #include "render_checker.h"
 
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>

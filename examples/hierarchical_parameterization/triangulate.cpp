@@ -1,10 +1,9 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cuts polygons into triangles.
 
-#ifndef PROGRAM_TRIANGULATE_H
-#define PROGRAM_TRIANGULATE_H
-
-#include "program_soup.h"
+#include "Polygon_soup.h"
 
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/utility.h>
@@ -16,8 +15,10 @@
 #include <utility>
 #include <vector>
 
+namespace {
+
 // Whether the triangles have all edges of a polygon of n corners, and other edges in pairs.
-inline bool is_triangulation(const std::vector<CGAL::Triple<int, int, int>>& triangles, int n)
+bool is_triangulation(const std::vector<CGAL::Triple<int, int, int>>& triangles, int n)
 {
   std::vector<std::pair<int, int>> edges;
   for (const CGAL::Triple<int, int, int>& t : triangles)
@@ -31,9 +32,11 @@ inline bool is_triangulation(const std::vector<CGAL::Triple<int, int, int>>& tri
             });
 }
 
-// Puts triangles in the places of polygons. Not by CGAL's triangulate_faces(), which writes out of bounds where a corner of a face lies on another edge
+} // namespace
+
+// Not by CGAL's triangulate_faces(), which writes out of bounds where a corner of a face lies on another edge
 // or corner of it.
-inline void triangulate(Polygon_soup& soup)
+void triangulate(Polygon_soup& soup)
 {
   constexpr std::size_t most_corners = 500;          // the time goes with the third power
   std::vector<Polygon_soup::Polygon> result;
@@ -58,5 +61,3 @@ inline void triangulate(Polygon_soup& soup)
   }
   soup.polygons = std::move(result);
 }
-
-#endif // PROGRAM_TRIANGULATE_H

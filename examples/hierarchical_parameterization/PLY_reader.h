@@ -1,11 +1,13 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads PLY.
 
-#ifndef PROGRAM_PLY_H
-#define PROGRAM_PLY_H
+#ifndef PLY_READER_H
+#define PLY_READER_H
 
-#include "program_scanner.h"
-#include "program_soup.h"
+#include "File_scanner.h"
+#include "Polygon_soup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -190,4 +192,4 @@ private:
   Polygon_soup m_soup;
 };
 
-#endif // PROGRAM_PLY_H
+#endif // PLY_READER_H

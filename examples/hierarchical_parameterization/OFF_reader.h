@@ -1,11 +1,13 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads OFF.
 
-#ifndef PROGRAM_OFF_H
-#define PROGRAM_OFF_H
+#ifndef OFF_READER_H
+#define OFF_READER_H
 
-#include "program_scanner.h"
-#include "program_soup.h"
+#include "File_scanner.h"
+#include "Polygon_soup.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -146,4 +148,4 @@ private:
   std::size_t m_skipped_numbers = 0, m_number_of_vertices = 0, m_number_of_faces = 0;
 };
 
-#endif // PROGRAM_OFF_H
+#endif // OFF_READER_H

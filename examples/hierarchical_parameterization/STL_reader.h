@@ -1,11 +1,13 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads STL.
 
-#ifndef PROGRAM_STL_H
-#define PROGRAM_STL_H
+#ifndef STL_READER_H
+#define STL_READER_H
 
-#include "program_scanner.h"
-#include "program_soup.h"
+#include "File_scanner.h"
+#include "Polygon_soup.h"
 
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 
@@ -118,4 +120,4 @@ private:
   Polygon_soup m_soup;
 };
 
-#endif // PROGRAM_STL_H
+#endif // STL_READER_H
