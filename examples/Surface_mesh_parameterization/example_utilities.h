@@ -157,7 +157,7 @@ Mesh read_mesh_or(const Arguments& arguments, const Make_default& make_default)
 // The largest component of the input or of the built-in face.
 inline Mesh read_surface(const Arguments& arguments)
 {
-  Mesh mesh = read_mesh_or(arguments, make_face<Mesh>);
+  Mesh mesh = read_mesh_or(arguments, make_face);
   CGAL::Polygon_mesh_processing::keep_largest_connected_components(mesh, 1);
   mesh.collect_garbage();
   check_size(mesh);

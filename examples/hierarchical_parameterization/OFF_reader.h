@@ -86,7 +86,7 @@ private:
       throw Input_error{ "is too short for " + std::to_string(vertices) + " vertices and " + std::to_string(faces) + " faces" };
   }
 
-  Kernel::Point_3 read_vertex(std::size_t v)
+  Polygon_soup::Point read_vertex(std::size_t v)
   {
     double coordinates[4] = { 0, 0, 0, 1 };
     bool is_read = true;
@@ -100,7 +100,7 @@ private:
       m_file.skip_line();
     if (!is_read)
       throw Input_error{ "the coordinates of " + vertex_text(v) + " cannot be read" };
-    return Kernel::Point_3(coordinates[0] / coordinates[3], coordinates[1] / coordinates[3], coordinates[2] / coordinates[3]);
+    return { coordinates[0] / coordinates[3], coordinates[1] / coordinates[3], coordinates[2] / coordinates[3] };
   }
 
   Polygon_soup::Polygon read_face(std::size_t f)

@@ -148,7 +148,7 @@ private:
           coordinates[property.role] = value;
       }
       if (element.is_vertex())
-        m_soup.points.emplace_back(coordinates[0], coordinates[1], coordinates[2]);
+        m_soup.points.push_back({ coordinates[0], coordinates[1], coordinates[2] });
       else if (element.is_face())
         m_soup.polygons.push_back(corners);
     }

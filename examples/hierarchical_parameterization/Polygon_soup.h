@@ -6,18 +6,19 @@
 #ifndef POLYGON_SOUP_H
 #define POLYGON_SOUP_H
 
-#include "Kernel.h"
 #include "errors.h"
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
 
 struct Polygon_soup
 {
+  typedef std::array<double, 3>      Point;
   typedef std::vector<std::size_t>   Polygon;
 
-  std::vector<Kernel::Point_3> points;
+  std::vector<Point> points;
   std::vector<Polygon> polygons;
 };
 
@@ -29,9 +30,6 @@ void check_indices(const Polygon_soup& soup);
 void check_coordinates(const Polygon_soup& soup);
 void check_corners(const Polygon_soup& soup, bool may_have_polygons);
 void check_manifold(const Polygon_soup& soup);     // precondition: the indices and corners have been checked
-
-// Puts triangles in the places of polygons.
-void triangulate(Polygon_soup& soup);
 
 // Reads what a file of that name holds.
 Polygon_soup read_soup(const std::string& name, const std::string& content);

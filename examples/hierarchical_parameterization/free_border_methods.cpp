@@ -4,7 +4,9 @@
 // The methods of least distortion.
 
 #include "run_refinable.h"
+#include "run_shipped.h"
 
+#include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 
@@ -34,4 +36,16 @@ SMP::Parameterization_summary run_mips(Input& input, const Method_options& optio
 SMP::Parameterization_summary run_symmetric_dirichlet(Input& input, const Method_options& options)
 {
   return minimize_distortion<SMP::Symmetric_Dirichlet_parameterizer_3>(input, options);
+}
+
+SMP::Parameterization_summary run_arap(Input& input, const Method_options& options)
+{
+  if (options.flat)
+    return run_shipped_arap(input, options);
+  SMP::Parameterization_summary summary;
+  const SMP::As_rigid_as_possible_parameterizer_3<Mesh> method(
+    CGAL::parameters::tolerance(options.tolerance).flip_policy(options.flip_policy).fill_holes(options.fills_holes)
+      .summary(std::ref(summary)).number_of_iterations(options.iterations));
+  run_refinable(input, options, method, summary);
+  return summary;
 }

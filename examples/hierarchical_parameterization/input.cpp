@@ -5,7 +5,6 @@
 
 #include "input.h"
 
-#include "../Surface_mesh_parameterization/face_mesh.h"
 #include "read_mesh.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/longest_border.h>
@@ -42,7 +41,7 @@ void choose_component(Input& input)
 void read_input(const std::string& file, bool is_triangulated, Input& input)
 {
   if (file.empty())
-    make_face(input.mesh);
+    input.mesh = face();
   else
     input.mesh = read_mesh(file, is_triangulated);
   choose_component(input);

@@ -24,7 +24,7 @@ inline Polygon_soup read_OBJ(File_scanner& file)
       double x, y, z;
       if (!file.read(x) || !file.read(y) || !file.read(z))
         file.fail("the coordinates of " + vertex_text(soup.points.size()) + " cannot be read");
-      soup.points.emplace_back(x, y, z);
+      soup.points.push_back({ x, y, z });
     } else if (keyword == "f") {
       Polygon_soup::Polygon polygon;
       long long index;

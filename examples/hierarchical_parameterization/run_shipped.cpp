@@ -22,6 +22,8 @@
 
 #include <functional>
 
+namespace {
+
 // Not by CGAL's parameterize(), which copies, what not all parameterizers can, and whose preconditions refuse a mesh with
 // isolated vertices.
 template <class Parameterizer>
@@ -52,10 +54,39 @@ SMP::Parameterization_summary run_shipped(Input& input, const Method_options& op
   return summary;
 }
 
-template SMP::Parameterization_summary run_shipped<SMP::Barycentric_mapping_parameterizer_3<Mesh>>(Input&, const Method_options&);
-template SMP::Parameterization_summary run_shipped<SMP::Mean_value_coordinates_parameterizer_3<Mesh>>(Input&, const Method_options&);
-template SMP::Parameterization_summary run_shipped<SMP::Discrete_conformal_map_parameterizer_3<Mesh>>(Input&, const Method_options&);
-template SMP::Parameterization_summary run_shipped<SMP::Discrete_authalic_parameterizer_3<Mesh>>(Input&, const Method_options&);
-template SMP::Parameterization_summary run_shipped<SMP::Iterative_authalic_parameterizer_3<Mesh>>(Input&, const Method_options&);
-template SMP::Parameterization_summary run_shipped<SMP::LSCM_parameterizer_3<Mesh>>(Input&, const Method_options&);
-template SMP::Parameterization_summary run_shipped<SMP::ARAP_parameterizer_3<Mesh>>(Input&, const Method_options&);
+} // namespace
+
+SMP::Parameterization_summary run_shipped_barycentric(Input& input, const Method_options& options)
+{
+  return run_shipped<SMP::Barycentric_mapping_parameterizer_3<Mesh>>(input, options);
+}
+
+SMP::Parameterization_summary run_shipped_mean_value(Input& input, const Method_options& options)
+{
+  return run_shipped<SMP::Mean_value_coordinates_parameterizer_3<Mesh>>(input, options);
+}
+
+SMP::Parameterization_summary run_shipped_conformal(Input& input, const Method_options& options)
+{
+  return run_shipped<SMP::Discrete_conformal_map_parameterizer_3<Mesh>>(input, options);
+}
+
+SMP::Parameterization_summary run_shipped_authalic(Input& input, const Method_options& options)
+{
+  return run_shipped<SMP::Discrete_authalic_parameterizer_3<Mesh>>(input, options);
+}
+
+SMP::Parameterization_summary run_shipped_iterative_authalic(Input& input, const Method_options& options)
+{
+  return run_shipped<SMP::Iterative_authalic_parameterizer_3<Mesh>>(input, options);
+}
+
+SMP::Parameterization_summary run_shipped_lscm(Input& input, const Method_options& options)
+{
+  return run_shipped<SMP::LSCM_parameterizer_3<Mesh>>(input, options);
+}
+
+SMP::Parameterization_summary run_shipped_arap(Input& input, const Method_options& options)
+{
+  return run_shipped<SMP::ARAP_parameterizer_3<Mesh>>(input, options);
+}

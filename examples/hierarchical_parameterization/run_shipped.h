@@ -8,8 +8,8 @@
 
 #include "methods.h"
 
-// Made for the parameterizers of CGAL that are methods of the program, by themselves: their solvers take a compiler long.
-template <class Parameterizer>
-SMP::Parameterization_summary run_shipped(Input& input, const Method_options& options);
+// Of the methods that are CGAL's. By themselves, as their solvers take a compiler long.
+Run_method run_shipped_barycentric, run_shipped_mean_value, run_shipped_conformal, run_shipped_authalic, run_shipped_iterative_authalic;
+Run_method run_shipped_lscm, run_shipped_arap;
 
 #endif // RUN_SHIPPED_H
