@@ -41,7 +41,7 @@ void choose_component(Input& input)
 void read_input(const std::string& file, bool is_triangulated, Input& input)
 {
   if (file.empty())
-    input.mesh = face();
+    input.mesh = built_in_face();
   else
     input.mesh = read_mesh(file, is_triangulated);
   choose_component(input);

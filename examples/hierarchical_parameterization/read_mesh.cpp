@@ -147,7 +147,7 @@ Mesh read_mesh(const std::string& file, bool is_triangulated)
   return make_mesh(read_soup(file, read_content(file)), is_triangulated);
 }
 
-Mesh face()
+Mesh built_in_face()
 {
   Mesh mesh;
   make_face(mesh);

@@ -19,7 +19,7 @@ Mesh make_mesh(Polygon_soup soup, bool is_triangulated);
 // The mesh of the named file, or of the standard input for "-". Throws an Input_error.
 Mesh read_mesh(const std::string& file, bool is_triangulated);
 
-// The built-in face.
-Mesh face();
+// Without a file: see face_mesh.h.
+Mesh built_in_face();
 
 #endif // READ_MESH_H
