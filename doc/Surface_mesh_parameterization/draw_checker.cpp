@@ -28,7 +28,8 @@
 
 namespace {
 
-const char* const usage = "draw_checker INPUT.obj OUTPUT.png [--size PIXELS] [--board COLUMNS,ROWS] [--view X,Y,Z[,UX,UY,UZ]] [--edges PIXELS] [--lines PIXELS[,R,G,B]]";
+const char* const usage = "draw_checker INPUT.obj OUTPUT.png [--size PIXELS] [--board COLUMNS,ROWS] "
+                          "[--view X,Y,Z[,UX,UY,UZ]] [--edges PIXELS] [--lines PIXELS[,R,G,B]]";
 
 typedef CGAL::Simple_cartesian<double>   Kernel;
 typedef Kernel::Point_2                  Point_2;
@@ -243,7 +244,8 @@ Drawn_surface read_surface(const std::string& file, const Style& style)
   }
   for (Drawn_surface::Triangle& t : surface.triangles)
     for (int i = 0; i < 3; ++i)
-      t.line_widths[i] = lines.count(std::minmax(t.corners[i], t.corners[(i + 1) % 3])) ? style.line_width : style.edge_width;
+      t.line_widths[i] = lines.count(std::minmax(t.corners[i], t.corners[(i + 1) % 3])) ? style.line_width
+                                                                                        : style.edge_width;
   return surface;
 }
 

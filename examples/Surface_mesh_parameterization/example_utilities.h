@@ -7,7 +7,7 @@
 #include "face_mesh.h"
 
 #include "errors.h"
-#include "read_mesh.h"
+#include "input.h"
 
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/error_message.h>

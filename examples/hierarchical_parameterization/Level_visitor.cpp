@@ -52,7 +52,8 @@ Level_visitor::Level_visitor(const Input& input, const Method_options& options)
     m_vertices = SMP::Mesh_component<Mesh>(input.mesh, input.border).vertices_of_component();
 }
 
-bool Level_visitor::level_parameterized(const SMP::Level& level, const SMP::Level::Uv& uv, const SMP::Level_summary& summary)
+bool Level_visitor::level_parameterized(const SMP::Level& level, const SMP::Level::Uv& uv,
+                                        const SMP::Level_summary& summary)
 {
   if (m_has_progress_line)
     print_progress(level, summary);

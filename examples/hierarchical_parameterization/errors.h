@@ -12,7 +12,8 @@
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
-// Something that is wrong with the input: in words, and as CGAL's code where it has one. Faces and vertices count from 0.
+// Something that is wrong with the input: in words, and as CGAL's code where it has one. Faces and
+// vertices count from 0.
 struct Input_error
 {
   std::string message;

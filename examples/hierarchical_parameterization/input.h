@@ -13,6 +13,18 @@
 #include <string>
 #include <vector>
 
+struct Polygon_soup;
+
+// Makes the mesh as it is: vertices that coincide stay apart, but in STL. With `is_triangulated`, polygons are
+// cut into triangles.
+Mesh make_mesh(Polygon_soup soup, bool is_triangulated);
+
+// The mesh of the named file, or of the standard input for "-". Throws an Input_error.
+Mesh read_mesh(const std::string& file, bool is_triangulated);
+
+// Without a file: see face_mesh.h.
+Mesh built_in_face();
+
 // A mesh, and the part of it that is parameterized: its largest component.
 struct Input
 {

@@ -24,8 +24,8 @@
 
 namespace {
 
-// Not by CGAL's parameterize(), which copies, what not all parameterizers can, and whose preconditions refuse a mesh with
-// isolated vertices.
+// Not by CGAL's parameterize(), which copies, what not all parameterizers can, and whose preconditions refuse a mesh
+// with isolated vertices.
 template <class Parameterizer>
 SMP::Parameterization_summary run_shipped(Input& input, const Method_options& options)
 {

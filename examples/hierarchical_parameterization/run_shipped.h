@@ -9,7 +9,7 @@
 #include "methods.h"
 
 // Of the methods that are CGAL's. By themselves, as their solvers take a compiler long.
-Run_method run_shipped_barycentric, run_shipped_mean_value, run_shipped_conformal, run_shipped_authalic, run_shipped_iterative_authalic;
-Run_method run_shipped_lscm, run_shipped_arap;
+Run_method run_shipped_barycentric, run_shipped_mean_value, run_shipped_conformal, run_shipped_authalic;
+Run_method run_shipped_iterative_authalic, run_shipped_lscm, run_shipped_arap;
 
 #endif // RUN_SHIPPED_H

@@ -10,7 +10,8 @@
 #include <iosfwd>
 #include <string>
 
-// Writes a file as a whole or not at all: under another name first, unless the path is no regular file (a pipe, a device).
+// Writes a file as a whole or not at all: under another name first, unless the path is no regular file (a pipe, a
+// device).
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write);
 
 #endif // WRITE_FILE_H

@@ -7,7 +7,6 @@
 
 #include "../../examples/hierarchical_parameterization/Polygon_soup.h"
 #include "../../examples/hierarchical_parameterization/input.h"
-#include "../../examples/hierarchical_parameterization/read_mesh.h"
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
