@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Values.h>
 
 #include <Eigen/Core>
 
@@ -55,8 +56,8 @@ Eigen::MatrixXd matrix_of(std::size_t n, const Map& map)
 {
   Eigen::MatrixXd result;
   for (std::size_t j = 0; j < n; ++j) {
-    Values unit(n, Value::Zero());
-    unit[j] = 1;
+    Values unit(n, Value::zero());
+    unit[j] = Value::all(1);
     const Values image = map(unit);
     result.conservativeResize(image.size(), n);
     for (std::size_t i = 0; i < image.size(); ++i)

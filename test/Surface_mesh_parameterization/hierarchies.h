@@ -70,26 +70,17 @@ inline bool has_triangle(const std::vector<Index_triangle>& triangles, Index_tri
 struct Finest_level
 {
   Collapse_hierarchy_3 hierarchy;
-  Progressive_mesh_3 mesh;
   Level level;
 
   template <class NamedParameters>
   Finest_level(const Flat_mesh& m, const NamedParameters& np)
-    : hierarchy(surface(m), np), mesh(walked_up(hierarchy)), level(mesh, hierarchy.number_of_levels() - 1)
+    : hierarchy(surface(m), np), level(hierarchy, hierarchy.number_of_levels() - 1)
   { }
 
   // A hierarchy of one level.
   explicit Finest_level(const Flat_mesh& m) : Finest_level(m, parameters::coarsest_size((std::numeric_limits<std::size_t>::max)())) { }
 
   Finest_level(const Finest_level&) = delete;
-
-private:
-  static Progressive_mesh_3 walked_up(const Collapse_hierarchy_3& hierarchy)
-  {
-    Progressive_mesh_3 result(hierarchy);
-    result.walk_to_level(hierarchy.number_of_levels() - 1);
-    return result;
-  }
 };
 
 } // namespace test_meshes

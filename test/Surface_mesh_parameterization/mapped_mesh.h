@@ -4,6 +4,7 @@
 #ifndef MAPPED_MESH_H
 #define MAPPED_MESH_H
 
+#include "exact_kernel.h"
 #include "mesh_conversions.h"
 #include "test_meshes.h"
 
@@ -43,7 +44,8 @@ bool is_valid(const TriangleMesh& mesh, Halfedge<TriangleMesh> bhd, VertexUVMap 
   std::vector<Point_2> uv;
   for (const auto v : component.vertices_of_component())
     uv.push_back(Point_2(get(uvmap, v).x(), get(uvmap, v).y()));
-  return is_map_valid(One_rings(uv.size(), component.surface().triangles), uv);
+  const std::vector<Index_triangle>& triangles = component.surface().triangles;
+  return is_map_valid(One_rings(uv.size(), triangles), uv) && are_all_positive(triangles, uv);
 }
 
 // A mesh with a map that says "untouched" where nobody wrote.
@@ -98,7 +100,7 @@ struct Checking_visitor
   {
     EXPECT_EQ(uv.size(), level.number_of_vertices());
     EXPECT_EQ(summary.vertices, level.number_of_vertices());
-    EXPECT_TRUE(is_map_valid(level.rings(), uv)) << "level " << level.index();
+    EXPECT_TRUE(is_map_valid(level.rings(), uv) && are_all_positive(level.triangles(), uv)) << "level " << level.index();
     return true;
   }
 };

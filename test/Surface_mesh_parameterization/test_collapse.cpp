@@ -3,6 +3,7 @@
 
 // Halfedge collapses: the parent triangle, the quality of what is left, groups of collapses, and their metric.
 
+#include "exact_kernel.h"
 #include "hierarchies.h"
 #include "mesh_conversions.h"
 #include "random_shapes.h"
@@ -98,7 +99,7 @@ TEST(Collapse_quality, is_negative_exactly_if_a_triangle_flips)
         bool flips = false;
         for (std::size_t i = 0; i + (is_closed ? 0 : 1) < n; ++i)
           if (i != w0 && (i + 1) % n != w0)
-            flips = flips || !is_left_turn(polygon[w0], polygon[i], polygon[(i + 1) % n]);
+            flips = flips || !turns_left(polygon[w0], polygon[i], polygon[(i + 1) % n]);
         const double worst = worst_quality_after_collapse(flat_ring, w0);
         EXPECT_EQ(worst <= 0, flips);
         for (const double bound : { worst - 0.1, worst, worst + 0.1 })      // a search that may stop early

@@ -9,7 +9,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
-#include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -48,13 +47,13 @@ TEST(Collapse_hierarchy, every_level_is_a_manifold_of_the_same_topology)
 {
   for_each_hierarchy([](const Flat_mesh& m, const Collapse_hierarchy_3& h) {
     const long characteristic = euler_characteristic(m.points.size(), m.triangles);
-    const std::size_t number_of_borders = One_rings(m.points.size(), m.triangles).number_of_borders();
+    const std::size_t number_of_borders = One_rings(m.points.size(), m.triangles).borders().size();
     for (std::size_t level = 0; level < h.number_of_levels(); ++level) {
       const std::vector<Index_triangle> triangles = triangles_of_level(h, level);
       EXPECT_EQ(triangles.size(), h.number_of_faces(level));
       const One_rings rings(h.number_of_vertices(level), triangles);
       ASSERT_EQ(rings.first_non_manifold_vertex(), no_index);
-      EXPECT_EQ(rings.number_of_borders(), number_of_borders);
+      EXPECT_EQ(rings.borders().size(), number_of_borders);
       EXPECT_EQ(euler_characteristic(h.number_of_vertices(level), triangles), characteristic);
       for (const std::vector<Index>& border : borders(rings))
         EXPECT_GE(border.size(), 3u);
@@ -98,11 +97,11 @@ TEST(Collapse_hierarchy, smallest_coarsest_sizes)
 {
   for (const auto& [name, m] : named_meshes()) {
     SCOPED_TRACE(name);
-    const std::size_t number_of_borders = One_rings(m.points.size(), m.triangles).number_of_borders();
+    const std::size_t number_of_borders = One_rings(m.points.size(), m.triangles).borders().size();
     for (const std::size_t size : { 0, 1, 3 }) {
       const Collapse_hierarchy_3 h = small_hierarchy(m, size);
       EXPECT_GE(h.number_of_vertices(0), 3u);
-      EXPECT_EQ(One_rings(h.number_of_vertices(0), triangles_of_level(h, 0)).number_of_borders(), number_of_borders);
+      EXPECT_EQ(One_rings(h.number_of_vertices(0), triangles_of_level(h, 0)).borders().size(), number_of_borders);
     }
   }
   EXPECT_EQ(small_hierarchy(grid(12, 9, flat), 1).number_of_vertices(0), 3u);
@@ -279,8 +278,7 @@ TEST(Fixed_vertices, are_known_by_rank_on_every_level)
   const Flat_mesh m = grid(9, 9, wavy);
   const auto is_wanted = [](Index v) { return v % 5 == 0; };
   const Collapse_hierarchy_3 h = hierarchy_with_fixed_vertices(m, is_wanted);
-  const Progressive_mesh_3 mesh(h);
-  const Level level(mesh, 0);
+  const Level level(h);
   EXPECT_EQ(level.scale_exponent(), 7);
   for (Index v = 0; v < h.number_of_vertices(); ++v) {
     ASSERT_EQ(level.is_fixed(v), is_wanted(h.input_vertex(v)));

@@ -33,7 +33,7 @@ typedef std::complex<double>   Complex;
 struct Constrained_system
 {
   Constrained_system(std::size_t points, std::size_t constraints)
-    : next_row(2 * points), matrix(2 * (points + constraints)), right_side(Eigen::VectorXd::Zero(2 * (points + constraints)))
+    : next_row(2 * points), matrix(2 * (points + constraints)), right_side(2 * (points + constraints), 0.)
   {
     for (std::size_t i = 0; i < next_row; ++i) {
       matrix.set_coef(i, i, -4. - double(i / 2));
@@ -72,8 +72,10 @@ struct Constrained_system
 
   std::size_t next_row;
   Sparse_matrix matrix;
-  Eigen::VectorXd right_side;
+  Constraint_elimination::Vector right_side;
 };
+
+Eigen::VectorXd as_Eigen(const Constraint_elimination::Vector& x) { return Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()); }
 
 // Points 0 and 4 have places; 1 and 2 are turned into each other about 0, and 3 and 5 about 4, whose place is told after that.
 Constrained_system two_rotations()
@@ -97,9 +99,9 @@ TEST(Constraint_elimination, gives_the_solution_of_the_whole_system)
   const Constraint_elimination elimination(*rows, system.right_side, ranks);
   ASSERT_TRUE(elimination.is_complete());
   ASSERT_EQ(elimination.number_of_unknowns(), 6u);
-  const Eigen::VectorXd y = Constrained_system::dense(elimination.reduced_matrix()).partialPivLu().solve(elimination.reduced_right_side());
-  const Eigen::VectorXd x = system.dense().fullPivLu().solve(system.right_side).head(14);
-  EXPECT_LT((elimination.expand(y) - x).norm(), 1e-12 * x.norm());
+  const Eigen::VectorXd y = Constrained_system::dense(elimination.reduced_matrix()).partialPivLu().solve(as_Eigen(elimination.reduced_right_side()));
+  const Eigen::VectorXd x = system.dense().fullPivLu().solve(as_Eigen(system.right_side)).head(14);
+  EXPECT_LT((as_Eigen(elimination.expand({ y.begin(), y.end() })) - x).norm(), 1e-12 * x.norm());
 }
 
 TEST(Constraint_elimination, keeps_the_point_of_lower_rank)
@@ -122,10 +124,9 @@ TEST(Constraint_elimination, satisfies_the_constraints_whatever_the_free_points)
   const std::vector<Index> ranks{ 0, 1, 2, 3, 4, 5, 6 };
   const auto rows = system.matrix.rows();
   const Constraint_elimination elimination(*rows, system.right_side, ranks);
-  Eigen::VectorXd y(6), x = Eigen::VectorXd::Zero(22);
-  y << 1, -2, 3, 0.25, -5, 6;
-  x.head(14) = elimination.expand(y);
-  EXPECT_LT((system.dense() * x - system.right_side).tail(8).norm(), 1e-13);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(22);
+  x.head(14) = as_Eigen(elimination.expand({ 1, -2, 3, 0.25, -5, 6 }));
+  EXPECT_LT((system.dense() * x - as_Eigen(system.right_side)).tail(8).norm(), 1e-13);
 }
 
 TEST(Constraint_elimination, of_a_symmetric_matrix_is_symmetric_and_of_a_negative_one_positive)

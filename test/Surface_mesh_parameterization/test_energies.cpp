@@ -4,6 +4,7 @@
 // What a triangle contributes: its rest shape, the invariants of its map, and the energies of these.
 
 #include "energy_archetype.h"
+#include "exact_kernel.h"
 #include "measures.h"
 #include "random_shapes.h"
 #include "test_meshes.h"
@@ -74,7 +75,7 @@ TEST(Rest_corner, similar_apex_makes_the_map_a_similarity)
     const Point_2 image_a = random_point_2(random), image_b = random_point_2(random);
     const Point_2 apex = rest_corner(v, a, b).similar_apex(image_a, image_b);
     EXPECT_NEAR(singular_values(v, a, b, apex, image_a, image_b).mips(), MIPS_energy_2::minimum, 1e-8);
-    EXPECT_TRUE(is_left_turn(apex, image_a, image_b));
+    EXPECT_TRUE(turns_left(apex, image_a, image_b));
   }
 }
 
@@ -107,7 +108,7 @@ TEST(Map_invariants, agree_with_the_singular_values)
   for (int k = 0; k < 500; ++k) {
     const std::array<Point_3, 3> p = { random_point_3(random), random_point_3(random), random_point_3(random) };
     std::array<Point_2, 3> q = { random_point_2(random), random_point_2(random), random_point_2(random) };
-    if (!is_left_turn(q[0], q[1], q[2]))
+    if (!turns_left(q[0], q[1], q[2]))
       std::swap(q[0], q[1]);
     const Map_invariants map(Mapped_triangle(p, q));
     const Singular_values s = singular_values(p[0], p[1], p[2], q[0], q[1], q[2]);

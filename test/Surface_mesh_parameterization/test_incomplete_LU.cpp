@@ -65,7 +65,7 @@ TEST(Incomplete_LU, keeps_the_matrix_itself)
 {
   const Eigen::MatrixXd a = laplacian(5, false);
   const Incomplete_LU<double> factors(sparse(a), enlargement);
-  const Values zero(25, Value::Zero());
+  const Values zero(25, Value::zero());
   const Eigen::MatrixXd residuals = matrix_of(25, [&](const Values& x) {
     Values r(25);
     for (Index i = 0; i < 25; ++i)
@@ -106,7 +106,7 @@ TEST(Incomplete_LU, relaxation_adds_the_solution_for_the_residual)
   const Eigen::MatrixXd a = laplacian(6, false);
   const Incomplete_LU<double> factors(sparse(a), enlargement);
   const Eigen::MatrixXd smoother = inverse_of(factors);
-  const Values zero(36, Value::Zero());
+  const Values zero(36, Value::zero());
   const Eigen::MatrixXd iteration = matrix_of(36, [&](const Values& start) {
     Values x = start, scratch(36);
     factors.relax(zero, x, scratch);

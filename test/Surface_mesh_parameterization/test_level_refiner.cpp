@@ -13,8 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <CGAL/number_utils.h>
@@ -42,7 +41,7 @@ TEST(Level_refiner, finds_the_isometry_of_a_developable_surface)
       options.tolerance = 1e-9;
       Level::Uv uv = first_map(f.level);
       Level_summary summary;
-      Level_refiner<MIPS_energy_2>(f.level, uv, options, summary).run();
+      refine<MIPS_energy_2>(f.level, uv, options, summary);
       const bool is_cone = m.triangles.size() == 3;     // the one that cannot be developed
       const double excess = summary.energy_end - 2 * double(m.triangles.size());
       EXPECT_EQ(excess < 1e-5 * double(m.triangles.size()), !is_cone) << m.triangles.size() << " triangles, excess " << excess;
@@ -64,7 +63,7 @@ TEST(Level_refiner, slides_along_the_bound_of_the_angles_at_the_border)
     options.tolerance = optimizer == Optimizer::NEWTON ? 1e-6 : 1e-9;
     Level::Uv uv = start;
     Level_summary summary;
-    Level_refiner<Symmetric_Dirichlet_energy_2>(f.level, uv, options, summary).run();
+    refine<Symmetric_Dirichlet_energy_2>(f.level, uv, options, summary);
     energy[int(optimizer)] = summary.energy_end - 4 * double(m.triangles.size());
     EXPECT_TRUE(is_map_valid(f.level.rings(), uv));
     const Level::Ring ring = f.level.one_ring(0);
@@ -90,12 +89,12 @@ TEST(Level_refiner, tells_what_it_did)
       options.triangle_weight = weight;
       options.number_of_iterations = 3;
       options.tolerance = 0;
-      const Level_energy<MIPS_energy_2> energy(f.level, weight);
+      const Level_energy_of<MIPS_energy_2> energy(f.level, weight);
       const double unit = weight == Triangle_weight::ONE ? 1 : energy.total_weight();
       Level::Uv uv = first_map(f.level);
       Level_summary summary;
       const double before = energy(uv);
-      Level_refiner<MIPS_energy_2>(f.level, uv, options, summary).run();
+      refine<MIPS_energy_2>(f.level, uv, options, summary);
       EXPECT_NEAR(summary.energy_start * unit / before, 1, 1e-12);
       EXPECT_NEAR(summary.energy_end * unit / energy(uv), 1, 1e-12);
       EXPECT_LT(summary.energy_end, summary.energy_start);
@@ -117,7 +116,7 @@ TEST(Level_refiner, takes_exactly_the_local_steps_it_is_given)
     options.random_seed = seed;
     results.push_back(first_map(f.level));
     Level_summary summary;
-    Level_refiner<MIPS_energy_2>(f.level, results.back(), options, summary).run();
+    refine<MIPS_energy_2>(f.level, results.back(), options, summary);
     EXPECT_EQ(summary.vertex_visits, 1000u);
   }
   EXPECT_EQ(results[0], results[1]);
@@ -133,10 +132,10 @@ TEST(Level_refiner, weights_matter_on_an_irregular_mesh)
     options.triangle_weight = weight;
     maps.push_back(first_map(f.level));
     Level_summary summary;
-    Level_refiner<MIPS_energy_2>(f.level, maps.back(), options, summary).run();
+    refine<MIPS_energy_2>(f.level, maps.back(), options, summary);
     EXPECT_TRUE(is_map_valid(f.level.rings(), maps.back()));
   }
-  const Level_energy<MIPS_energy_2> one(f.level, Triangle_weight::ONE), by_area(f.level, Triangle_weight::AREA);
+  const Level_energy_of<MIPS_energy_2> one(f.level, Triangle_weight::ONE), by_area(f.level, Triangle_weight::AREA);
   EXPECT_LT(one(maps[0]), one(maps[1]));    // each is best by its own measure
   EXPECT_LT(by_area(maps[1]), by_area(maps[0]));
 }

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/number_utils.h>
@@ -315,8 +316,8 @@ inline Flat_mesh disk_with_hole()
 template <class Height>
 Flat_mesh delaunay_patch(std::size_t n, unsigned int seed, Height height)
 {
-  typedef SMP::internal::Flat_kernel                                Kernel;
-  typedef CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>  Vertex_base;
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel        Kernel;
+  typedef CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel> Vertex_base;
   typedef CGAL::Triangulation_data_structure_2<Vertex_base>          Data_structure;
   Random random(seed);
   CGAL::Delaunay_triangulation_2<Kernel, Data_structure> triangulation;
@@ -325,7 +326,7 @@ Flat_mesh delaunay_patch(std::size_t n, unsigned int seed, Height height)
     const double x = random(-1, 1), y = random(-1, 1);
     if (x * x + y * y > 1)
       continue;
-    triangulation.insert(Point_2(x, y))->info() = Index(m.points.size());
+    triangulation.insert(Kernel::Point_2(x, y))->info() = Index(m.points.size());
     m.points.emplace_back(x, y, height(x, y));
   }
   for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f)

@@ -17,8 +17,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Pruned_prolongation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Grid_transfer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Incomplete_LU.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_preconditioner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Scalar_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 
 #include <Eigen/Core>
@@ -40,8 +41,9 @@ using internal::Grid_transfer;
 using internal::Incomplete_LU;
 using internal::Loops;
 using internal::Mesh_unknown;
-using internal::Multigrid_preconditioner;
 using internal::Pruned_prolongation;
+using internal::Scalar_multigrid;
+using internal::Scalar_multigrid_options;
 
 // ---- from grid to grid ----
 
@@ -62,7 +64,7 @@ std::vector<Mesh_unknown> some_unknowns(const Collapse_hierarchy_3& hierarchy, s
 Eigen::MatrixXd prolongation_of(const Grid_transfer& transfer, std::size_t fine_size)
 {
   return matrix_of(transfer.coarse_unknowns().size(), [&](const Values& coarse) {
-    Values x(fine_size, Value::Zero());
+    Values x(fine_size, Value::zero());
     transfer.add_prolongation(coarse, x);
     return x;
   });
@@ -99,9 +101,9 @@ TEST(Grid_transfer, prolongs_components_apart_and_keeps_constants)
     for (const Index component : { 0, 1 })
       unknowns.push_back({ v, component });
   const Grid_transfer transfer(Pruned_prolongation(hierarchy, 0, hierarchy.number_of_levels() - 1, Loops()), unknowns);
-  Values coarse, x(unknowns.size(), Value::Zero());
+  Values coarse, x(unknowns.size(), Value::zero());
   for (const Mesh_unknown& u : transfer.coarse_unknowns())
-    coarse.push_back(Value(u.component == 0 ? 3. : -5.));
+    coarse.push_back(Value::all(u.component == 0 ? 3 : -5));
   transfer.add_prolongation(coarse, x);
   for (std::size_t i = 0; i < x.size(); ++i)
     EXPECT_NEAR(x[i][0], unknowns[i].component == 0 ? 3 : -5, 1e-5);
@@ -142,24 +144,24 @@ TEST(Multigrid_preconditioner, cycle_of_a_symmetric_matrix_is_symmetric_and_posi
   const Collapse_hierarchy_3 hierarchy = hierarchy_of(m);
   const Inner_system system(m, hierarchy);
   const std::size_t n = system.unknowns.size();
-  ASSERT_GT(n, 4 * Multigrid_preconditioner<double>::coarsest_size);
-  const Multigrid_preconditioner<double> multigrid(hierarchy, system.unknowns, system.rows);
+  ASSERT_GT(n, 4 * Scalar_multigrid_options().coarsest_size);
+  const Scalar_multigrid<double> multigrid(hierarchy, system.unknowns, system.rows);
   ASSERT_TRUE(multigrid.is_ready());
-  Multigrid_preconditioner<double>::Space<1> space(multigrid);
+  Scalar_multigrid<double>::Space<1> space(multigrid);
   const auto cycle = [&](const Values& b) {
-    space.right_side[0] = b;
+    space.right_side(0) = b;
     multigrid.cycle(space);
-    return space.solution[0];
+    return space.solution(0);
   };
   Random random(3);
   Values x(n), y(n);
   for (int i = 0; i < 5; ++i) {
     for (Values* vector : { &x, &y })
       for (Value& value : *vector)
-        value = random(-1, 1);
+        value = Value::all(random(-1, 1));
     const Values cycle_x = cycle(x), cycle_y = cycle(y);
-    const double xy = SMP::internal::dot(Loops(), cycle_x, y)[0], yx = SMP::internal::dot(Loops(), x, cycle_y)[0];
-    const double xx = SMP::internal::dot(Loops(), cycle_x, x)[0], yy = SMP::internal::dot(Loops(), cycle_y, y)[0];
+    const double xy = SMP::internal::inner_product(Loops(), cycle_x, y)[0], yx = SMP::internal::inner_product(Loops(), x, cycle_y)[0];
+    const double xx = SMP::internal::inner_product(Loops(), cycle_x, x)[0], yy = SMP::internal::inner_product(Loops(), cycle_y, y)[0];
     EXPECT_GT(xx, 0);
     EXPECT_NEAR(xy, yx, 1e-12 * std::sqrt(xx * yy));
   }
@@ -170,29 +172,29 @@ TEST(Multigrid_preconditioner, cycles_reduce_the_error_and_full_cycles_more_so)
   const Flat_mesh m = delaunay_patch(3000, 2, wavy);
   const Collapse_hierarchy_3 hierarchy = hierarchy_of(m);
   const Inner_system system(m, hierarchy);
-  const Multigrid_preconditioner<double> multigrid(hierarchy, system.unknowns, system.rows);
-  Multigrid_preconditioner<double>::Space<1> space(multigrid);
+  const Scalar_multigrid<double> multigrid(hierarchy, system.unknowns, system.rows);
+  Scalar_multigrid<double>::Space<1> space(multigrid);
 
   Values expected, b(system.unknowns.size());
   for (const Mesh_unknown& u : system.unknowns)     // smooth, as a solution for a smooth right side
-    expected.push_back(Value(std::sin(3 * hierarchy.point(u.vertex).x()) + hierarchy.point(u.vertex).y()));
+    expected.push_back(Value::all(std::sin(3 * hierarchy.point(u.vertex).x()) + hierarchy.point(u.vertex).y()));
   for (Index i = 0; i < b.size(); ++i)
     b[i] = system.rows.row_times(i, expected);
   const auto energy_of_error = [&] {
     Values error = expected;
     for (std::size_t i = 0; i < error.size(); ++i)
-      error[i] -= space.solution[0][i];
+      error[i] -= space.solution(0)[i];
     double result = 0;
     for (Index i = 0; i < error.size(); ++i)
       result += error[i][0] * system.rows.row_times(i, error)[0];
     return std::sqrt(result);
   };
-  space.solution[0].assign(b.size(), Value::Zero());
+  space.solution(0).assign(b.size(), Value::zero());
   const double start = energy_of_error();
-  space.right_side[0] = b;
+  space.right_side(0) = b;
   multigrid.cycle(space);
   const double by_cycle = energy_of_error();
-  space.right_side[0] = b;
+  space.right_side(0) = b;
   multigrid.full_cycle(space);
   const double by_full_cycle = energy_of_error();
   EXPECT_LT(by_cycle, 0.5 * start);

@@ -3,6 +3,7 @@
 
 // Newton's method: the Hessian of a triangle, and steps of the whole map.
 
+#include "exact_kernel.h"
 #include "hierarchies.h"
 #include "level_maps.h"
 #include "test_meshes.h"
@@ -14,9 +15,10 @@
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_multigrid.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/corner_hessian.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
@@ -50,6 +52,13 @@ class Newton_of : public testing::Test { };
 typedef testing::Types<MIPS_energy_2, Symmetric_Dirichlet_energy_2, As_rigid_as_possible_energy_2> All_energies;     // some let triangles flip
 TYPED_TEST_SUITE(Newton_of, All_energies, );
 
+Eigen::Matrix2d dense_of(const Block& b)
+{
+  Eigen::Matrix2d result;
+  result << b.xx(), b.xy(), b.yx(), b.yy();
+  return result;
+}
+
 // Triangles in space and in the plane, among them isometries and similarities.
 struct Random_triangle
 {
@@ -66,7 +75,7 @@ struct Random_triangle
     for (int i = 0; i < 3; ++i)
       q[i] = kind > 0 ? Point_2(scale * (p[i].x() * std::cos(angle) - p[i].y() * std::sin(angle)), scale * (p[i].x() * std::sin(angle) + p[i].y() * std::cos(angle)))
                       : Point_2(random(-1, 1), p[i].z() * random(0.1, 1));
-    if (!is_left_turn(q[0], q[1], q[2])) {
+    if (!turns_left(q[0], q[1], q[2])) {
       std::swap(q[0], q[1]);
       if (kind > 0)
         std::swap(p[0], p[1]);
@@ -114,8 +123,9 @@ TYPED_TEST(Newton_of, gradient_is_that_of_the_star)
     for (int i = 0; i < 3; ++i) {
       const auto d = t.star<TypeParam>(i).derivatives(t.q[i]);
       const Corner_hessian h = t.corner<TypeParam>(i);
-      for (int e = 0; e < 2; ++e)
-        EXPECT_NEAR(h.gradient[e], 1.5 * d.gradient[e], 1e-9 * (d.value + std::abs(d.hessian[0]) + std::abs(d.hessian[2])));
+      const double tolerance = 1e-9 * (d.value + std::abs(d.hessian[0]) + std::abs(d.hessian[2]));
+      EXPECT_NEAR(h.gradient.x, 1.5 * d.gradient[0], tolerance);
+      EXPECT_NEAR(h.gradient.y, 1.5 * d.gradient[1], tolerance);
     }
   }
 }
@@ -131,10 +141,10 @@ TYPED_TEST(Newton_of, hessian_is_exact_at_an_isometry)
       const auto d = t.star<TypeParam>(i).derivatives(t.q[i]);
       const Corner_hessian h = t.corner<TypeParam>(i);
       const double tolerance = 1e-8 * (d.hessian[0] + d.hessian[2]);
-      EXPECT_NEAR(h.to_v(0, 0), 1.5 * d.hessian[0], tolerance);
-      EXPECT_NEAR(h.to_v(0, 1), 1.5 * d.hessian[1], tolerance);
-      EXPECT_NEAR(h.to_v(1, 0), 1.5 * d.hessian[1], tolerance);
-      EXPECT_NEAR(h.to_v(1, 1), 1.5 * d.hessian[2], tolerance);
+      EXPECT_NEAR(h.to_v.xx(), 1.5 * d.hessian[0], tolerance);
+      EXPECT_NEAR(h.to_v.xy(), 1.5 * d.hessian[1], tolerance);
+      EXPECT_NEAR(h.to_v.yx(), 1.5 * d.hessian[1], tolerance);
+      EXPECT_NEAR(h.to_v.yy(), 1.5 * d.hessian[2], tolerance);
     }
   }
 }
@@ -149,9 +159,9 @@ TYPED_TEST(Newton_of, hessian_is_symmetric_and_positive_semidefinite)
     Eigen::Matrix<double, 6, 6> hessian;
     for (int i = 0; i < 3; ++i) {
       const Corner_hessian h = t.corner<TypeParam>(i);
-      hessian.block<2, 2>(2 * i, 2 * i) = h.to_v;
-      hessian.block<2, 2>(2 * i, 2 * ((i + 2) % 3)) = h.to_b;
-      hessian.block<2, 2>(2 * i, 2 * ((i + 1) % 3)) = -h.to_v - h.to_b;
+      hessian.block<2, 2>(2 * i, 2 * i) = dense_of(h.to_v);
+      hessian.block<2, 2>(2 * i, 2 * ((i + 2) % 3)) = dense_of(h.to_b);
+      hessian.block<2, 2>(2 * i, 2 * ((i + 1) % 3)) = -dense_of(h.to_v + h.to_b);
     }
     EXPECT_NEAR((hessian - hessian.transpose()).norm(), 0, 1e-9 * hessian.norm());
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(hessian);
@@ -163,12 +173,14 @@ TYPED_TEST(Newton_of, steps_lower_the_energy_by_exactly_what_they_return)
 {
   for (const Flat_mesh& m : { grid(12, 9, wavy), grid_with_holes(20), delaunay_patch(400, 2, wavy), deep_cap(), folded_fan(), strip(20) }) {
     const Finest_level f(m);
-    const Level_energy<TypeParam> energy(f.level, Triangle_weight::AREA);
-    Newton_multigrid<TypeParam> newton(energy);
+    const Level_energy_of<TypeParam> energy(f.level, Triangle_weight::AREA);
+    Newton_options newton_options;
+    newton_options.residual_reduction = 0.1;
+    Newton_method newton(energy, nullptr, newton_options);
     Level::Uv uv = first_map(f.level);
     for (int i = 0; i < 10; ++i) {
       const double before = energy(uv);
-      const auto step = newton.step(uv, before, 0.1);
+      const auto step = newton.step(uv, before);
       EXPECT_GE(step.decrease, 0);
       EXPECT_NEAR(before - energy(uv), step.decrease, 1e-12 * before);
       EXPECT_TRUE(!TypeParam::is_flip_free || is_map_valid(f.level.rings(), uv));
@@ -189,7 +201,7 @@ TYPED_TEST(Newton_of, finds_the_same_minimum_as_relaxation)
       options.optimizer = i == 0 ? Optimizer::NEWTON : Optimizer::SWEEPS;
       Level::Uv uv = first_map(f.level);
       Level_summary summary;
-      Level_refiner<TypeParam>(f.level, uv, options, summary).run();
+      refine<TypeParam>(f.level, uv, options, summary);
       EXPECT_TRUE(summary.converged);
       energy[i] = summary.energy_end;
     }
@@ -202,25 +214,25 @@ TEST(Newton_multigrid, keeps_the_length_of_steps_at_the_bound_of_the_angles_at_t
 {
   const Flat_mesh m = staircase();
   const Finest_level f(m);
-  const Level_energy<Symmetric_Dirichlet_energy_2> energy(f.level, Triangle_weight::ONE);
+  const Level_energy_of<Symmetric_Dirichlet_energy_2> energy(f.level, Triangle_weight::ONE);
   const auto excess = [&](const Level::Uv& uv) { return energy(uv) - 4 * double(m.triangles.size()); };
   Level::Uv best = first_map(f.level), uv = best;
   Refinement_options options;
   options.number_of_iterations = 200;
   Level_summary summary;
-  Level_refiner<Symmetric_Dirichlet_energy_2>(f.level, best, options, summary).run();
+  refine<Symmetric_Dirichlet_energy_2>(f.level, best, options, summary);
 
-  Newton_multigrid<Symmetric_Dirichlet_energy_2> newton(energy);
+  Newton_method newton(energy);
   for (int i = 0; i < 10; ++i)
-    newton.step(uv, energy(uv), 0.07);
+    newton.step(uv, energy(uv));
   EXPECT_TRUE(is_map_valid(f.level.rings(), uv));
   EXPECT_LT(excess(uv), 1.2 * excess(best));
 }
 
-// ---- curvature that is lent ----
+// ---- negative twist that is kept ----
 
 // The rows and columns of all vertices but those on the border, of the Hessian at a map that scales a planar grid.
-Eigen::MatrixXd inner_hessian(double scale, double lent)
+Eigen::MatrixXd inner_hessian(double scale, double negative_twist)
 {
   const Flat_mesh m = grid(8, 8, flat);
   const One_rings rings(m.points.size(), m.triangles);
@@ -229,12 +241,12 @@ Eigen::MatrixXd inner_hessian(double scale, double lent)
   for (Index v = 0; v < m.points.size(); ++v)
     for (std::size_t i = 0; i < rings[v].size() && !rings.is_border(v); ++i) {
       const Index a = rings[v][i], b = rings[v][(i + 1) % rings[v].size()];
-      const auto h = SMP::internal::corner_hessian(Energy(infinity), SMP::internal::rest_corner(m.points[v], m.points[a], m.points[b]), 1, in_plane(v, a), in_plane(v, b), lent);
-      result.block<2, 2>(2 * v, 2 * v) += h.to_v;
+      const auto h = SMP::internal::corner_hessian(Energy(infinity), SMP::internal::rest_corner(m.points[v], m.points[a], m.points[b]), 1, in_plane(v, a), in_plane(v, b), negative_twist);
+      result.block<2, 2>(2 * v, 2 * v) += dense_of(h.to_v);
       if (!rings.is_border(b))
-        result.block<2, 2>(2 * v, 2 * b) += h.to_b;
+        result.block<2, 2>(2 * v, 2 * b) += dense_of(h.to_b);
       if (!rings.is_border(a))
-        result.block<2, 2>(2 * v, 2 * a) -= h.to_v + h.to_b;
+        result.block<2, 2>(2 * v, 2 * a) -= dense_of(h.to_v + h.to_b);
     }
   return result;
 }
@@ -243,11 +255,11 @@ Eigen::MatrixXd inner_hessian(double scale, double lent)
 TEST(Corner_hessian, that_lends_curvature_is_positive_and_less_stiff)
 {
   for (const double scale : { 0.3, 0.45, 0.52, 0.6, 0.9, 1.5 }) {
-    const Eigen::MatrixXd projected = inner_hessian(scale, 0), lending = inner_hessian(scale, 0.95);
-    EXPECT_NEAR((lending - lending.transpose()).norm(), 0, 1e-12 * lending.norm());
-    const Eigen::VectorXd least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(lending).eigenvalues();
-    EXPECT_GE(least[0], -1e-12 * lending.norm()) << "scale " << scale;
-    EXPECT_EQ((projected - lending).trace() > 0.1 * projected.trace(), scale < 0.8) << "scale " << scale;
+    const Eigen::MatrixXd projected = inner_hessian(scale, 0), keeping = inner_hessian(scale, 0.95);
+    EXPECT_NEAR((keeping - keeping.transpose()).norm(), 0, 1e-12 * keeping.norm());
+    const Eigen::VectorXd least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(keeping).eigenvalues();
+    EXPECT_GE(least[0], -1e-12 * keeping.norm()) << "scale " << scale;
+    EXPECT_EQ((projected - keeping).trace() > 0.1 * projected.trace(), scale < 0.8) << "scale " << scale;
   }
 }
 
@@ -261,9 +273,9 @@ TEST(Corner_hessian, that_lends_curvature_is_exact_down_to_half_the_scale)
     star.gather(rings, { Point_2(0, 0), CGAL::ORIGIN + a, CGAL::ORIGIN + b }, 0, &corner, Triangle_weight::ONE, Energy(infinity));
     const auto d = star.derivatives(Point_2(0, 0));
     const auto h = SMP::internal::corner_hessian(Energy(infinity), corner, 1, a, b, 0.95);
-    EXPECT_NEAR(h.to_v(0, 0), d.hessian[0], 1e-9);
-    EXPECT_NEAR(h.to_v(0, 1), d.hessian[1], 1e-9);
-    EXPECT_NEAR(h.to_v(1, 1), d.hessian[2], 1e-9);
+    EXPECT_NEAR(h.to_v.xx(), d.hessian[0], 1e-9);
+    EXPECT_NEAR(h.to_v.xy(), d.hessian[1], 1e-9);
+    EXPECT_NEAR(h.to_v.yy(), d.hessian[2], 1e-9);
   }
 }
 

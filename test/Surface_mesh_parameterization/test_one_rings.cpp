@@ -80,13 +80,35 @@ TEST(One_rings, border_vertices_are_the_ends_of_edges_with_one_triangle)
 
 TEST(One_rings, count_borders)
 {
-  const auto count = [](const Flat_mesh& m) { return One_rings(m.points.size(), m.triangles).number_of_borders(); };
+  const auto count = [](const Flat_mesh& m) { return One_rings(m.points.size(), m.triangles).borders().size(); };
   EXPECT_EQ(count(sphere(4, 6)), 0u);
   EXPECT_EQ(count(single_triangle()), 1u);
   EXPECT_EQ(count(fan(500)), 1u);
   EXPECT_EQ(count(disk_with_hole()), 2u);
   EXPECT_EQ(count(annulus(12)), 2u);
   EXPECT_EQ(count(grid_with_holes(20)), 4u);
+}
+
+TEST(One_rings, borders_are_cycles_with_the_surface_to_the_left)
+{
+  for (const auto& [name, m] : named_meshes()) {
+    SCOPED_TRACE(name);
+    std::set<std::pair<Index, Index>> edges;
+    for (const Index_triangle& t : m.triangles)
+      for (int i = 0; i < 3; ++i)
+        edges.insert({ t[i], t[(i + 1) % 3] });
+    const One_rings rings(m.points.size(), m.triangles);
+    std::multiset<Index> found;
+    for (const std::vector<Index>& border : rings.borders())
+      for (std::size_t i = 0; i < border.size(); ++i) {
+        const Index v = border[i], w = border[(i + 1) % border.size()];
+        found.insert(v);
+        EXPECT_EQ(edges.count({ v, w }), 1u);
+        EXPECT_EQ(edges.count({ w, v }), 0u);
+      }
+    for (Index v = 0; v < m.points.size(); ++v)
+      EXPECT_EQ(found.count(v), rings.is_border(v) ? 1u : 0u);
+  }
 }
 
 TEST(One_rings, find_vertices_that_are_not_manifold)

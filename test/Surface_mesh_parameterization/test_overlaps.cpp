@@ -9,12 +9,11 @@
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
-#include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -23,6 +22,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -66,6 +66,34 @@ TEST(Overlapping_pairs, of_two_triangles)
   EXPECT_EQ(number_of_overlapping_pairs(std::vector<Triangle_2>(10, t), 20), 20u);  // counting ends
 }
 
+// Two triangles are apart if, and only if, the line of an edge has them on its two sides; with small whole numbers this is exact.
+TEST(Overlapping_pairs, of_random_triangles_on_a_grid)
+{
+  typedef std::array<std::array<long, 2>, 3>   Whole_triangle;
+  const auto doubled_area = [](const auto& a, const auto& b, const auto& c) { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); };
+  const auto area_of = [&](const Whole_triangle& t) { return doubled_area(t[0], t[1], t[2]); };
+  const auto is_separated_by_edge = [&](const Whole_triangle& t, const Whole_triangle& other) {
+    for (int i = 0; i < 3; ++i)
+      if (std::all_of(other.begin(), other.end(), [&](const auto& p) { return doubled_area(t[i], t[(i + 1) % 3], p) * area_of(t) <= 0; }))
+        return true;
+    return false;
+  };
+  const auto as_triangle = [](const Whole_triangle& t) { return triangle(t[0][0], t[0][1], t[1][0], t[1][1], t[2][0], t[2][1]); };
+  Random random(31);
+  std::size_t overlapping = 0;
+  for (int k = 0; k < 20000; ++k) {
+    Whole_triangle pair[2];
+    for (Whole_triangle& t : pair)
+      for (auto& p : t)
+        p = { long(random.below(5)), long(random.below(5)) };
+    const bool overlaps = area_of(pair[0]) != 0 && area_of(pair[1]) != 0 && !is_separated_by_edge(pair[0], pair[1]) && !is_separated_by_edge(pair[1], pair[0]);
+    EXPECT_EQ(number_of_overlapping_pairs({ as_triangle(pair[0]), as_triangle(pair[1]) }), overlaps ? 1u : 0u);
+    overlapping += overlaps;
+  }
+  EXPECT_GT(overlapping, 4000u);
+  EXPECT_LT(overlapping, 16000u);
+}
+
 TEST(Overlapping_pairs, borders_tell_what_counting_does)
 {
   for (const double turns : { 0.3, 0.9, 0.99, 1.01, 1.1, 1.9, 2.5 }) {
@@ -107,8 +135,7 @@ struct Barrier_on_ring
 {
   Flat_mesh mesh = grid(40, 3, flat);
   Collapse_hierarchy_3 hierarchy{ surface(mesh), parameters::coarsest_size(1000) };
-  Progressive_mesh_3 progressive{ hierarchy };
-  Level level{ progressive, 0 };
+  Level level{ hierarchy };
   Border_barrier barrier{ level, 0.7 };
   Level::Uv uv;
 
@@ -137,9 +164,9 @@ TEST(Border_barrier, gradient_matches_differences_and_the_matrix_bounds_the_curv
 {
   Barrier_on_ring ring(0.004);
   const std::size_t n = ring.uv.size();
-  Pair_vector gradient(n, Pair(0, 0));
-  std::vector<Block_matrix::Block> diagonal(n, Block_matrix::Block::Zero());
-  ring.barrier.derivatives(ring.uv, [&](Index v, const Pair& g, const Block_matrix::Block& b) {
+  Block_vectors gradient(n, Block_vector::zero());
+  std::vector<Block> diagonal(n, Block::zero());
+  ring.barrier.derivatives(ring.uv, [&](Index v, const Block_vector& g, const Block& b) {
     gradient[v] += g;
     diagonal[v] += b;
   });
@@ -157,10 +184,11 @@ TEST(Border_barrier, gradient_matches_differences_and_the_matrix_bounds_the_curv
     constexpr double h = 1e-7;
     double slope = 0, bound = 0, size = 0;
     for (std::size_t v = 0; v < n; ++v) {
-      const Pair m(move[v].x(), move[v].y());
-      slope += gradient[v].dot(m);
-      bound += m.dot(diagonal[v] * m);
-      size += std::abs(gradient[v].dot(m));
+      const Block_vector m(move[v].x(), move[v].y());
+      const Block& b = diagonal[v];
+      slope += inner_product(gradient[v], m);
+      bound += m.x * (b.xx() * m.x + b.xy() * m.y) + m.y * (b.yx() * m.x + b.yy() * m.y);
+      size += std::abs(inner_product(gradient[v], m));
     }
     EXPECT_NEAR((at(h) - at(-h)) / (2 * h), slope, 1e-4 * size);
     EXPECT_LT((at(1e-5) - 2 * at(0) + at(-1e-5)) / 1e-10, bound);
@@ -198,7 +226,7 @@ TEST(Border_barrier, knows_when_the_ends_meet)
   Barrier_on_ring ring(0.01);
   EXPECT_TRUE(ring.barrier.keeps_apart(ring.uv));
   EXPECT_FALSE(ring.barrier.keeps_apart(Barrier_on_ring(-0.01).uv));
-  Pair_vector direction;    // to the ring with the ends so far over each other
+  Block_vectors direction;    // to the ring with the ends so far over each other
   for (std::size_t v = 0; v < ring.uv.size(); ++v) {
     const Vector_2 d = Barrier_on_ring(-0.01).uv[v] - ring.uv[v];
     direction.emplace_back(d.x(), d.y());
@@ -209,7 +237,7 @@ TEST(Border_barrier, knows_when_the_ends_meet)
   for (const double part : { 0.999, 1.001 }) {
     Level::Uv moved;
     for (std::size_t v = 0; v < ring.uv.size(); ++v)
-      moved.push_back(ring.uv[v] + part * longest * Vector_2(direction[v][0], direction[v][1]));
+      moved.push_back(ring.uv[v] + part * longest * Vector_2(direction[v].x, direction[v].y));
     EXPECT_EQ(ring.barrier.keeps_apart(moved), part < 1);
   }
 }

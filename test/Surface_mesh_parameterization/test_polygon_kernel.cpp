@@ -3,6 +3,7 @@
 
 // The kernel of a polygon.
 
+#include "exact_kernel.h"
 #include "random_shapes.h"
 #include "test_meshes.h"
 
@@ -27,7 +28,7 @@ using namespace test_meshes;
 bool is_left_of_all_edges(const Point_2& p, const std::vector<Point_2>& polygon)
 {
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    if (!is_left_turn(polygon[i], polygon[(i + 1) % polygon.size()], p))
+    if (!turns_left(polygon[i], polygon[(i + 1) % polygon.size()], p))
       return false;
   return true;
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 
 #include <gtest/gtest.h>
 
@@ -71,10 +72,8 @@ TEST(Progressive_mesh, is_a_manifold_after_every_single_split)
 TEST(Level, shows_one_level)
 {
   const Collapse_hierarchy_3 h = small_hierarchy(grid(12, 9, wavy));
-  Progressive_mesh_3 mesh(h);
   for (std::size_t i = 0; i < h.number_of_levels(); ++i) {
-    mesh.walk_to_level(i);
-    const Level level(mesh, i);
+    const Level level(h, i);
     EXPECT_EQ(level.index(), i);
     EXPECT_EQ(level.is_finest(), i + 1 == h.number_of_levels());
     EXPECT_EQ(level.number_of_vertices(), h.number_of_vertices(i));
@@ -84,6 +83,30 @@ TEST(Level, shows_one_level)
     for (Index v = 0; v < level.number_of_vertices(); ++v)
       for (std::size_t k = 0; k + 1 < level.one_ring(v).size(); ++k)
         EXPECT_TRUE(has_triangle(level.triangles(), { v, level.one_ring(v)[k], level.one_ring(v)[k + 1] }));
+  }
+}
+
+TEST(Level, goes_to_any_other_level)
+{
+  const Collapse_hierarchy_3 h = small_hierarchy(grid(12, 9, wavy));
+  Level level(h);
+  ASSERT_GT(h.number_of_levels(), 4u);
+  const std::size_t finest = h.number_of_levels() - 1;
+  for (const std::size_t i : { std::size_t(1), finest, finest, finest - 3, finest - 1, std::size_t(0), finest }) {
+    level.go_to(i);
+    const Level fresh(h, i);
+    EXPECT_EQ(level.index(), i);
+    EXPECT_EQ(level.triangles(), fresh.triangles());
+    ASSERT_EQ(level.number_of_vertices(), fresh.number_of_vertices());
+    ASSERT_EQ(level.rings().number_of_slots(), fresh.rings().number_of_slots());
+    for (Index v = 0; v < level.number_of_vertices(); ++v) {
+      EXPECT_EQ(level.is_border(v), fresh.is_border(v));
+      ASSERT_EQ(level.one_ring(v), fresh.one_ring(v));
+      for (std::size_t k = 0; k < level.rings().number_of_triangles(v); ++k) {
+        const internal::Rest_corner &c = level.rest_corners(v)[k], &expected = fresh.rest_corners(v)[k];
+        EXPECT_TRUE(c.foot == expected.foot && c.height == expected.height && c.inverse_area == expected.inverse_area);
+      }
+    }
   }
 }
 

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Vertex_relaxation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -66,7 +66,7 @@ TYPED_TEST(Energy_of_level, is_the_sum_over_the_triangles)
       weighted += s.area * energy_of<TypeParam>(s);
       area += s.area;
     }
-    const Level_energy<TypeParam> one(f.level, Triangle_weight::ONE), by_area(f.level, Triangle_weight::AREA);
+    const Level_energy_of<TypeParam> one(f.level, Triangle_weight::ONE), by_area(f.level, Triangle_weight::AREA);
     EXPECT_NEAR(one(uv) / sum, 1, 1e-9);
     EXPECT_NEAR(by_area(uv) / weighted, 1, 1e-9);
     EXPECT_DOUBLE_EQ(one.total_weight(), double(m.triangles.size()));
@@ -77,7 +77,7 @@ TYPED_TEST(Energy_of_level, is_the_sum_over_the_triangles)
 TYPED_TEST(Energy_of_level, is_infinite_exactly_if_a_triangle_is_not_positive)
 {
   const Finest_level f(grid(5, 5, wavy));
-  const Level_energy<TypeParam> energy(f.level, Triangle_weight::ONE);
+  const Level_energy_of<TypeParam> energy(f.level, Triangle_weight::ONE);
   Level::Uv uv = first_map(f.level);
   EXPECT_TRUE(std::isfinite(energy(uv)));
   std::swap(uv[0], uv[1]);
@@ -89,7 +89,7 @@ TYPED_TEST(Energy_of_level, is_infinite_exactly_if_a_triangle_is_not_positive)
 TYPED_TEST(Energy_of_level, is_least_for_an_isometry)
 {
   const Finest_level f(delaunay_patch(400, 2, flat));
-  const Level_energy<TypeParam> energy(f.level, Triangle_weight::AREA);
+  const Level_energy_of<TypeParam> energy(f.level, Triangle_weight::AREA);
   const double minimum = TypeParam::minimum * energy.total_weight();
   EXPECT_NEAR(energy(identity_map(f.level)) / minimum, 1, 1e-9);
   EXPECT_GT(energy(first_map(f.level)) / minimum, 1.001);
@@ -103,8 +103,8 @@ TYPED_TEST(Relaxation_of, sweeps_lower_the_energy_by_exactly_what_they_return)
     for (const Triangle_weight weight : { Triangle_weight::ONE, Triangle_weight::AREA }) {
       SCOPED_TRACE(name);
       const Finest_level f(m);
-      const Level_energy<TypeParam> energy(f.level, weight);
-      Vertex_relaxation<TypeParam> relaxation(energy, 1.5);
+      const Level_energy_of<TypeParam> energy(f.level, weight);
+      Vertex_relaxation relaxation(energy, 1.5);
       Level::Uv uv = first_map(f.level);
       std::mt19937 random(0);
       double before = energy(uv);
@@ -122,8 +122,8 @@ TYPED_TEST(Relaxation_of, sweeps_lower_the_energy_by_exactly_what_they_return)
 TYPED_TEST(Relaxation_of, follows_up_where_a_sweep_is_not_enough)
 {
   const Finest_level f(grid(20, 20, flat));
-  const Level_energy<TypeParam> energy(f.level, Triangle_weight::ONE);
-  const Vertex_relaxation<TypeParam> relaxation(energy, 1.8);
+  const Level_energy_of<TypeParam> energy(f.level, Triangle_weight::ONE);
+  const Vertex_relaxation relaxation(energy, 1.8);
   Level::Uv start = identity_map(f.level);
   Index displaced = 0;
   while (f.level.is_border(displaced))
@@ -135,7 +135,7 @@ TYPED_TEST(Relaxation_of, follows_up_where_a_sweep_is_not_enough)
   Level::Uv swept = start, followed_up = start, not_followed_up = start;
   relaxation.sweep(swept);
   const auto effect = relaxation.sweep_and_follow_up(followed_up, least_decrease);
-  EXPECT_FALSE(effect.lively_vertices.empty());
+  EXPECT_FALSE(effect.active_vertices.empty());
   EXPECT_NEAR(energy(start) - energy(followed_up), effect.decrease, 1e-9 * energy(start));
   EXPECT_LT(energy(followed_up) - minimum, 0.1 * (energy(swept) - minimum));
   EXPECT_TRUE(is_map_valid(f.level.rings(), followed_up));
@@ -149,8 +149,8 @@ TYPED_TEST(Relaxation_of, follows_up_where_a_sweep_is_not_enough)
 TYPED_TEST(Relaxation_of, moves_the_vertices_it_is_told_to)
 {
   const Finest_level f(grid(12, 9, wavy), parameters::coarsest_size(20));
-  const Level_energy<TypeParam> energy(f.level, Triangle_weight::ONE);
-  const Vertex_relaxation<TypeParam> relaxation(energy, 1);
+  const Level_energy_of<TypeParam> energy(f.level, Triangle_weight::ONE);
+  const Vertex_relaxation relaxation(energy, 1);
   const Level::Uv start = first_map(f.level);
   for (std::size_t group = 0; group <= f.level.index(); ++group) {
     const std::size_t first = group == 0 ? 0 : f.hierarchy.number_of_vertices(group - 1), last = f.hierarchy.number_of_vertices(group);
@@ -165,8 +165,8 @@ TYPED_TEST(Relaxation_of, leaves_pinned_vertices)
 {
   const Flat_mesh m = grid(5, 5, wavy);
   const Finest_level f(m, parameters::coarsest_size(1000).vertex_is_constrained_map(CGAL::Constant_property_map<std::size_t, bool>(true)));
-  const Level_energy<TypeParam> energy(f.level, Triangle_weight::ONE);
-  Vertex_relaxation<TypeParam> relaxation(energy, 1);
+  const Level_energy_of<TypeParam> energy(f.level, Triangle_weight::ONE);
+  Vertex_relaxation relaxation(energy, 1);
   const Level::Uv start = first_map(f.level);
   Level::Uv uv = start;
   EXPECT_EQ(relaxation.sweep(uv), 0);

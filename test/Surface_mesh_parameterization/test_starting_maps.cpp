@@ -12,12 +12,10 @@
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
-#include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/scale_to_area.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -45,7 +43,7 @@ TEST(Tutte_embedding, is_valid)
     SCOPED_TRACE(name);
     const Finest_level f(m);
     Level::Uv uv;
-    ASSERT_EQ(Tutte_embedding::compute(f.level, uv), OK);
+    ASSERT_EQ(compute_Tutte_embedding(f.level, uv), OK);
     EXPECT_TRUE(is_map_valid(f.level.rings(), uv));
     for (Index v = 0; v < f.level.number_of_vertices(); ++v) {
       const double radius2 = (uv[v] - CGAL::ORIGIN).squared_length();
@@ -61,7 +59,7 @@ TEST(Tutte_embedding, puts_interior_vertices_into_the_middle_of_their_neighbors)
 {
   const Finest_level f(grid_with_holes(20));
   Level::Uv uv;
-  ASSERT_EQ(Tutte_embedding::compute(f.level, uv), OK);
+  ASSERT_EQ(compute_Tutte_embedding(f.level, uv), OK);
   for (Index v = 0; v < f.level.number_of_vertices(); ++v)
     if (!f.level.is_border(v)) {
       Vector_2 sum(0, 0);
@@ -98,7 +96,7 @@ TEST(Scale_to_area, makes_the_areas_equal)
       Level::Uv uv = first_map(f.level);
       for (Point_2& p : uv)
         p = Point_2(scale * p.x(), scale * p.y());
-      scale_to_area(f.level, uv);
+      scale_to_area(f.level, false, uv);
       EXPECT_NEAR(area_in_plane(f.level, uv) / area_in_space(f.level), 1, 1e-9);
       EXPECT_TRUE(is_map_valid(f.level.rings(), uv));
     }
@@ -111,9 +109,9 @@ TEST(Scale_to_area, leaves_the_map_of_a_surface_without_area)
   std::fill(m.points.begin(), m.points.end(), Point_3(0, 0, 0));
   const Finest_level f(m);
   Level::Uv uv;
-  ASSERT_EQ(Tutte_embedding::compute(f.level, uv), OK);
+  ASSERT_EQ(compute_Tutte_embedding(f.level, uv), OK);
   const Level::Uv before = uv;
-  scale_to_area(f.level, uv);
+  scale_to_area(f.level, false, uv);
   EXPECT_EQ(uv, before);
 }
 
@@ -128,11 +126,10 @@ TEST(Insert_new_vertices, keeps_every_level_valid)
     for (unsigned int seed = 0; seed < 10; ++seed) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
       const Collapse_hierarchy_3 hierarchy(surface(m), parameters::coarsest_size(3).random_seed(seed));
-      Progressive_mesh_3 mesh(hierarchy);
+      Level level(hierarchy);
       Level::Uv uv;
       for (std::size_t i = 0; i < hierarchy.number_of_levels(); ++i) {
-        mesh.walk_to_level(i);
-        const Level level(mesh, i);
+        level.go_to(i);
         if (i == 0)
           uv = first_map(level);
         else {
@@ -143,7 +140,7 @@ TEST(Insert_new_vertices, keeps_every_level_valid)
         ASSERT_EQ(uv.size(), level.number_of_vertices());
         ASSERT_TRUE(is_map_valid(level.rings(), uv));
         Level_summary summary;
-        Level_refiner<MIPS_energy_2>(level, uv, options, summary).run();
+        refine<MIPS_energy_2>(level, uv, options, summary);
         ASSERT_TRUE(is_map_valid(level.rings(), uv));
       }
     }
@@ -155,13 +152,11 @@ TEST(Insert_new_vertices, of_a_planar_mesh_puts_interior_vertices_back)
   for (const Flat_mesh& m : { grid(15, 15, flat), delaunay_patch(400, 2, flat) }) {
     const Finest_level f(m, parameters::coarsest_size(60));
     for (std::size_t i = 1; i < f.hierarchy.number_of_levels(); ++i) {
-      Progressive_mesh_3 mesh(f.hierarchy);
-      mesh.walk_to_level(i - 1);
-      Level::Uv uv = identity_map(Level(mesh, i - 1));
-      if (!is_map_valid(Level(mesh, i - 1).rings(), uv))
+      Level level(f.hierarchy, i - 1);
+      Level::Uv uv = identity_map(level);
+      if (!is_map_valid(level.rings(), uv))
         continue;     // a coarse level of a convex patch can have a flat ear
-      mesh.walk_to_level(i);
-      const Level level(mesh, i);
+      level.go_to(i);
       const Level::Uv expected = identity_map(level);
       ASSERT_EQ(insert_new_vertices(level, uv), no_index);
       for (Index v = 0; v < level.number_of_vertices(); ++v)
@@ -181,7 +176,7 @@ TEST(Insert_new_vertices, puts_ears_back_in_shape)
     ASSERT_EQ(f.hierarchy.number_of_levels(), 2u);
     const Level::Uv expected = identity_map(f.level);
     Level::Uv uv(expected.begin(), expected.begin() + f.hierarchy.number_of_vertices(0));
-    if (!is_map_valid(Level(Progressive_mesh_3(f.hierarchy), 0).rings(), uv))
+    if (!is_map_valid(Level(f.hierarchy).rings(), uv))
       continue;
     ASSERT_EQ(insert_new_vertices(f.level, uv), no_index);
     for (Index v = Index(f.level.first_new_vertex()); v < 6; ++v)

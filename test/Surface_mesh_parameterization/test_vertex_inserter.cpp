@@ -3,6 +3,7 @@
 
 // The place of a vertex that comes back into a map.
 
+#include "exact_kernel.h"
 #include "random_shapes.h"
 #include "test_meshes.h"
 
@@ -52,7 +53,7 @@ testing::AssertionResult insert_interior_vertex(Index fan, double turn, double l
   for (const double angle : angles)
     uv.push_back(center + (polar(std::exp(random(std::log(least_radius), 0)), angle * turn / angles.back()) - CGAL::ORIGIN));
   for (Index i = 2; i + 1 < uv.size(); ++i)
-    if (!is_left_turn(uv[1], uv[i], uv[i + 1]))
+    if (!turns_left(uv[1], uv[i], uv[i + 1]))
       return testing::AssertionSuccess() << "no coarse map";
   const Index ring_size = fan + 2;
   std::vector<Index_triangle> triangles;
