@@ -34,7 +34,7 @@ install_missing() {
     echo "could not install: trying to build without ${missing[*]}" >&2
 }
 
-build_packages=(g++ make cmake libcgal-dev libeigen3-dev nlohmann-json3-dev libtbb-dev zlib1g-dev libboost-program-options-dev)
+build_packages=(g++ make cmake libcgal-dev libeigen3-dev nlohmann-json3-dev libtbb-dev libboost-program-options-dev)
 
 # clang with its sanitizers, which some releases have in a package of their own.
 install_clang() {

@@ -9,7 +9,7 @@ log=$root/.build/examples.log
 
 compile() {
   cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DHIERARCHICAL_PARAMETERIZATION_BUILD_TESTS=OFF &&
-    cmake --build "$build" --target hierarchical_parameterization_program
+    cmake --build "$build" -j"$(nproc)" --target hierarchical_parameterization_program
 }
 
 install_missing "${build_packages[@]}"
@@ -19,4 +19,4 @@ if ! compile >"$log" 2>&1; then
   exit 4 # 1 to 3 are the program's own
 fi
 unlock
-exec "$build/examples/Surface_mesh_parameterization/hierarchical_parameterization" "$@"
+exec "$build/examples/hierarchical_parameterization/hierarchical_parameterization" "$@"

@@ -8,8 +8,10 @@ build=$root/.build/fuzz
 install_missing "${build_packages[@]}"
 install_clang
 mkdir -p "$build/corpus"
+program=$root/examples/hierarchical_parameterization
 clang++ -std=c++17 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -DCGAL_EIGEN3_ENABLED \
-  -I"$root/include" -I/usr/include/eigen3 "$root/test/Surface_mesh_parameterization/fuzz_program.cpp" -o "$build/fuzz_program" -lgmp -lmpfr
+  -I"$root/include" -I/usr/include/eigen3 "$root/test/Surface_mesh_parameterization/fuzz_program.cpp" \
+  "$program"/{Polygon_soup,input,read_soup}.cpp -o "$build/fuzz_program" -lgmp -lmpfr
 unlock
 cd "$build"
 if (($# == 0)); then set -- -max_total_time=60; fi

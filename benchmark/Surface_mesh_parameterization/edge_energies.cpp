@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
 
 #include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
 
 #include <cmath>
 #include <limits>
@@ -35,7 +36,7 @@ class Flat_problem
 public:
   explicit Flat_problem(const Mesh& mesh)
     : m_component(mesh, outer_border(mesh)), m_hierarchy(surface_with_border(mesh, m_component), CGAL::parameters::coarsest_size(mesh.number_of_vertices())),
-      m_mesh(m_hierarchy), m_level(m_mesh, 0), m_system(m_level, EdgeWeights())
+      m_level(m_hierarchy), m_system(m_level, EdgeWeights())
   { }
 
   const SMP::internal::Edge_system& system() const { return m_system; }
@@ -80,7 +81,6 @@ private:
 
   SMP::Mesh_component<Mesh> m_component;
   SMP::Collapse_hierarchy_3 m_hierarchy;
-  SMP::Progressive_mesh_3 m_mesh;
   SMP::Level m_level;
   SMP::internal::Edge_system m_system;
 };
@@ -101,13 +101,47 @@ std::size_t sweep(const SMP::internal::Edge_system& system, const Limits& limits
   return limits.iterations;
 }
 
+// The matrix of an edge system without its fixed vertices, its two right sides, and where its unknowns belong.
+struct Edge_matrix
+{
+  Eigen::SparseMatrix<double> matrix;
+  Eigen::MatrixX2d right_side;
+  std::vector<SMP::Level::Index> vertices;
+
+  explicit Edge_matrix(const SMP::internal::Edge_system& system)
+  {
+    const SMP::Level& level = system.level();
+    std::vector<Eigen::Index> unknown(system.size(), -1);
+    for (SMP::Level::Index i = 0; i < system.size(); ++i)
+      if (!level.is_fixed(i)) {
+        unknown[i] = Eigen::Index(vertices.size());
+        vertices.push_back(i);
+      }
+    const Eigen::Index n = Eigen::Index(vertices.size());
+    matrix.resize(n, n);
+    right_side.setZero(n, 2);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index row = 0; row < n; ++row) {
+      const SMP::Level::Index i = vertices[std::size_t(row)];
+      entries.emplace_back(row, row, system.sum_of_weights(i));
+      const SMP::Level::Ring ring = level.one_ring(i);
+      for (std::size_t k = 0; k < ring.size(); ++k)
+        if (const SMP::Level::Index j = ring[k]; unknown[j] >= 0)
+          entries.emplace_back(row, unknown[j], -system.weight(i, k));
+        else
+          right_side.row(row) += system.weight(i, k) * Eigen::RowVector2d(level.fixed_place(j).x(), level.fixed_place(j).y());
+    }
+    matrix.setFromTriplets(entries.begin(), entries.end());
+  }
+};
+
 // Conjugate gradients, or BiCGSTAB where the matrix is not symmetric, with Jacobi's preconditioner, which is what Eigen takes unless told otherwise.
 template <bool is_symmetric>
 std::size_t solve_by_Krylov_method(const SMP::internal::Edge_system& system, const Limits& limits, const SMP::Level::Point_2& middle, SMP::Level::Uv& uv)
 {
   typedef Eigen::SparseMatrix<double, Eigen::RowMajor>   Matrix;
   typedef std::conditional_t<is_symmetric, Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper>, Eigen::BiCGSTAB<Matrix>>   Solver;
-  const SMP::internal::Edge_matrix a(system);
+  const Edge_matrix a(system);
   Solver solver;
   solver.setTolerance(limits.tolerance);
   solver.setMaxIterations(Eigen::Index(limits.iterations));

@@ -48,6 +48,8 @@ typedef Mesh::Property_map<Mesh::Vertex_index, int>     Index_map;
 template <class Matrix>
 struct Assembled_system
 {
+  typedef std::conditional_t<std::is_same<Matrix, SMP::Multigrid_solver_traits::Matrix>::value, SMP::Multigrid_solver_traits::Vector, ::Vector>   Vector;
+
   std::optional<Matrix> matrix;
   std::vector<Vector> right_sides;
   CGAL::Real_timer timer;       // of the assembly
@@ -58,9 +60,9 @@ template <class Matrix_>
 class Recording_solver_traits
 {
 public:
-  typedef double    NT;
-  typedef Matrix_   Matrix;
-  typedef ::Vector  Vector;
+  typedef double                                      NT;
+  typedef Matrix_                                     Matrix;
+  typedef typename Assembled_system<Matrix>::Vector   Vector;
 
   explicit Recording_solver_traits(Assembled_system<Matrix>& system) : m_system(system) { }
 
@@ -170,27 +172,32 @@ Solution solve_by_multigrid(const Problem& problem)
   solution.seconds_component = seconds_of([&] { component.emplace(problem.mesh, border); });
   check(component->error().code);
   std::shared_ptr<const SMP::internal::Hierarchy_interpolation> hierarchy;
+  SMP::internal::Hierarchy_options options;
+  options.has_unit_edges = problem.has_uniform_weights;
   solution.seconds_hierarchy = seconds_of([&] {
-    hierarchy = std::make_shared<SMP::internal::Hierarchy_interpolation>(std::move(component->surface()), CGAL::parameters::unit_edges(problem.has_uniform_weights));
+    hierarchy = std::make_shared<SMP::internal::Hierarchy_interpolation>(std::move(component->surface()), options);
   });
   component.reset();
 
-  std::vector<SMP::internal::Index> ranks(hierarchy->number_of_vertices());
-  for (std::size_t rank = 0; rank < ranks.size(); ++rank)
-    ranks[hierarchy->input_vertex(SMP::internal::Index(rank))] = SMP::internal::Index(rank);
-  SMP::internal::Multigrid_linear_solver::Options options;
-  options.tolerance = problem.tolerance;
-  constexpr bool solves_in_pairs = true;
-  const auto session = std::make_shared<SMP::internal::Multigrid_session>(hierarchy, SMP::internal::Mesh_unknowns(std::move(ranks)), options, solves_in_pairs);
+  SMP::internal::Linear_solver_options solver_options;
+  solver_options.tolerance = problem.tolerance;
+  constexpr bool defers = true;
+  auto session = std::make_shared<SMP::internal::Multigrid_session>(hierarchy, SMP::internal::Mesh_unknowns(hierarchy->ranks()), solver_options,
+                                                                          &SMP::internal::make_multigrid_linear_solver<>, defers);
   SMP::Multigrid_solver_traits solver(session);
   double denominator;
+  SMP::Multigrid_solver_traits::Vector solutions[2];
   for (const std::size_t coordinate : { 0, 1 })
-    require(solver.linear_solver(*problem.multigrid_system.matrix, problem.multigrid_system.right_sides[coordinate], solution.uv[coordinate], denominator));
+    require(solver.linear_solver(*problem.multigrid_system.matrix, problem.multigrid_system.right_sides[coordinate], solutions[coordinate], denominator));
   require(session->finish());
   const SMP::Linear_solver_summary summary = solver.summary();
   solution.seconds_setup = summary.seconds_setup;
   solution.seconds_solve = summary.seconds_solve;
   solution.iterations = summary.iterations;
+  solver = SMP::Multigrid_solver_traits();
+  session.reset();
+  for (const std::size_t coordinate : { 0, 1 })
+    solution.uv[coordinate] = Eigen::Map<const Eigen::VectorXd>(solutions[coordinate].values().data(), solutions[coordinate].dimension());
   return solution;
 }
 

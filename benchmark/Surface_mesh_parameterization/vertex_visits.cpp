@@ -23,7 +23,7 @@ public:
   {
     if (!level.is_finest())
       return true;
-    const double over_relaxation = SMP::internal::Level_refiner<SMP::MIPS_energy_2>::over_relaxation;
+    const double over_relaxation = SMP::internal::Level_refiner_options().over_relaxation;
     m_timings.sweeps = time(level, uv, over_relaxation, [](Relaxation& relaxation, SMP::Level::Uv& map) { relaxation.sweep(map); });
     std::mt19937 random;
     m_timings.random_steps = time(level, uv, 1, [&](Relaxation& relaxation, SMP::Level::Uv& map) { relaxation.random_steps(map, map.size(), random); });
@@ -31,12 +31,12 @@ public:
   }
 
 private:
-  typedef SMP::internal::Vertex_relaxation<SMP::MIPS_energy_2>   Relaxation;
+  typedef SMP::internal::Vertex_relaxation   Relaxation;
 
   template <class Sweep>
   std::vector<double> time(const SMP::Level& level, SMP::Level::Uv uv, double relaxation_factor, const Sweep& sweep) const
   {
-    const SMP::internal::Level_energy<SMP::MIPS_energy_2> energy(level, SMP::Triangle_weight::ONE);
+    const SMP::internal::Level_energy_of<SMP::MIPS_energy_2> energy(level, SMP::Triangle_weight::ONE);
     Relaxation relaxation(energy, relaxation_factor);
     std::vector<double> nanoseconds;
     for (std::size_t i = 0; i < m_number_of_sweeps; ++i)

@@ -1,7 +1,10 @@
 #!/usr/bin/env bash
-# Draws the figures of the applications into fig/: make_application_figures.sh FOLDER, which has the built examples. Needs rsvg-convert.
+# Draws the figures of the applications into fig/: make_application_figures.sh BUILD, the folder of a build that has the
+# examples and the target draw_checker, which needs libpng (Debian: libpng-dev). Needs rsvg-convert, too.
 set -euo pipefail
-examples=$(cd "${1:?usage: make_application_figures.sh FOLDER_OF_EXAMPLES}" && pwd)
+build=$(cd "${1:?usage: make_application_figures.sh BUILD}" && pwd)
+examples=$build/examples/Surface_mesh_parameterization
+draw_checker=$build/doc/Surface_mesh_parameterization/draw_checker
 figures=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/fig
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -24,31 +27,37 @@ side_by_side() {
   rsvg-convert side_by_side.svg -o "$figures/$figure"
 }
 
-"$examples/texture_mapping_example" --squares 30 --size 900 --picture front.png >/dev/null
-"$examples/texture_mapping_example" --squares 30 --size 900 --picture side.png --view 1,0.15,0.9 >/dev/null
+"$examples/texture_mapping_example" >/dev/null
+"$draw_checker" texture_mapping.obj front.png --board 30,30
+"$draw_checker" texture_mapping.obj side.png --board 30,30 --view 1,0.15,0.9
 side_by_side checker.png 300 400 front.png "the checker board on the face" side.png "from the side"
 
 pictures=()
 for n in 8 16 32; do
-  "$examples/surface_fitting_example" --columns $n --rows $((4 * n / 3)) --size 900 --picture "fit_$n.png" --view 0.5,0.1,1 >output
+  "$examples/surface_fitting_example" --columns $n --rows $((4 * n / 3)) >output
+  # A square of the board is a polynomial piece of the surface.
+  "$draw_checker" surface_fitting.obj "fit_$n.png" --board $((n - 3)),$((4 * n / 3 - 3)) --view 0.5,0.1,1
   pictures+=("fit_$n.png" "$n × $((4 * n / 3)) control points, $(awk '{ printf "%.2f", 100 * $NF }' output) %")
 done
 side_by_side fitting.png 260 360 "${pictures[@]}"
 
 pictures=()
 for k in 0 1 2; do
-  "$examples/remeshing_example" --coarsest 50 --subdivisions $k --size 900 --picture "subdivided_$k.png" --view 0.5,0.1,1 >output
+  "$examples/remeshing_example" --coarsest 50 --subdivisions $k >/dev/null
+  "$draw_checker" remeshing.obj "subdivided_$k.png" --view 0.5,0.1,1 --edges 1 --lines 3
   pictures+=("subdivided_$k.png" "$(grep -c '^f ' remeshing.obj) triangles")
 done
 side_by_side remeshing.png 240 332 "${pictures[@]}"
 
-"$examples/cut_open_closed_mesh_example" --size 900 --picture one.png --view 0,0.2,1 >/dev/null
-"$examples/cut_open_closed_mesh_example" --paths 3 --size 900 --picture three.png --view 0,0.2,1 >/dev/null
-side_by_side seam.png 360 360 one.png "cut along one path" three.png "along three"
+for paths in 1 3; do
+  "$examples/cut_open_closed_mesh_example" --paths $paths >/dev/null
+  "$draw_checker" cut_open.obj "paths_$paths.png" --board 32,32 --view 0,0.2,1 --lines 4,0.85,0.05,0.1
+done
+side_by_side seam.png 360 360 paths_1.png "cut along one path" paths_3.png "along three"
 
 pictures=()
 for method in uniform symmetric-dirichlet; do
-  "$examples/hierarchical_parameterization" --method $method --picture map.svg --quiet
+  "$build/examples/hierarchical_parameterization/hierarchical_parameterization" --method $method --picture map.svg --quiet
   rsvg-convert -w 900 --background-color=white map.svg -o "$method.png"
   pictures+=("$method.png" "$method")
 done

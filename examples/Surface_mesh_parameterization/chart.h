@@ -6,7 +6,6 @@
 
 #include "chart_layout.h"
 #include "example_utilities.h"
-#include "render_checker.h"
 
 #include <CGAL/boost/graph/Seam_mesh.h>
 
@@ -167,26 +166,5 @@ private:
   std::ostream& m_out;
   std::size_t m_number_of_vertices = 0, m_number_of_texture_vertices = 0;
 };
-
-// Adds a chart to a picture, with lines along the seams.
-inline void add_to_picture(const Chart& chart, double line_width, Drawn_surface& surface)
-{
-  const Mesh& mesh = chart.mesh;
-  const std::size_t first = surface.points.size();
-  for (const Mesh::Vertex_index v : mesh.vertices())
-    surface.points.push_back(mesh.point(v));
-  for (const Mesh::Face_index f : mesh.faces()) {
-    Drawn_surface::Triangle t;
-    Mesh::Halfedge_index h = mesh.prev(mesh.halfedge(f));
-    int i = 0;
-    for (const Seam_mesh::vertex_descriptor v : seam_corners(chart.seam_mesh, f)) {
-      h = mesh.next(h);
-      t.corners[i] = first + mesh.source(h);
-      t.uv[i] = chart.uvmap[v];
-      t.line_widths[i++] = chart.seam_mesh.has_on_seam(mesh.edge(h)) ? line_width : 0;
-    }
-    surface.triangles.push_back(t);
-  }
-}
 
 #endif // CHART_H

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Parameterizes a closed mesh: cuts it open along paths of edges, which a seam mesh does without changing the mesh, and writes it as OBJ with texture
-// coordinates by corner. Without INPUT, a sphere with bumps.
+// coordinates by corner and the seam as lines. Without INPUT, a sphere with bumps.
 
 #include "chart.h"
 #include "example_utilities.h"
-#include "render_checker.h"
+#include "write_file.h"
 
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
@@ -27,23 +27,24 @@
 
 namespace {
 
-const char* const usage = "cut_open_closed_mesh_example [INPUT] [--output OUT.obj] [--paths N] [--picture OUT.png] [--view X,Y,Z[,UX,UY,UZ]] [--size PIXELS]";
+const char* const usage = "cut_open_closed_mesh_example [INPUT] [--output OUT.obj] [--paths N]";
 
-void make_sphere_with_bumps(Mesh& mesh)
+Mesh make_sphere_with_bumps()
 {
+  Mesh mesh;
   CGAL::make_icosahedron<Mesh, Point_3>(mesh);
   CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(4));
   mesh.collect_garbage();
   for (const Mesh::Vertex_index v : mesh.vertices()) {
-    const Vector_3 p = mesh.point(v) - CGAL::ORIGIN, direction = p / std::sqrt(p.squared_length());
+    const Kernel::Vector_3 p = mesh.point(v) - CGAL::ORIGIN, direction = p / std::sqrt(p.squared_length());
     const double bump = std::sin(5 * direction.x()) * std::sin(4 * direction.y() + 1) * std::sin(5 * direction.z() + 2);
     mesh.point(v) = CGAL::ORIGIN + (1 + 0.15 * bump) * direction;
   }
+  return mesh;
 }
 
 void run(const Arguments& arguments)
 {
-  const Picture picture(arguments);
   const std::size_t number_of_paths = arguments.number<std::size_t>("paths", 1, 1, 1000);
   Mesh mesh = read_mesh_or(arguments, make_sphere_with_bumps);
   if (!CGAL::is_closed(mesh))
@@ -67,17 +68,16 @@ void run(const Arguments& arguments)
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(chart.seam_mesh, chart.uvmap);
   std::printf("%zu vertices, %zu in the plane, %zu seam edges, %zu flips, %zu overlapping pairs, symmetric Dirichlet %.4f\n", std::size_t(mesh.number_of_vertices()),
               std::size_t(num_vertices(chart.seam_mesh)), seam.size(), quality.flips, quality.overlaps, quality.symmetric_dirichlet);
-  write_file(arguments.text("output", "cut_open.obj"), [&](std::ostream& out) { Chart_writer(out).write(chart); });
-
-  Drawn_surface surface;
-  surface.line_color = { 0.85, 0.05, 0.1 };
-  add_to_picture(chart, 4, surface);
-  picture.draw(surface, Checker_board{ 32, 32 });
+  write_file(arguments.text("output", "cut_open.obj"), [&](std::ostream& out) {
+    Chart_writer(out).write(chart);
+    for (const Mesh::Halfedge_index h : seam)
+      out << "l " << chart.mesh.source(h) + 1 << ' ' << chart.mesh.target(h) + 1 << '\n';
+  });
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  return run_application(argc, argv, usage, { "output", "paths", "picture", "view", "size" }, run);
+  return run_application(argc, argv, usage, { "output", "paths" }, run);
 }

@@ -4,7 +4,10 @@
 #ifndef EXAMPLE_UTILITIES_H
 #define EXAMPLE_UTILITIES_H
 
-#include "program_input.h"
+#include "face_mesh.h"
+
+#include "errors.h"
+#include "input.h"
 
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/error_message.h>
@@ -67,31 +70,14 @@ public:
   {
     if (!has(name))
       return default_value;
-    const std::vector<Number> values = numbers<Number>(name);
-    if (values.size() != 1 || !(values[0] >= least && values[0] <= greatest)) {
+    Number value;
+    std::istringstream in(m_values.at(name));
+    if (!(in >> value) || !(in >> std::ws).eof() || !(value >= least && value <= greatest)) {
       std::ostringstream message;
       message << "--" << name << " must be a number from " << least << " to " << greatest;
       throw Usage_error{ message.str() };
     }
-    return values[0];
-  }
-
-  // Those of a list with commas.
-  template <class Number>
-  std::vector<Number> numbers(const std::string& name) const
-  {
-    std::vector<Number> result;
-    std::istringstream in(m_values.at(name));
-    for (char comma = ','; comma == ',';) {
-      Number number;
-      if (!(in >> number))
-        throw Usage_error{ "--" + name + ": a number expected" };
-      result.push_back(number);
-      comma = 0;
-      if (in >> comma && comma != ',')
-        throw Usage_error{ "--" + name + ": a comma expected" };
-    }
-    return result;
+    return value;
   }
 
 private:
@@ -138,15 +124,10 @@ inline void check_size(const Mesh& mesh)
     throw Input_error{ diagonal > 0 ? "is too small or too large: scale it" : "has all vertices at one place", SMP::ERROR_WRONG_PARAMETER };
 }
 
-// The input with polygons cut into triangles; without one, what make_default(mesh) makes.
-template <class Make_default>
-Mesh read_mesh_or(const Arguments& arguments, const Make_default& make_default)
+// The input with polygons cut into triangles; without one, what make_default() makes.
+inline Mesh read_mesh_or(const Arguments& arguments, Mesh (*make_default)())
 {
-  Mesh mesh;
-  if (arguments.input().empty())
-    make_default(mesh);
-  else
-    mesh = read_mesh(arguments.input(), true);
+  Mesh mesh = arguments.input().empty() ? make_default() : read_mesh(arguments.input(), true);
   check_size(mesh);
   return mesh;
 }
@@ -154,7 +135,7 @@ Mesh read_mesh_or(const Arguments& arguments, const Make_default& make_default)
 // The largest component of the input or of the built-in face.
 inline Mesh read_surface(const Arguments& arguments)
 {
-  Mesh mesh = read_mesh_or(arguments, make_face<Mesh>);
+  Mesh mesh = read_mesh_or(arguments, built_in_face);
   CGAL::Polygon_mesh_processing::keep_largest_connected_components(mesh, 1);
   mesh.collect_garbage();
   check_size(mesh);

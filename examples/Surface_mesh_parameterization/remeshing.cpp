@@ -3,12 +3,11 @@
 //
 // Remeshing with subdivision connectivity: triangulates the vertices of the coarsest level of the hierarchy in the map, divides each triangle there into four
 // over and over, and pulls the result back to the surface. Vertices on the border stay there: an edge of the border is halved along it. Writes the new mesh
-// as OBJ. Without INPUT, a face.
+// as OBJ, the edges of the coarse mesh also as lines. Without INPUT, a face.
 
 #include "example_utilities.h"
-#include "program_file.h"
+#include "write_file.h"
 #include "remesher.h"
-#include "render_checker.h"
 
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
@@ -16,31 +15,31 @@
 
 #include <CGAL/Polygon_mesh_processing/distance.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <ostream>
+#include <set>
+#include <utility>
 
 namespace {
 
-const char* const usage = "remeshing_example [INPUT] [--output OUT.obj] [--coarsest VERTICES] [--subdivisions K] [--picture OUT.png] [--view X,Y,Z[,UX,UY,UZ]] [--size PIXELS]";
+const char* const usage = "remeshing_example [INPUT] [--output OUT.obj] [--coarsest VERTICES] [--subdivisions K]";
 
-// All edges as lines, those of the coarse mesh as thick ones.
-Drawn_surface drawn_mesh(const Mesh& mesh, const Subdivided_mesh& subdivided)
+// Writes the edges of the coarse mesh as lines of OBJ.
+void write_coarse_edges(std::ostream& out, const Subdivided_mesh& subdivided)
 {
-  Drawn_surface surface;
-  surface.points.assign(mesh.points().begin(), mesh.points().end());
-  for (const Subdivided_mesh::Triangle& t : subdivided.triangles) {
-    Drawn_surface::Triangle drawn = { t.corners, { CGAL::ORIGIN, CGAL::ORIGIN, CGAL::ORIGIN } };
+  std::set<std::pair<std::size_t, std::size_t>> edges;
+  for (const Subdivided_mesh::Triangle& t : subdivided.triangles)
     for (int i = 0; i < 3; ++i)
-      drawn.line_widths[i] = t.is_coarse[i] ? 3 : 1;
-    surface.triangles.push_back(drawn);
-  }
-  return surface;
+      if (t.is_coarse[i])
+        edges.insert(std::minmax(t.corners[i], t.corners[(i + 1) % 3]));
+  for (const auto& [v, w] : edges)
+    out << "l " << v + 1 << ' ' << w + 1 << '\n';
 }
 
 void run(const Arguments& arguments)
 {
-  const Picture picture(arguments);
   const std::size_t subdivisions = arguments.number<std::size_t>("subdivisions", 3, 0, 8), coarsest = arguments.number<std::size_t>("coarsest", 100, 4, 1000000);
   Mesh mesh = read_surface(arguments);
   const Vertex_uv_map uvmap = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
@@ -56,14 +55,15 @@ void run(const Arguments& arguments)
   const double distance = PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(mesh.points(), result);
   std::printf("%zu coarse triangles, subdivided %zu times: %zu triangles; greatest distance of a vertex of the input from them, in diagonals of its box: %.3g\n",
               std::size_t(result.number_of_faces()) >> 2 * subdivisions, subdivisions, std::size_t(result.number_of_faces()), distance / box_diagonal(mesh));
-  write_file(arguments.text("output", "remeshing.obj"),
-             [&](std::ostream& out) { SMP::IO::write_OBJ(out, result, new_uvmap, CGAL::Constant_property_map<Mesh::Vertex_index, bool>(true)); });
-  picture.draw(drawn_mesh(result, subdivided), Checker_board{ 1, 1 });
+  write_file(arguments.text("output", "remeshing.obj"), [&](std::ostream& out) {
+    SMP::IO::write_OBJ(out, result, new_uvmap, CGAL::Constant_property_map<Mesh::Vertex_index, bool>(true));
+    write_coarse_edges(out, subdivided);
+  });
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  return run_application(argc, argv, usage, { "output", "coarsest", "subdivisions", "picture", "view", "size" }, run);
+  return run_application(argc, argv, usage, { "output", "coarsest", "subdivisions" }, run);
 }

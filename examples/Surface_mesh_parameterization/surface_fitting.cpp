@@ -5,8 +5,7 @@
 // the least squares sense, tells the errors, and writes the part of it over the map as OBJ, with its parameters as texture coordinates. Without INPUT, a face.
 
 #include "example_utilities.h"
-#include "program_file.h"
-#include "render_checker.h"
+#include "write_file.h"
 
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
@@ -25,7 +24,7 @@
 
 namespace {
 
-const char* const usage = "surface_fitting_example [INPUT] [--output OUT.obj] [--columns N] [--rows M] [--smoothing S] [--picture OUT.png] [--view X,Y,Z[,UX,UY,UZ]] [--size PIXELS]";
+const char* const usage = "surface_fitting_example [INPUT] [--output OUT.obj] [--columns N] [--rows M] [--smoothing S]";
 
 // The control points of a uniform cubic B-spline surface over the unit square, in columns.
 class Spline_surface
@@ -133,7 +132,6 @@ std::vector<Point_2> parameters_of(const Mesh& mesh, const Vertex_uv_map& uvmap)
 
 void run(const Arguments& arguments)
 {
-  const Picture picture(arguments);
   const std::size_t columns = arguments.number<std::size_t>("columns", 24, 4, 1000), rows = arguments.number<std::size_t>("rows", 32, 4, 1000);
   const double smoothing = arguments.number("smoothing", 1e-6, 1e-12, 1e6);
   Mesh mesh = read_surface(arguments);
@@ -158,13 +156,11 @@ void run(const Arguments& arguments)
               std::sqrt(greatest) / unit, std::sqrt(sum / double(points.size())) / unit);
   write_file(arguments.text("output", "surface_fitting.obj"),
              [&](std::ostream& out) { SMP::IO::write_OBJ(out, mesh, uvmap, CGAL::Constant_property_map<Mesh::Vertex_index, bool>(true)); });
-  // A square of the board is a polynomial piece of the surface.
-  picture.draw(drawn_surface(mesh, uvmap), Checker_board{ columns - 3, rows - 3 });
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  return run_application(argc, argv, usage, { "output", "columns", "rows", "smoothing", "picture", "view", "size" }, run);
+  return run_application(argc, argv, usage, { "output", "columns", "rows", "smoothing" }, run);
 }

@@ -5,7 +5,8 @@
 //
 // The first byte chooses the file format, the second one what is done; the file follows.
 
-#include "../../examples/Surface_mesh_parameterization/program_input.h"
+#include "../../examples/hierarchical_parameterization/Polygon_soup.h"
+#include "../../examples/hierarchical_parameterization/input.h"
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
@@ -23,8 +24,6 @@
 #include <vector>
 
 namespace {
-
-typedef Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2>   UV_map;
 
 void require(bool condition)
 {

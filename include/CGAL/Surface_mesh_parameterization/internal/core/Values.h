@@ -33,13 +33,31 @@ struct Values
   Real& operator[](int i) { return value[i]; }
   Real operator[](int i) const { return value[i]; }
 
-  Values& operator+=(const Values& other) { return *this = *this + other; }
-  Values& operator-=(const Values& other) { return *this = *this - other; }
+  Values& operator+=(const Values& other)
+  {
+    for (int i = 0; i < columns; ++i)
+      value[i] += other.value[i];
+    return *this;
+  }
 
-  friend Values operator+(const Values& a, const Values& b) { return map(a, b, [](Real x, Real y) { return x + y; }); }
-  friend Values operator-(const Values& a, const Values& b) { return map(a, b, [](Real x, Real y) { return x - y; }); }
+  Values& operator-=(const Values& other)
+  {
+    for (int i = 0; i < columns; ++i)
+      value[i] -= other.value[i];
+    return *this;
+  }
+
+  Values& operator*=(Real factor)
+  {
+    for (Real& x : value)
+      x *= factor;
+    return *this;
+  }
+
+  friend Values operator+(Values a, const Values& b) { return a += b; }
+  friend Values operator-(Values a, const Values& b) { return a -= b; }
+  friend Values operator*(Real factor, Values a) { return a *= factor; }
   friend Values operator*(const Values& a, const Values& b) { return map(a, b, [](Real x, Real y) { return x * y; }); }
-  friend Values operator*(Real factor, const Values& a) { return map(a, a, [factor](Real x, Real) { return factor * x; }); }
   friend Values abs(const Values& a) { return map(a, a, [](Real x, Real) { return std::abs(x); }); }
   friend Values sqrt(const Values& a) { return map(a, a, [](Real x, Real) { return std::sqrt(x); }); }
   friend Values max(const Values& a, const Values& b) { return map(a, b, [](Real x, Real y) { return (std::max)(x, y); }); }

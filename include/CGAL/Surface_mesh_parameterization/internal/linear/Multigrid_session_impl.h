@@ -108,17 +108,16 @@ bool Multigrid_session::solve(const std::vector<const std::vector<double>*>& rig
       return false;
     b.push_back(right_side->data());
   }
-  std::vector<std::vector<double>> found(solutions.size(), std::vector<double>(n));
   std::vector<double*> x;
-  for (std::vector<double>& solution : found)
-    x.push_back(solution.data());
+  for (std::vector<double>* solution : solutions) {
+    solution->resize(n);
+    x.push_back(solution->data());
+  }
   const Linear_solver_result result = m_solver->solve(b, x, m_options);
   m_summary.right_sides += b.size();
   m_summary.iterations = (std::max)(m_summary.iterations, result.iterations);
   m_summary.residual = (std::max)(m_summary.residual, result.residual);
   m_summary.direct_solutions += result.is_direct ? b.size() : 0;
-  for (std::size_t i = 0; i < solutions.size() && result.is_solved; ++i)
-    solutions[i]->swap(found[i]);
   m_summary.seconds_solve += timer.time();
   return result.is_solved;
 }

@@ -1,10 +1,12 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Takes words and numbers from a file that is held in memory.
 
-#ifndef PROGRAM_SCANNER_H
-#define PROGRAM_SCANNER_H
+#ifndef FILE_SCANNER_H
+#define FILE_SCANNER_H
 
-#include "program_soup.h"
+#include "errors.h"
 
 #include <algorithm>
 #include <charconv>
@@ -140,4 +142,4 @@ inline bool is_little_endian()
   return first == 1;
 }
 
-#endif // PROGRAM_SCANNER_H
+#endif // FILE_SCANNER_H

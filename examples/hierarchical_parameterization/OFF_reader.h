@@ -1,11 +1,13 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads OFF.
 
-#ifndef PROGRAM_OFF_H
-#define PROGRAM_OFF_H
+#ifndef OFF_READER_H
+#define OFF_READER_H
 
-#include "program_scanner.h"
-#include "program_soup.h"
+#include "File_scanner.h"
+#include "Polygon_soup.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -84,7 +86,7 @@ private:
       throw Input_error{ "is too short for " + std::to_string(vertices) + " vertices and " + std::to_string(faces) + " faces" };
   }
 
-  Kernel::Point_3 read_vertex(std::size_t v)
+  Polygon_soup::Point read_vertex(std::size_t v)
   {
     double coordinates[4] = { 0, 0, 0, 1 };
     bool is_read = true;
@@ -98,7 +100,7 @@ private:
       m_file.skip_line();
     if (!is_read)
       throw Input_error{ "the coordinates of " + vertex_text(v) + " cannot be read" };
-    return Kernel::Point_3(coordinates[0] / coordinates[3], coordinates[1] / coordinates[3], coordinates[2] / coordinates[3]);
+    return { coordinates[0] / coordinates[3], coordinates[1] / coordinates[3], coordinates[2] / coordinates[3] };
   }
 
   Polygon_soup::Polygon read_face(std::size_t f)
@@ -146,4 +148,4 @@ private:
   std::size_t m_skipped_numbers = 0, m_number_of_vertices = 0, m_number_of_faces = 0;
 };
 
-#endif // PROGRAM_OFF_H
+#endif // OFF_READER_H

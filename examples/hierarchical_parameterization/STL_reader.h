@@ -1,18 +1,20 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads STL.
 
-#ifndef PROGRAM_STL_H
-#define PROGRAM_STL_H
+#ifndef STL_READER_H
+#define STL_READER_H
 
-#include "program_scanner.h"
-#include "program_soup.h"
-
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include "File_scanner.h"
+#include "Polygon_soup.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // Reads STL, text or binary. It has no other way to join triangles than by coordinates, so vertices that coincide are one here.
 class STL_reader
@@ -28,7 +30,7 @@ public:
       read_text();
     // Before merging, which compares: a NaN is equal to everything.
     check_coordinates(m_soup);
-    CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(m_soup.points, m_soup.polygons);
+    merge_points();
     return m_soup;
   }
 
@@ -61,7 +63,7 @@ private:
         m_file.read_binary(number, !is_little_endian());
       m_file.skip_bytes(2);
       for (int i = 3; i < 12; i += 3)
-        m_soup.points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+        m_soup.points.push_back({ numbers[i], numbers[i + 1], numbers[i + 2] });
       add_triangle();
     }
   }
@@ -93,7 +95,7 @@ private:
       double x, y, z;
       if (!m_file.read(x) || !m_file.read(y) || !m_file.read(z))
         m_file.fail("the coordinates of a vertex of " + face_text(m_soup.polygons.size()) + " cannot be read");
-      m_soup.points.emplace_back(x, y, z);
+      m_soup.points.push_back({ x, y, z });
     }
     expect("endloop");
     expect("endfacet");
@@ -114,8 +116,23 @@ private:
     m_soup.polygons.push_back({ n - 3, n - 2, n - 1 });
   }
 
+  // Of those that coincide, the first stays.
+  void merge_points()
+  {
+    std::vector<Polygon_soup::Point> merged;
+    std::map<Polygon_soup::Point, std::size_t> index_of;
+    for (Polygon_soup::Polygon& triangle : m_soup.polygons)
+      for (std::size_t& v : triangle) {
+        const auto [found, is_new] = index_of.emplace(m_soup.points[v], merged.size());
+        if (is_new)
+          merged.push_back(m_soup.points[v]);
+        v = found->second;
+      }
+    m_soup.points = merged;
+  }
+
   File_scanner& m_file;
   Polygon_soup m_soup;
 };
 
-#endif // PROGRAM_STL_H
+#endif // STL_READER_H

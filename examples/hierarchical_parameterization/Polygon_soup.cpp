@@ -1,11 +1,9 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Checks whether polygons make a surface.
 
-#ifndef PROGRAM_SOUP_H
-#define PROGRAM_SOUP_H
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include "Polygon_soup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,34 +12,8 @@
 #include <string>
 #include <vector>
 
-namespace SMP = CGAL::Surface_mesh_parameterization;
-
-typedef CGAL::Exact_predicates_inexact_constructions_kernel   Kernel;
-
-// Something that is wrong with the input, to be told to the user: in words, and as CGAL's code where it has one. Faces and vertices count from 0.
-struct Input_error
-{
-  std::string message;
-  SMP::Error_code code = SMP::OK;     // OK: the file cannot be read
-};
-
-// Something that is wrong with the command line.
-struct Usage_error { std::string message; };
-
-// What a file holds, before it is known to be a surface.
-struct Polygon_soup
-{
-  typedef std::vector<std::size_t>   Polygon;
-
-  std::vector<Kernel::Point_3> points;
-  std::vector<Polygon> polygons;
-};
-
-inline std::string face_text(std::size_t f) { return "face " + std::to_string(f); }
-inline std::string vertex_text(std::size_t v) { return "vertex " + std::to_string(v); }
-
 // A negative index of a file is a huge one here; it is told as it was.
-inline void check_indices(const Polygon_soup& soup)
+void check_indices(const Polygon_soup& soup)
 {
   for (std::size_t f = 0; f < soup.polygons.size(); ++f)
     for (const std::size_t v : soup.polygons[f])
@@ -50,7 +22,7 @@ inline void check_indices(const Polygon_soup& soup)
                            + std::to_string(soup.points.size()) + ", counted from 0" };
 }
 
-inline void check_coordinates(const Polygon_soup& soup)
+void check_coordinates(const Polygon_soup& soup)
 {
   for (std::size_t v = 0; v < soup.points.size(); ++v)
     for (int i = 0; i < 3; ++i)
@@ -58,7 +30,7 @@ inline void check_coordinates(const Polygon_soup& soup)
         throw Input_error{ vertex_text(v) + " has a coordinate that is not a finite number", SMP::ERROR_WRONG_PARAMETER };
 }
 
-inline void check_corners(const Polygon_soup& soup, bool may_have_polygons)
+void check_corners(const Polygon_soup& soup, bool may_have_polygons)
 {
   Polygon_soup::Polygon sorted;
   for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
@@ -72,6 +44,8 @@ inline void check_corners(const Polygon_soup& soup, bool may_have_polygons)
       throw Input_error{ face_text(f) + " has " + vertex_text(*twice) + " twice", SMP::ERROR_NO_TOPOLOGICAL_DISC };
   }
 }
+
+namespace {
 
 // Checks that every edge has at most two faces, of one orientation, and that the faces around a vertex form one fan.
 class Manifold_check
@@ -173,4 +147,9 @@ private:
   std::vector<Index> m_entered;                       // scratch
 };
 
-#endif // PROGRAM_SOUP_H
+} // namespace
+
+void check_manifold(const Polygon_soup& soup)
+{
+  Manifold_check{ soup };
+}

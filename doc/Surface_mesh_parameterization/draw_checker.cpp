@@ -1,39 +1,49 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Draws a surface in space for the manual, without a display: a checker board on its map. See `usage`.
 
-#ifndef RENDER_CHECKER_H
-#define RENDER_CHECKER_H
+#include "../../examples/Surface_mesh_parameterization/Checker_board.h"
 
-#include "example_utilities.h"
-#include "image.h"
-#include "program_file.h"
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <png.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <fstream>
+#include <iostream>
 #include <limits>
-#include <ostream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-// Pictures of surfaces without a display: a checker board on the map, seen in space, as PNG.
+namespace {
 
-typedef Kernel::Vector_3   Vector_3;
+const char* const usage = "draw_checker INPUT.obj OUTPUT.png [--size PIXELS] [--board COLUMNS,ROWS] "
+                          "[--view X,Y,Z[,UX,UY,UZ]] [--edges PIXELS] [--lines PIXELS[,R,G,B]]";
 
-// A board on the unit square: light squares, and dark ones whose hue tells the place.
-struct Checker_board
+typedef CGAL::Simple_cartesian<double>   Kernel;
+typedef Kernel::Point_2                  Point_2;
+typedef Kernel::Point_3                  Point_3;
+typedef Kernel::Vector_3                 Vector_3;
+
+typedef std::array<double, 3>   Color;       // red, green, blue from 0 to 1
+
+struct Image
 {
-  std::size_t columns, rows;
+  std::size_t width, height;
+  std::vector<Color> pixels;                 // row by row from the top
 
-  Color operator()(const Point_2& uv) const
-  {
-    const double x = std::floor(uv.x() * double(columns)), y = std::floor(uv.y() * double(rows));
-    if (std::fmod(std::abs(x + y), 2) < 0.5)
-      return { 0.97, 0.96, 0.93 };
-    const double u = (std::min)(1., (std::max)(0., x / double(columns))), v = (std::min)(1., (std::max)(0., y / double(rows)));
-    return { 0.15 + 0.65 * u, 0.42 - 0.12 * u + 0.2 * v, 0.25 + 0.5 * (1 - v) };
-  }
+  Image(std::size_t width, std::size_t height, const Color& color = { 1, 1, 1 }) : width(width), height(height), pixels(width * height, color) { }
 };
 
 // Triangles in space with a place of the board for each corner; edge i runs from corner i to the next one.
@@ -51,45 +61,8 @@ struct Drawn_surface
   Color line_color = { 0.1, 0.1, 0.12 };
 };
 
-// A mesh with a place of the board for each vertex.
-inline Drawn_surface drawn_surface(const Mesh& mesh, const Vertex_uv_map& uvmap)
-{
-  Drawn_surface surface;
-  surface.points.assign(mesh.points().begin(), mesh.points().end());
-  for (const Mesh::Face_index f : mesh.faces()) {
-    Drawn_surface::Triangle t;
-    int i = 0;
-    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f))) {
-      t.corners[i] = v;
-      t.uv[i++] = uvmap[v];
-    }
-    surface.triangles.push_back(t);
-  }
-  return surface;
-}
-
 // From where a surface is seen: the direction towards the eye, and the one that is up in the picture.
-struct View
-{
-  Vector_3 direction{ 0, 0, 1 }, up{ 0, 1, 0 };
-
-  View() { }
-
-  explicit View(const Arguments& arguments)
-  {
-    if (!arguments.has("view"))
-      return;
-    const std::vector<double> n = arguments.numbers<double>("view");
-    if (n.size() != 3 && n.size() != 6)
-      throw Usage_error{ "--view takes three or six numbers" };
-    direction = Vector_3(n[0], n[1], n[2]);
-    if (n.size() == 6)
-      up = Vector_3(n[3], n[4], n[5]);
-    const double area = CGAL::cross_product(direction, up).squared_length();
-    if (!(area > 0) || !std::isfinite(area))
-      throw Usage_error{ "--view: the directions towards the eye and up must not be parallel" };
-  }
-};
+struct View { Vector_3 direction{ 0, 0, 1 }, up{ 0, 1, 0 }; };
 
 // Draws a surface in mild perspective, lit from the upper left, two-sided, every pixel the mean of `samples` times `samples` ones.
 class Renderer
@@ -210,7 +183,7 @@ private:
     normal = is_front ? unit(normal) : -unit(normal);
     static const Vector_3 light = unit(Vector_3(-0.45, 0.55, 0.75));
     const double brightness = (is_front ? 1 : 0.6) * (0.25 + 0.2 * (std::max)(0., normal.z()) + 0.6 * (std::max)(0., normal * light));
-    Color color = board(Point_2(u, v));
+    Color color = board(u, v);
     for (double& c : color)
       c *= brightness;
     return color;
@@ -226,25 +199,131 @@ private:
   std::size_t m_width, m_height;
 };
 
-// The options --picture OUT.png, --view and --size.
-class Picture
+// How to draw.
+struct Style
 {
-public:
-  explicit Picture(const Arguments& arguments)
-    : m_file(arguments.text("picture", "")), m_view(arguments), m_size(arguments.number<std::size_t>("size", 900, 64, 8192))
-  { }
-
-  // Draws if there is a file to draw to.
-  void draw(const Drawn_surface& surface, const Checker_board& board) const
-  {
-    if (!m_file.empty())
-      write_file(m_file, [&](std::ostream& out) { write_PNG(out, Renderer(surface, m_view, m_size).image(board)); });
-  }
-
-private:
-  std::string m_file;
-  View m_view;
-  std::size_t m_size;
+  std::size_t size = 900;                    // of the longer side of the picture, in pixels
+  Checker_board board = { 0, 0 };            // none: all is light
+  View view;
+  double edge_width = 0, line_width = 0;
+  Color line_color = Drawn_surface().line_color;
 };
 
-#endif // RENDER_CHECKER_H
+// Reads triangles with texture coordinates from an OBJ file, and the edges that are lines in it.
+Drawn_surface read_surface(const std::string& file, const Style& style)
+{
+  std::ifstream in(file);
+  if (!in)
+    throw std::runtime_error(file + ": cannot be read");
+  Drawn_surface surface;
+  surface.line_color = style.line_color;
+  std::vector<Point_2> uv;
+  std::set<std::pair<std::size_t, std::size_t>> lines;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string keyword;
+    double x = 0, y = 0, z = 0;
+    std::size_t a = 0, b = 0;
+    char slash;
+    words >> keyword;
+    if (keyword == "v" && words >> x >> y >> z)
+      surface.points.emplace_back(x, y, z);
+    else if (keyword == "vt" && words >> x >> y)
+      uv.emplace_back(x, y);
+    else if (keyword == "l" && words >> a >> b)
+      lines.insert(std::minmax(a - 1, b - 1));
+    else if (keyword == "f") {
+      Drawn_surface::Triangle& t = surface.triangles.emplace_back();
+      for (int i = 0; i < 3; ++i) {
+        if (!(words >> a >> slash >> b) || a - 1 >= surface.points.size() || b - 1 >= uv.size())
+          throw std::runtime_error(file + ": triangles with texture coordinates expected");
+        t.corners[i] = a - 1;
+        t.uv[i] = uv[b - 1];
+      }
+    }
+  }
+  for (Drawn_surface::Triangle& t : surface.triangles)
+    for (int i = 0; i < 3; ++i)
+      t.line_widths[i] = lines.count(std::minmax(t.corners[i], t.corners[(i + 1) % 3])) ? style.line_width
+                                                                                        : style.edge_width;
+  return surface;
+}
+
+void write_PNG(const std::string& file, const Image& image)
+{
+  std::vector<std::uint8_t> bytes;
+  for (const Color& color : image.pixels)
+    for (const double c : color)
+      bytes.push_back(to_byte(c));
+  png_image png = { };
+  png.version = PNG_IMAGE_VERSION;
+  png.width = png_uint_32(image.width);
+  png.height = png_uint_32(image.height);
+  png.format = PNG_FORMAT_RGB;
+  if (!png_image_write_to_file(&png, file.c_str(), 0, bytes.data(), 0, nullptr))
+    throw std::runtime_error(file + ": " + png.message);
+}
+
+// The numbers of a list with commas: as many as one of `sizes`.
+std::vector<double> numbers(const std::string& text, const std::set<std::size_t>& sizes)
+{
+  std::vector<double> result;
+  std::istringstream in(text);
+  char comma;
+  do
+    in >> result.emplace_back();
+  while (in && in >> comma && comma == ',');
+  if (!in.eof() || sizes.count(result.size()) == 0)
+    throw std::invalid_argument(text);
+  return result;
+}
+
+Style read_style(const std::vector<std::string>& options)
+{
+  Style style;
+  for (std::size_t i = 0; i < options.size(); i += 2) {
+    const std::string& name = options[i];
+    const std::string value = i + 1 < options.size() ? options[i + 1] : "";
+    if (name == "--size") {
+      style.size = std::size_t(numbers(value, { 1 })[0]);
+    } else if (name == "--board") {
+      const std::vector<double> n = numbers(value, { 2 });
+      style.board = { std::size_t(n[0]), std::size_t(n[1]) };
+    } else if (name == "--view") {
+      const std::vector<double> n = numbers(value, { 3, 6 });
+      style.view.direction = Vector_3(n[0], n[1], n[2]);
+      if (n.size() == 6)
+        style.view.up = Vector_3(n[3], n[4], n[5]);
+    } else if (name == "--edges") {
+      style.edge_width = numbers(value, { 1 })[0];
+    } else if (name == "--lines") {
+      const std::vector<double> n = numbers(value, { 1, 4 });
+      style.line_width = n[0];
+      if (n.size() == 4)
+        style.line_color = { n[1], n[2], n[3] };
+    } else
+      throw std::invalid_argument(name);
+  }
+  return style;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  try {
+    if (arguments.size() < 2)
+      throw std::invalid_argument("two files needed");
+    const Style style = read_style({ arguments.begin() + 2, arguments.end() });
+    const Drawn_surface surface = read_surface(arguments[0], style);
+    write_PNG(arguments[1], Renderer(surface, style.view, style.size).image(style.board));
+    return 0;
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "draw_checker: " << error.what() << "; usage: " << usage << '\n';
+    return 1;
+  } catch (const std::exception& error) {
+    std::cerr << "draw_checker: " << error.what() << '\n';
+    return 2;
+  }
+}

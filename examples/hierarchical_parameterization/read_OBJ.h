@@ -1,11 +1,13 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads OBJ.
 
-#ifndef PROGRAM_OBJ_H
-#define PROGRAM_OBJ_H
+#ifndef READ_OBJ_H
+#define READ_OBJ_H
 
-#include "program_scanner.h"
-#include "program_soup.h"
+#include "File_scanner.h"
+#include "Polygon_soup.h"
 
 #include <cctype>
 #include <cstddef>
@@ -22,7 +24,7 @@ inline Polygon_soup read_OBJ(File_scanner& file)
       double x, y, z;
       if (!file.read(x) || !file.read(y) || !file.read(z))
         file.fail("the coordinates of " + vertex_text(soup.points.size()) + " cannot be read");
-      soup.points.emplace_back(x, y, z);
+      soup.points.push_back({ x, y, z });
     } else if (keyword == "f") {
       Polygon_soup::Polygon polygon;
       long long index;
@@ -40,4 +42,4 @@ inline Polygon_soup read_OBJ(File_scanner& file)
   return soup;
 }
 
-#endif // PROGRAM_OBJ_H
+#endif // READ_OBJ_H

@@ -1,18 +1,16 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes files.
 
-#ifndef PROGRAM_FILE_H
-#define PROGRAM_FILE_H
+#include "write_file.h"
 
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 
-// Writes a file as a whole or not at all: under another name first, unless the path is no regular file (a pipe, a device).
-template <class Write>
-void write_file(const std::string& path, const Write& write)
+void write_file(const std::string& path, const std::function<void(std::ostream&)>& write)
 {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -39,5 +37,3 @@ void write_file(const std::string& path, const Write& write)
   }
   throw std::runtime_error(path + ": cannot be written");
 }
-
-#endif // PROGRAM_FILE_H

@@ -1,11 +1,13 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads PLY.
 
-#ifndef PROGRAM_PLY_H
-#define PROGRAM_PLY_H
+#ifndef PLY_READER_H
+#define PLY_READER_H
 
-#include "program_scanner.h"
-#include "program_soup.h"
+#include "File_scanner.h"
+#include "Polygon_soup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -146,7 +148,7 @@ private:
           coordinates[property.role] = value;
       }
       if (element.is_vertex())
-        m_soup.points.emplace_back(coordinates[0], coordinates[1], coordinates[2]);
+        m_soup.points.push_back({ coordinates[0], coordinates[1], coordinates[2] });
       else if (element.is_face())
         m_soup.polygons.push_back(corners);
     }
@@ -190,4 +192,4 @@ private:
   Polygon_soup m_soup;
 };
 
-#endif // PROGRAM_PLY_H
+#endif // PLY_READER_H

@@ -1,0 +1,79 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is done with each level.
+
+#include "Level_visitor.h"
+
+#include "write_file.h"
+
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <ostream>
+#include <vector>
+
+namespace {
+
+// One level as OBJ: its vertices where the input has them, or in the middle of a hole that was filled, its triangles, and its map (up to scale).
+void write_level(std::ostream& out, const Mesh& mesh, const std::vector<Mesh::Vertex_index>& vertices_of_component,
+                        const SMP::Level& level, const SMP::Level::Uv& uv)
+{
+  out.precision(17);
+  const auto is_of_mesh = [&](SMP::Level::Index v) { return level.hierarchy().input_vertex(v) < vertices_of_component.size(); };
+  const auto point_of_mesh = [&](SMP::Level::Index v) { return mesh.point(vertices_of_component[level.hierarchy().input_vertex(v)]); };
+  const auto scaled = [&](SMP::Level::Index v) {
+    const SMP::Level::Point_3& p = level.point(v);
+    return Kernel::Point_3(std::ldexp(p.x(), -level.scale_exponent()), std::ldexp(p.y(), -level.scale_exponent()), std::ldexp(p.z(), -level.scale_exponent()));
+  };
+  SMP::Level::Index reference = 0;
+  while (!is_of_mesh(reference))
+    ++reference;
+  for (SMP::Level::Index v = 0; v < level.number_of_vertices(); ++v)
+    out << "v " << (is_of_mesh(v) ? point_of_mesh(v) : point_of_mesh(reference) + (scaled(v) - scaled(reference))) << '\n';
+  for (const SMP::Level::Point_2& p : uv)
+    out << "vt " << p << '\n';
+  for (const SMP::Level::Triangle& t : level.triangles())
+    out << "f " << t[0] + 1 << '/' << t[0] + 1 << ' ' << t[1] + 1 << '/' << t[1] + 1 << ' ' << t[2] + 1 << '/' << t[2] + 1 << '\n';
+}
+
+} // namespace
+
+Level_visitor::Level_visitor(const Input& input, const Method_options& options)
+  : m_options(options), m_mesh(input.mesh), m_has_progress_line(!options.quiet && isatty(STDERR_FILENO))
+{
+  if (!options.levels.empty())
+    m_vertices = SMP::Mesh_component<Mesh>(input.mesh, input.border).vertices_of_component();
+}
+
+bool Level_visitor::level_parameterized(const SMP::Level& level, const SMP::Level::Uv& uv,
+                                        const SMP::Level_summary& summary)
+{
+  if (m_has_progress_line)
+    print_progress(level, summary);
+  if (!m_options.levels.empty()) {
+    char name[32];
+    std::snprintf(name, sizeof name, "level_%02zu.obj", level.index());
+    write_file((std::filesystem::path(m_options.levels) / name).string(),
+               [&](std::ostream& out) { write_level(out, m_mesh, m_vertices, level, uv); });
+  }
+  return true;
+}
+
+// The time that a level takes grows with its size, so what is left can be told from what is done.
+void Level_visitor::print_progress(const SMP::Level& level, const SMP::Level_summary& summary)
+{
+  const SMP::Collapse_hierarchy_3& hierarchy = level.hierarchy();
+  double done = 0, left = 0;
+  for (std::size_t l = 0; l < hierarchy.number_of_levels(); ++l)
+    (l <= level.index() ? done : left) += double(hierarchy.number_of_vertices(l));
+  m_seconds += summary.seconds;
+  std::fprintf(stderr, "\rlevel %zu of %zu: %zu triangles, energy %.6g, about %.0f s left   %s", level.index() + 1, hierarchy.number_of_levels(),
+               summary.faces, summary.energy_end, m_seconds * left / done, level.is_finest() ? "\n" : "");
+}

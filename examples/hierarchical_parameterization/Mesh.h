@@ -1,0 +1,16 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The meshes of the program.
+
+#ifndef MESH_H
+#define MESH_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel       Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3>                       Mesh;
+typedef Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2>   UV_map;
+
+#endif // MESH_H

@@ -1,0 +1,37 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a file holds, before it is known to be a surface, and what is checked then.
+
+#ifndef POLYGON_SOUP_H
+#define POLYGON_SOUP_H
+
+#include "errors.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+struct Polygon_soup
+{
+  typedef std::array<double, 3>      Point;
+  typedef std::vector<std::size_t>   Polygon;
+
+  std::vector<Point> points;
+  std::vector<Polygon> polygons;
+};
+
+inline std::string face_text(std::size_t f) { return "face " + std::to_string(f); }
+inline std::string vertex_text(std::size_t v) { return "vertex " + std::to_string(v); }
+
+// Each of these throws an Input_error.
+void check_indices(const Polygon_soup& soup);
+void check_coordinates(const Polygon_soup& soup);
+void check_corners(const Polygon_soup& soup, bool may_have_polygons);
+void check_manifold(const Polygon_soup& soup);     // precondition: the indices and corners have been checked
+
+// Reads what a file of that name holds.
+Polygon_soup read_soup(const std::string& name, const std::string& content);
+
+#endif // POLYGON_SOUP_H

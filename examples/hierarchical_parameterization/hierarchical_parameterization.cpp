@@ -1,0 +1,150 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parameterizes surfaces from the command line: see --help.
+
+#include "errors.h"
+#include "input.h"
+#include "options.h"
+#include "report.h"
+#include "write_file.h"
+#include "write_map.h"
+
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/assertions_behaviour.h>
+#include <CGAL/exceptions.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace {
+
+enum Exit_status { WRITTEN = 0, WRONG_USAGE = 1, BAD_INPUT = 2, METHOD_FAILED = 3 };
+
+void print_summary(const Input& input, const Run_record& run)
+{
+  if (input.number_of_components > 1)
+    std::cerr << input.name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
+  const std::string levels = run.summary.levels.empty() ? "" : std::to_string(run.summary.levels.size()) + " levels, ";
+  std::printf("%s: %zu triangles, %s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %zu overlapping pairs, %.3f s\n",
+              input.name.c_str(), input.faces.size(), levels.c_str(), run.summary.converged ? "converged" : "not converged",
+              run.quality->mips, run.quality->mips_excess, run.quality->symmetric_dirichlet, run.quality->flips,
+              run.quality->overlaps, run.summary.seconds_hierarchy + run.summary.seconds_parameterize);
+}
+
+// Reads, parameterizes, checks and writes one input.
+void run_input(const std::string& file, const Options& options, Input& input, Run_record& run)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  read_input(file, options.triangulate, input);
+  run.seconds_read = timer.time();
+
+  if (!options.levels.empty())
+    std::filesystem::create_directories(options.levels);
+  input.uvmap = input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+  run.summary = options.method->run(input, options);
+  if (run.summary.error.code == SMP::ERROR_NO_1_TO_1_MAPPING && run.summary.flips > 0)
+    throw Method_error{ "the map has " + std::to_string(run.summary.flips) + " triangles flipped; --flips repair or keep", SMP::ERROR_NO_1_TO_1_MAPPING };
+  if (run.summary.error.code != SMP::OK)
+    throw Method_error{ SMP::error_message(run.summary.error), run.summary.error.code };
+  const SMP::Parameterization_quality quality = SMP::parameterization_quality(input.mesh, input.faces, input.uvmap);
+  if (quality.flips > 0 && options.method->is_flip_free)
+    throw Method_error{ "no map without flips was found: " + std::to_string(quality.flips) + " triangles are not positive", SMP::ERROR_NO_1_TO_1_MAPPING };
+  if (quality.overlaps > 0 && options.is_globally_injective)
+    throw Method_error{ "no map without overlaps was found: " + std::to_string(quality.overlaps) + " pairs of triangles overlap", SMP::ERROR_NO_1_TO_1_MAPPING };
+
+  const double seconds_before_writing = timer.time();
+  if (!options.output.empty())
+    write_mesh(options.output, input);
+  if (!options.picture.empty())
+    write_picture(options.picture, input);
+  run.seconds_write = timer.time() - seconds_before_writing;
+  run.quality = quality;
+  run.status = run.summary.converged ? "ok" : "not_converged";
+}
+
+// Runs one input; appends its line to the report.
+Exit_status run(const std::string& file, const Options& options, std::string& report)
+{
+  Input input;
+  input.name = file.empty() ? "face" : file;
+  Run_record run;
+  const auto fail = [&](Exit_status exit_status, const std::string& status, const std::string& message) {
+    run.status = status;
+    run.error = message;
+    std::cerr << input.name << ": " << message << '\n';
+    return exit_status;
+  };
+
+  Exit_status exit_status = WRITTEN;
+  try {
+    run_input(file, options, input, run);
+    if (!options.quiet)
+      print_summary(input, run);
+  } catch (const Input_error& error) {
+    exit_status = fail(BAD_INPUT, error.code == SMP::OK ? "unreadable" : error_name(error.code), error.message);
+  } catch (const Method_error& error) {
+    const bool is_input_good = error.code == SMP::ERROR_NO_1_TO_1_MAPPING || error.code == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM
+                               || error.code == SMP::ERROR_NON_CONVEX_BORDER;
+    exit_status = fail(is_input_good ? METHOD_FAILED : BAD_INPUT, error_name(error.code), error.message);
+  } catch (const CGAL::Failure_exception& error) {
+    exit_status = fail(METHOD_FAILED, "failed", "an assertion of CGAL failed: " + error.expression() + " in " + error.filename() + ", line " + std::to_string(error.line_number()));
+  } catch (const std::bad_alloc&) {
+    exit_status = fail(METHOD_FAILED, "failed", "not enough memory");
+  } catch (const std::exception& error) {
+    exit_status = fail(METHOD_FAILED, "failed", error.what());
+  }
+  run.input = input.name;
+  run.method = options.method->name;
+  run.vertices = input.mesh.number_of_vertices();
+  run.faces = input.mesh.number_of_faces();
+  run.borders = input.number_of_borders;
+  report += report_line(run);
+  return exit_status;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  // A failed assertion of CGAL is an exception, told in one line as every error; a file that may not grow further is a failed write, not the end.
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) { });
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    Options options;
+    if (!read_options(argc, argv, options))
+      return WRITTEN;
+#ifdef CGAL_LINKED_WITH_TBB
+    constexpr auto most_threads = tbb::global_control::max_allowed_parallelism;
+    const tbb::global_control limit(most_threads, options.threads > 0 ? std::size_t(options.threads) : tbb::global_control::active_value(most_threads));
+#endif
+    std::string report;
+    int status = WRITTEN;
+    for (const std::string& input : options.inputs)
+      status = (std::max)(status, int(run(input, options, report)));
+    if (!options.report.empty())
+      write_file(options.report, [&](std::ostream& out) { out << report; });
+    return status;
+  } catch (const Usage_error& error) {
+    std::cerr << "hierarchical_parameterization: " << error.message << "; see --help\n";
+    return WRONG_USAGE;
+  } catch (const std::exception& error) {
+    std::cerr << "hierarchical_parameterization: " << error.what() << '\n';
+    return METHOD_FAILED;
+  }
+}

@@ -1,0 +1,189 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is parameterized.
+
+#include "input.h"
+
+#include "../Surface_mesh_parameterization/face_mesh.h"
+#include "Polygon_soup.h"
+#include "has_suffix.h"
+
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/longest_border.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/utility.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <istream>
+#include <iterator>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace {
+
+// Everything that a stream holds.
+std::string read_content(std::istream& in)
+{
+  std::string content;
+  char block[1 << 16];
+  while (in.read(block, sizeof block), in.gcount() > 0)
+    content.append(block, std::size_t(in.gcount()));
+  if (in.bad())
+    throw Input_error{ "cannot be read" };
+  if (content.empty())
+    throw Input_error{ "is empty", SMP::ERROR_EMPTY_MESH };
+  return content;
+}
+
+std::string read_content(const std::string& file)
+{
+  namespace fs = std::filesystem;
+  std::error_code unused_error;
+  const fs::file_type type = fs::status(file, unused_error).type();
+  if (type == fs::file_type::not_found)
+    throw Input_error{ "does not exist" };
+  if (type != fs::file_type::regular && type != fs::file_type::fifo)
+    throw Input_error{ "is no file that can be read" };
+  std::ifstream in(file, std::ios::binary);
+  if (!in.is_open())
+    throw Input_error{ "cannot be opened" };
+  return read_content(in);
+}
+
+// The ending that a file with that content would have.
+std::string guess_suffix(const std::string& content)
+{
+  const std::string first_word = content.substr(0, content.find_first_of(" \t\r\n"));
+  if (first_word == "ply")
+    return ".ply";
+  if (has_suffix(first_word, "off"))      // COFF, NOFF, ...
+    return ".off";
+  const bool is_text = content.find('\0') == std::string::npos;
+  return first_word == "solid" || !is_text ? ".stl" : ".obj";
+}
+
+Kernel::Point_3 point_of(const Polygon_soup& soup, std::size_t v)
+{
+  return Kernel::Point_3(soup.points[v][0], soup.points[v][1], soup.points[v][2]);
+}
+
+// Whether the triangles have all edges of a polygon of n corners, and other edges in pairs.
+bool is_triangulation(const std::vector<CGAL::Triple<int, int, int>>& triangles, int n)
+{
+  std::vector<std::pair<int, int>> edges;
+  for (const CGAL::Triple<int, int, int>& t : triangles)
+    edges.insert(edges.end(), { { t.first, t.second }, { t.second, t.third }, { t.third, t.first } });
+  for (int i = 0; i < n; ++i)
+    edges.emplace_back((i + 1) % n, i);              // the other side of the polygon's
+  std::sort(edges.begin(), edges.end());
+  return triangles.size() == std::size_t(n - 2) && std::adjacent_find(edges.begin(), edges.end()) == edges.end()
+         && std::all_of(edges.begin(), edges.end(), [&](const std::pair<int, int>& e) {
+              return std::binary_search(edges.begin(), edges.end(), std::make_pair(e.second, e.first));
+            });
+}
+
+// Puts triangles in the places of polygons. Not by CGAL's triangulate_faces(), which writes out of bounds where a
+// corner of a face lies on another edge or corner of it.
+void triangulate(Polygon_soup& soup)
+{
+  constexpr std::size_t most_corners = 500;          // the time goes with the third power
+  std::vector<Polygon_soup::Polygon> result;
+  for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
+    const Polygon_soup::Polygon& polygon = soup.polygons[f];
+    if (polygon.size() == 3) {
+      result.push_back(polygon);
+      continue;
+    }
+    if (polygon.size() > most_corners)
+      throw Input_error{ face_text(f) + " has more than " + std::to_string(most_corners) + " corners", SMP::ERROR_NON_TRIANGULAR_MESH };
+    std::vector<Kernel::Point_3> corners;
+    for (const std::size_t v : polygon)
+      corners.push_back(point_of(soup, v));
+    std::vector<CGAL::Triple<int, int, int>> triangles;
+    CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
+      corners, std::back_inserter(triangles), CGAL::parameters::use_delaunay_triangulation(false).use_2d_constrained_delaunay_triangulation(false));
+    if (!is_triangulation(triangles, int(polygon.size())))
+      throw Input_error{ face_text(f) + " cannot be triangulated", SMP::ERROR_NON_TRIANGULAR_MESH };
+    for (const CGAL::Triple<int, int, int>& t : triangles)
+      result.push_back({ polygon[std::size_t(t.first)], polygon[std::size_t(t.second)], polygon[std::size_t(t.third)] });
+  }
+  soup.polygons = std::move(result);
+}
+
+} // namespace
+
+Mesh make_mesh(Polygon_soup soup, bool is_triangulated)
+{
+  if (soup.polygons.empty())
+    throw Input_error{ "has no faces", SMP::ERROR_EMPTY_MESH };
+  check_indices(soup);
+  check_coordinates(soup);
+  check_corners(soup, is_triangulated);
+  check_manifold(soup);
+  if (is_triangulated) {
+    triangulate(soup);
+    check_manifold(soup);                 // two polygons may have got the same diagonal
+  }
+  std::vector<Kernel::Point_3> points;
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+    points.push_back(point_of(soup, v));
+  Mesh mesh;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, soup.polygons, mesh);
+  return mesh;
+}
+
+Mesh read_mesh(const std::string& file, bool is_triangulated)
+{
+  if (file == "-") {
+    const std::string content = read_content(std::cin);
+    return make_mesh(read_soup(guess_suffix(content), content), is_triangulated);
+  }
+  return make_mesh(read_soup(file, read_content(file)), is_triangulated);
+}
+
+Mesh built_in_face()
+{
+  Mesh mesh;
+  make_face(mesh);
+  return mesh;
+}
+
+void choose_component(Input& input)
+{
+  const Mesh& mesh = input.mesh;
+  auto component_of = input.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component").first;
+  input.number_of_components = CGAL::Polygon_mesh_processing::connected_components(mesh, component_of);
+
+  std::vector<std::size_t> sizes(input.number_of_components, 0);
+  for (const Mesh::Face_index f : mesh.faces())
+    ++sizes[component_of[f]];
+  const std::size_t largest = std::size_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  for (const Mesh::Face_index f : mesh.faces())
+    if (component_of[f] == largest)
+      input.faces.push_back(f);
+
+  const auto longest = SMP::internal::longest_border(mesh, [&](Mesh::Halfedge_index h) { return component_of[mesh.face(mesh.opposite(h))] == largest; });
+  input.border = longest.halfedge;
+  input.number_of_borders = longest.number_of_borders;
+  if (input.number_of_borders == 0)
+    throw Input_error{ "is closed: a surface needs a border to be laid out; cut it open first, by leaving out a face or by doubling the vertices along a path of edges",
+                       SMP::ERROR_NO_TOPOLOGICAL_DISC };
+}
+
+void read_input(const std::string& file, bool is_triangulated, Input& input)
+{
+  if (file.empty())
+    input.mesh = built_in_face();
+  else
+    input.mesh = read_mesh(file, is_triangulated);
+  choose_component(input);
+}

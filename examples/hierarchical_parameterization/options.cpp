@@ -1,0 +1,112 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The command line.
+
+#include "options.h"
+
+#include "errors.h"
+
+#include <CGAL/version.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace {
+
+// One text of what `describe(method)` returns, for all of them.
+template <class Describe>
+std::string list_of_methods(const std::string& separator, const Describe& describe)
+{
+  std::string list;
+  for (const Method& method : methods())
+    list += (list.empty() ? "" : separator) + describe(method);
+  return list;
+}
+
+} // namespace
+
+bool read_options(int argc, char** argv, Options& options)
+{
+  namespace po = boost::program_options;
+  std::string method, weights, flips;
+  po::options_description described("Options");
+  described.add_options()
+    ("help,h", "print this text")
+    ("version", "print the version")
+    ("method", po::value(&method)->default_value("mips"), "one of those above")
+    ("output", po::value(&options.output), "write the mesh with its map as OBJ, or as PLY with the vertex properties u and v")
+    ("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion")
+    ("report", po::value(&options.report), "write figures as JSON, one line per input")
+    ("levels", po::value(&options.levels), "write every level of the hierarchy as OBJ into this folder")
+    ("triangulate", po::bool_switch(&options.triangulate), "cut faces of more than three corners into triangles")
+    ("flat", po::bool_switch(&options.flat), "run the method without the hierarchy; those of CGAL as they are shipped")
+    ("tolerance", po::value(&options.tolerance), "mips, symmetric-dirichlet, arap: converged when a step lowers the energy by less than this part of its excess over the minimum "
+                                                 "(default 1e-6); others: when the relative residual is not greater (default 1e-8, of CGAL's 1e-10)")
+    ("iterations", po::value(&options.iterations), "the most steps on a level: of Newton's method (default 200), or sweeps (default 10000); of CGAL's methods: the most steps of the linear solver (default 300)")
+    ("weights", po::value(&weights), "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)")
+    ("flips", po::value(&flips)->default_value("fail"), "of methods that can flip triangles: fail (an error), repair or keep")
+    ("globally-injective", po::bool_switch(&options.is_globally_injective), "mips, symmetric-dirichlet: keep the free border from running over itself")
+    ("fill-holes", po::bool_switch(&options.fills_holes), "close every border but the longest one by a virtual vertex, so that a hole is laid out as a part of the surface")
+    ("seed", po::value(&options.seed)->default_value(0), "of the random choices: the same seed gives the same result")
+    ("threads", po::value(&options.threads)->default_value(0), "the most threads to use, if built with TBB; 0: as many as there are. The result is the same")
+    ("quiet", po::bool_switch(&options.quiet), "print errors only");
+  po::options_description all;
+  all.add(described).add_options()("input", po::value(&options.inputs));
+  po::variables_map values;
+  try {
+    po::store(po::command_line_parser(argc, argv).options(all).positional(po::positional_options_description().add("input", -1)).run(), values);
+    po::notify(values);
+  } catch (const po::error& error) {
+    throw Usage_error{ error.what() };
+  }
+  if (values.count("help")) {
+    std::cout << "Usage: hierarchical_parameterization [INPUT ...] [OPTION ...]\n\n"
+                 "Lays triangulated surfaces (OFF, OBJ, PLY or STL) in the plane, coarse to fine.\n"
+                 "Without INPUT: a built-in face of 1042 vertices. INPUT may be -, the standard input.\n\n"
+                 "Examples:\n"
+                 "  hierarchical_parameterization scan.ply --output scan.obj --picture map.svg\n"
+                 "  hierarchical_parameterization --method symmetric-dirichlet --globally-injective scan.ply --output map.ply\n"
+                 "  find charts -name '*.off' | xargs -P 8 -n 100 hierarchical_parameterization --quiet --threads 1\n\n"
+                 "Methods:\n  "
+              << list_of_methods("\n  ", [](const Method& m) { return m.name + ": " + m.description + (m.is_flip_free ? "; no triangle flips" : ""); }) << "\n\n" << described << "\n"
+                 "Exit status: 0 maps written, 1 wrong usage, 2 an input cannot be read or is no surface to parameterize, 3 a method failed or a file cannot be written.\n";
+    return false;
+  }
+  if (values.count("version")) {
+    std::cout << "hierarchical_parameterization " PROGRAM_VERSION " with CGAL " << CGAL_STR(CGAL_VERSION) << '\n';
+    return false;
+  }
+  options.method = find_method(method);
+  if (!options.method)
+    throw Usage_error{ "unknown method '" + method + "'; there are: " + list_of_methods(", ", [](const Method& m) { return m.name; }) };
+  if (!weights.empty() && weights != "triangle" && weights != "area")
+    throw Usage_error{ "unknown weights '" + weights + "'; there are: triangle, area" };
+  options.triangle_weight = weights.empty() ? options.method->triangle_weight : weights == "area" ? SMP::Triangle_weight::AREA : SMP::Triangle_weight::ONE;
+  if (flips != "fail" && flips != "repair" && flips != "keep")
+    throw Usage_error{ "unknown way with flips '" + flips + "'; there are: fail, repair, keep" };
+  options.flip_policy = flips == "fail" ? SMP::Flip_policy::FAIL : flips == "repair" ? SMP::Flip_policy::REPAIR : SMP::Flip_policy::KEEP;
+  if (!values.count("tolerance"))
+    options.tolerance = options.method->tolerance;
+  if (!values.count("iterations"))
+    options.iterations = options.method->iterations;
+  if (!(options.tolerance >= 0))
+    throw Usage_error{ "the tolerance must not be negative" };
+  if (options.is_globally_injective && !options.method->is_flip_free)
+    throw Usage_error{ "--globally-injective: " + method + " does not promise maps without flips" };
+  if (options.threads < 0)
+    throw Usage_error{ "the number of threads must not be negative" };
+  if (!options.levels.empty() && !options.method->has_levels)
+    throw Usage_error{ "--levels: " + method + " parameterizes the finest level only" };
+  if (options.inputs.size() > 1 && !(options.output.empty() && options.picture.empty() && options.levels.empty()))
+    throw Usage_error{ "--output, --picture and --levels take one input" };
+  if (std::find(options.inputs.begin(), options.inputs.end(), "") != options.inputs.end())
+    throw Usage_error{ "the name of an input is empty" };
+  if (options.inputs.empty())
+    options.inputs.emplace_back();
+  return true;
+}

@@ -1,0 +1,26 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The command line.
+
+#ifndef OPTIONS_H
+#define OPTIONS_H
+
+#include "methods.h"
+
+#include <string>
+#include <vector>
+
+struct Options : Method_options
+{
+  std::vector<std::string> inputs;
+  const Method* method;
+  std::string output, picture, report;
+  int threads;
+  bool triangulate;
+};
+
+// Returns whether there is something to do: not after --help and --version. Throws a Usage_error.
+bool read_options(int argc, char** argv, Options& options);
+
+#endif // OPTIONS_H

@@ -1,0 +1,69 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The report of what was done.
+
+#include "report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <sys/resource.h>
+
+#include <cstddef>
+#include <string>
+
+const char* error_name(SMP::Error_code code)
+{
+  switch (code) {
+    case SMP::OK: return "ok";
+    case SMP::ERROR_EMPTY_MESH: return "ERROR_EMPTY_MESH";
+    case SMP::ERROR_NON_TRIANGULAR_MESH: return "ERROR_NON_TRIANGULAR_MESH";
+    case SMP::ERROR_NO_TOPOLOGICAL_DISC: return "ERROR_NO_TOPOLOGICAL_DISC";
+    case SMP::ERROR_NO_TOPOLOGICAL_BALL: return "ERROR_NO_TOPOLOGICAL_BALL";
+    case SMP::ERROR_BORDER_TOO_SHORT: return "ERROR_BORDER_TOO_SHORT";
+    case SMP::ERROR_NON_CONVEX_BORDER: return "ERROR_NON_CONVEX_BORDER";
+    case SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM: return "ERROR_CANNOT_SOLVE_LINEAR_SYSTEM";
+    case SMP::ERROR_NO_1_TO_1_MAPPING: return "ERROR_NO_1_TO_1_MAPPING";
+    case SMP::ERROR_WRONG_PARAMETER: return "ERROR_WRONG_PARAMETER";
+  }
+  return "unknown";
+}
+
+namespace {
+
+std::size_t peak_memory_bytes()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return std::size_t(usage.ru_maxrss) * 1024;
+}
+
+} // namespace
+
+std::string report_line(const Run_record& run)
+{
+  const SMP::Parameterization_summary& summary = run.summary;
+  nlohmann::ordered_json report = {
+    { "input", run.input }, { "vertices", run.vertices }, { "faces", run.faces },
+    { "borders", run.borders }, { "method", run.method }, { "status", run.status }, { "error", nullptr },
+    { "levels", nlohmann::ordered_json::array() },
+    { "seconds", { { "read", run.seconds_read }, { "hierarchy", summary.seconds_hierarchy },
+                   { "parameterize", summary.seconds_parameterize }, { "write", run.seconds_write } } },
+    { "linear_solver", nullptr },
+    { "peak_memory_bytes", peak_memory_bytes() },
+    { "quality", nullptr } };
+  if (!run.error.empty())
+    report["error"] = run.error;
+  for (const SMP::Level_summary& level : summary.levels)
+    report["levels"].push_back({ { "vertices", level.vertices }, { "faces", level.faces }, { "energy_start", level.energy_start },
+                                 { "energy_end", level.energy_end }, { "iterations", level.iterations }, { "seconds", level.seconds } });
+  if (const SMP::Linear_solver_summary& solver = summary.linear_solver; solver.right_sides > 0)
+    report["linear_solver"] = { { "iterations", solver.iterations }, { "residual", solver.residual }, { "direct_solutions", solver.direct_solutions },
+                                { "seconds", solver.seconds_setup + solver.seconds_solve } };
+  if (const auto& quality = run.quality)
+    report["quality"] = { { "flips", quality->flips }, { "degenerate", quality->degenerate }, { "overlaps", quality->overlaps },
+                          { "mips", quality->mips }, { "mips_excess", quality->mips_excess },
+                          { "symmetric_dirichlet", quality->symmetric_dirichlet }, { "l2_stretch", quality->l2_stretch },
+                          { "linf_stretch", quality->linf_stretch }, { "angle", quality->angle }, { "area", quality->area } };
+  return report.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}

@@ -1,0 +1,105 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The methods that are CGAL's.
+
+#include "Level_visitor.h"
+#include "input.h"
+#include "methods.h"
+#include "run_shipped.h"
+
+#include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_authalic_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Iterative_authalic_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <streambuf>
+#include <string>
+#include <system_error>
+
+namespace {
+
+// Runs one of CGAL's parameterizers hierarchically; flat, as it is shipped.
+template <class Parameterizer>
+SMP::Parameterization_summary run_wrapped(Input& input, const Method_options& options, Run_method* run_shipped)
+{
+  if (options.flat)
+    return run_shipped(input, options);
+  SMP::Parameterization_summary summary;
+  const SMP::Hierarchical_parameterizer_3<Parameterizer> hierarchical(
+    CGAL::parameters::tolerance(options.tolerance).flip_policy(options.flip_policy).fill_holes(options.fills_holes)
+      .summary(std::ref(summary)).number_of_iterations(options.iterations).random_seed(options.seed)
+      .visitor(Level_visitor(input, options)));
+  SMP::parameterize(input.mesh, hierarchical, input.border, input.uvmap);
+  return summary;
+}
+
+// While it lives, the current folder is a new one, which goes with it, and the standard output is switched off.
+class Confinement
+{
+public:
+  Confinement()
+    : m_outside(std::filesystem::current_path()),
+      m_folder(std::filesystem::temp_directory_path() / ("hierarchical_parameterization_" + std::to_string(getpid()))), m_output(std::cout.rdbuf(nullptr))
+  {
+    std::filesystem::create_directory(m_folder);
+    std::filesystem::current_path(m_folder);
+  }
+
+  ~Confinement()
+  {
+    std::error_code unused_error;
+    std::filesystem::current_path(m_outside, unused_error);
+    std::filesystem::remove_all(m_folder, unused_error);
+    std::cout.rdbuf(m_output);
+  }
+
+  Confinement(const Confinement&) = delete;
+  Confinement& operator=(const Confinement&) = delete;
+
+private:
+  std::filesystem::path m_outside, m_folder;
+  std::streambuf* m_output;
+};
+
+} // namespace
+
+SMP::Parameterization_summary run_barycentric(Input& input, const Method_options& options)
+{
+  return run_wrapped<SMP::Barycentric_mapping_parameterizer_3<Mesh>>(input, options, run_shipped_barycentric);
+}
+
+SMP::Parameterization_summary run_mean_value(Input& input, const Method_options& options)
+{
+  return run_wrapped<SMP::Mean_value_coordinates_parameterizer_3<Mesh>>(input, options, run_shipped_mean_value);
+}
+
+SMP::Parameterization_summary run_conformal(Input& input, const Method_options& options)
+{
+  return run_wrapped<SMP::Discrete_conformal_map_parameterizer_3<Mesh>>(input, options, run_shipped_conformal);
+}
+
+SMP::Parameterization_summary run_authalic(Input& input, const Method_options& options)
+{
+  return run_wrapped<SMP::Discrete_authalic_parameterizer_3<Mesh>>(input, options, run_shipped_authalic);
+}
+
+// In CGAL 5 this parameterizer prints its progress, and writes a file into the current folder in every iteration.
+SMP::Parameterization_summary run_iterative_authalic(Input& input, const Method_options& options)
+{
+  const Confinement confinement;
+  return run_wrapped<SMP::Iterative_authalic_parameterizer_3<Mesh>>(input, options, run_shipped_iterative_authalic);
+}
+
+SMP::Parameterization_summary run_lscm(Input& input, const Method_options& options)
+{
+  return run_wrapped<SMP::LSCM_parameterizer_3<Mesh>>(input, options, run_shipped_lscm);
+}

@@ -1,0 +1,19 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes maps.
+
+#ifndef WRITE_MAP_H
+#define WRITE_MAP_H
+
+#include <string>
+
+struct Input;
+
+// Writes the mesh with its map: as PLY if the name says so, otherwise as OBJ.
+void write_mesh(const std::string& file, Input& input);
+
+// Draws the map as SVG.
+void write_picture(const std::string& file, const Input& input);
+
+#endif // WRITE_MAP_H
