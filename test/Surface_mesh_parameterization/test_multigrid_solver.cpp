@@ -71,6 +71,19 @@ TEST(Multigrid_solver_traits, solves_what_sits_on_a_mesh)
   }
 }
 
+TEST(Multigrid_solver_traits, solution_may_replace_the_right_side)
+{
+  const Flat_mesh m = grid(20, 20, wavy);
+  const Known_system system(edge_matrix(m, Uniform_edge_weights_3()));
+  for (const std::size_t most_iterations : { 300, 0 }) {      // and by the direct solver
+    Solver_on_mesh on(m, parameters::number_of_iterations(most_iterations));
+    Vector x = system.right_side;
+    double d;
+    EXPECT_TRUE(on.solver.linear_solver(system.matrix, x, x, d));
+    EXPECT_LT(system.error(x), 1e-8);
+  }
+}
+
 // Whose coarse levels have no vertex that is not on the border.
 TEST(Multigrid_solver_traits, solves_where_coarse_levels_have_no_unknown)
 {
