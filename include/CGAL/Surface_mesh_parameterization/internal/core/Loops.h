@@ -43,25 +43,15 @@ public:
   Index number_of_parts() const { return m_is_parallel ? 4 : 1; }
 
   // Calls f(begin, end) for every block.
-  template <class Function>
-  void for_each_block(Index first, Index last, const Function& f, Index block_size = default_block_size) const
-  {
-    run_blocks(number_of_blocks(first, last, block_size), [&](Index block) {
-      const Index begin = first + block * block_size;
-      f(begin, (std::min)(last - begin, block_size) + begin);
-    });
-  }
+  void for_each_block(Index first, Index last, Function_ref<void(Index, Index)> f, Index block_size = default_block_size) const;
 
   // Calls f(begin, end, scratch) for every block; make_scratch() makes the scratch of a thread.
   template <class Make_scratch, class Function>
   void for_each_block_with_scratch(Index first, Index last, const Make_scratch& make_scratch, const Function& f, Index block_size = default_block_size) const
   {
     typedef decltype(make_scratch())   Scratch;
-    const auto make = [&] { return std::shared_ptr<void>(std::make_shared<Scratch>(make_scratch())); };
-    run_blocks(number_of_blocks(first, last, block_size), make, [&](Index block, void* scratch) {
-      const Index begin = first + block * block_size;
-      f(begin, (std::min)(last - begin, block_size) + begin, *static_cast<Scratch*>(scratch));
-    });
+    for_each_block_with_any_scratch(first, last, block_size, [&] { return std::shared_ptr<void>(std::make_shared<Scratch>(make_scratch())); },
+                                    [&](Index begin, Index end, void* scratch) { f(begin, end, *static_cast<Scratch*>(scratch)); });
   }
 
   // Calls f(i) for every index.
@@ -102,13 +92,20 @@ public:
   template <class Result, class Function>
   Result sum(Index first, Index last, const Result& zero, const Function& f) const
   {
-    return reduce(first, last, zero, [&](Index begin, Index end) {
+    const auto sum_of_block = [&](Index begin, Index end) {
       Result result = zero;
       for (Index i = begin; i < end; ++i)
         result += f(i);
       return result;
-    }, [](Result& a, const Result& b) { a += b; });
+    };
+    if constexpr (std::is_same<Result, double>::value)
+      return zero + sum_of_blocks(first, last, sum_of_block);
+    else
+      return reduce(first, last, zero, sum_of_block, [](Result& a, const Result& b) { a += b; });
   }
+
+  // The sum of f(begin, end) over the blocks.
+  double sum_of_blocks(Index first, Index last, Function_ref<double(Index, Index)> f) const;
 
   // The least f(i), infinity if there is none.
   template <class Result, class Function>
@@ -126,11 +123,8 @@ private:
   template <class Result>
   struct Slot { Result value; };      // a vector of bool would share its bytes among threads
 
-  // Calls run(block) for every block: on all threads that TBB has if that is wished, and the engine was compiled with TBB.
-  void run_blocks(Index blocks, Function_ref<void(Index)> run) const;
-
-  // Calls run(block, scratch).
-  void run_blocks(Index blocks, Function_ref<std::shared_ptr<void>()> make_scratch, Function_ref<void(Index, void*)> run) const;
+  void for_each_block_with_any_scratch(Index first, Index last, Index block_size, Function_ref<std::shared_ptr<void>()> make_scratch,
+                                       Function_ref<void(Index, Index, void*)> f) const;
 
   static Index number_of_blocks(Index first, Index last, Index block_size) { return last <= first ? 0 : (last - first - 1) / block_size + 1; }
 

@@ -6,6 +6,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 
+#include <algorithm>
+#include <memory>
+#include <vector>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -13,12 +17,18 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+// Several threads only where that is wished, and the engine was compiled with TBB.
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void Loops::run_blocks(Index blocks, Function_ref<void(Index)> run) const
+void Loops::for_each_block(Index first, Index last, Function_ref<void(Index, Index)> f, Index block_size) const
 {
+  const Index blocks = number_of_blocks(first, last, block_size);
+  const auto run = [&](Index block) {
+    const Index begin = first + block * block_size;
+    f(begin, (std::min)(last - begin, block_size) + begin);
+  };
 #ifdef CGAL_LINKED_WITH_TBB
   if (m_is_parallel && blocks > 1) {
-    tbb::parallel_for(Index(0), blocks, [&](Index block) { run(block); });
+    tbb::parallel_for(Index(0), blocks, run);
     return;
   }
 #endif
@@ -27,18 +37,29 @@ void Loops::run_blocks(Index blocks, Function_ref<void(Index)> run) const
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void Loops::run_blocks(Index blocks, Function_ref<std::shared_ptr<void>()> make_scratch, Function_ref<void(Index, void*)> run) const
+void Loops::for_each_block_with_any_scratch(Index first, Index last, Index block_size, Function_ref<std::shared_ptr<void>()> make_scratch,
+                                            Function_ref<void(Index, Index, void*)> f) const
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  if (m_is_parallel && blocks > 1) {
+  if (m_is_parallel && number_of_blocks(first, last, block_size) > 1) {
     tbb::enumerable_thread_specific<std::shared_ptr<void>> scratches([&] { return make_scratch(); });
-    tbb::parallel_for(Index(0), blocks, [&](Index block) { run(block, scratches.local().get()); });
+    for_each_block(first, last, [&](Index begin, Index end) { f(begin, end, scratches.local().get()); }, block_size);
     return;
   }
 #endif
   const std::shared_ptr<void> scratch = make_scratch();
-  for (Index block = 0; block < blocks; ++block)
-    run(block, scratch.get());
+  for_each_block(first, last, [&](Index begin, Index end) { f(begin, end, scratch.get()); }, block_size);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+double Loops::sum_of_blocks(Index first, Index last, Function_ref<double(Index, Index)> f) const
+{
+  std::vector<double> sums(number_of_blocks(first, last, default_block_size));
+  for_each_block(first, last, [&](Index begin, Index end) { sums[(begin - first) / default_block_size] = f(begin, end); });
+  double result = 0;
+  for (const double sum : sums)
+    result += sum;
+  return result;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -68,6 +68,9 @@ struct Values
   // 0 where the divisor is.
   friend Values quotient(const Values& a, const Values& b) { return map(a, b, [](Real x, Real y) { return y != 0 ? x / y : Real(0); }); }
 
+  // 0 where it is not positive.
+  friend Values quotient_by_positive(const Values& a, const Values& b) { return map(a, b, [](Real x, Real y) { return y > 0 ? x / y : Real(0); }); }
+
   // For all elements; a NaN is neither.
   friend bool is_less_or_equal(const Values& a, const Values& b) { return all_of(a, b, [](Real x, Real y) { return x <= y; }); }
   friend bool is_finite(const Values& a) { return all_of(a, a, [](Real x, Real) { return std::isfinite(x); }); }

@@ -37,7 +37,17 @@ public:
   double weight(Index i, std::size_t position) const { return m_row_sums[i] * m_weights[m_level.rings().first_slot(i) + position]; }
   double sum_of_weights(Index i) const { return m_row_sums[i]; }
 
-  Vector_2 residual(Index i, const Level::Uv& uv) const;
+  Vector_2 residual(Index i, const Level::Uv& uv) const
+  {
+    const Point_2& p = uv[i];
+    const double* weight = m_weights.data() + m_level.rings().first_slot(i);
+    double x = 0, y = 0;
+    for (Index j : m_level.one_ring(i)) {
+      x += *weight * (uv[j].x() - p.x());
+      y += *weight++ * (uv[j].y() - p.y());
+    }
+    return Vector_2(x, y);
+  }
 
   // The norm of all residuals, relative to those of the map that has every vertex that is not fixed in one point.
   double relative_residual(const Level::Uv& uv) const;

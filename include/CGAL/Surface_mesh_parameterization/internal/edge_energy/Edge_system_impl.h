@@ -33,19 +33,6 @@ Edge_system::Edge_system(const Level& level, const Make_weight_function& make_we
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Vector_2 Edge_system::residual(Index i, const Level::Uv& uv) const
-{
-  const Point_2& p = uv[i];
-  const double* weight = m_weights.data() + m_level.rings().first_slot(i);
-  double x = 0, y = 0;
-  for (Index j : m_level.one_ring(i)) {
-    x += *weight * (uv[j].x() - p.x());
-    y += *weight++ * (uv[j].y() - p.y());
-  }
-  return Vector_2(x, y);
-}
-
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 double Edge_system::relative_residual(const Level::Uv& uv) const
 {
   return relative(m_level.loops().sum(0, size(), 0., [&](Index i) { return m_level.is_fixed(i) ? 0 : residual(i, uv).squared_length(); }));

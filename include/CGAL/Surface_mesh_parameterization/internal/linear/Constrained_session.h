@@ -30,7 +30,7 @@ public:
   { }
 
   // The multipliers, for which nobody asks, become 0.
-  bool solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution) override;
+  CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE bool solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution) override;
 
 private:
   std::vector<Index> m_ranks;

@@ -26,6 +26,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // `most_iterations`, or where a right side breaks down; they return the number of iterations.
 
 inline double quotient(double a, double b) { return b != 0 ? a / b : 0; }
+inline double quotient_by_positive(double a, double b) { return b > 0 ? a / b : 0; }
 inline bool is_less_or_equal(double a, double b) { return a <= b; }
 inline bool is_finite(double a) { return std::isfinite(a); }
 
@@ -78,7 +79,7 @@ Product_of<Vector> go_along(const System& system, const Product_of<Vector>& alph
   });
 }
 
-// Conjugate gradients; A and M must be symmetric and positive definite. `p` is scratch of the size of x.
+// Conjugate gradients; A and M must be symmetric and positive definite. Where rounding makes M indefinite, they begin anew. `p` is scratch of the size of x.
 template <class System, class Vector>
 std::size_t conjugate_gradients(System& system, Vector& x, Vector& r, Vector& p, std::size_t most_iterations)
 {
@@ -91,7 +92,7 @@ std::size_t conjugate_gradients(System& system, Vector& x, Vector& r, Vector& p,
   while (iterations < most_iterations && !system.is_finished(norm2)) {
     Vector& z = system.precondition(r);
     ++iterations;
-    const Product rz_before = std::exchange(rz, inner_product(loops, r, z)), beta = quotient(rz, rz_before);
+    const Product rz_before = std::exchange(rz, inner_product(loops, r, z)), beta = quotient_by_positive(rz, rz_before);
     loops.for_each(0, system.number_of_rows(), [&](Index i) { p[i] = z[i] + beta * p[i]; });
     const Product curvature = multiply(system, p, z, p), alpha = quotient(rz, curvature);
     if (!is_less_or_equal(zero, curvature) || !is_finite(alpha))

@@ -32,7 +32,7 @@ public:
 
   Multigrid_session(const Multigrid_session&) = delete;
   Multigrid_session& operator=(const Multigrid_session&) = delete;
-  ~Multigrid_session() override;
+  CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE ~Multigrid_session() override;
 
   const Linear_solver_summary& summary() const { return m_summary; }
 
@@ -40,7 +40,7 @@ public:
   bool set_up(const Sparse_matrix& matrix, const std::vector<Index>& tied_vertices = {});
 
   // Solves with a matrix for one right side.
-  virtual bool solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution);
+  CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE virtual bool solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution);
 
   // Solves for one right side with the last matrix.
   bool solve(const Vector& right_side, Vector& solution);

@@ -22,8 +22,7 @@ double Level_energy::total_weight() const
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 double Level_energy::operator()(const Level::Uv& uv) const
 {
-  return m_level.loops().reduce(0, Index(m_level.number_of_vertices()), 0., [&](Index begin, Index end) { return sum(begin, end, uv); },
-                                [](double& a, double b) { a += b; });
+  return m_level.loops().sum_of_blocks(0, Index(m_level.number_of_vertices()), [&](Index begin, Index end) { return sum(begin, end, uv); });
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
