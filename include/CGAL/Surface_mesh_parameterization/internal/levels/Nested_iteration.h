@@ -10,10 +10,12 @@
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Function_ref.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Real_timer.h>
@@ -33,6 +35,10 @@ public:
   virtual Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) = 0;
   virtual Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) = 0;
   virtual bool leave_room() = 0;
+
+  // Does with the flips of a finished map what the policy says, see apply_flip_policy().
+  virtual Error_code settle_flips(Flip_policy policy, const One_rings& rings, Function_ref<Triangulated_surface_3()> make_surface, Level::Uv& uv,
+                                  Parameterization_summary& summary) const = 0;
 };
 
 struct Nested_iteration_options

@@ -7,7 +7,6 @@
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
 
 #include <cstddef>
@@ -113,7 +112,7 @@ Error_code Nested_iteration::finish(const Level& level, Level::Uv& uv)
     }
     return surface;
   };
-  return apply_flip_policy(m_options.flip_policy, level.rings(), surface_by_rank, uv, m_summary);
+  return m_method.settle_flips(m_options.flip_policy, level.rings(), surface_by_rank, uv, m_summary);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

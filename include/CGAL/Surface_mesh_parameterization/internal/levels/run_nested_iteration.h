@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/write_map.h>
 
@@ -35,6 +36,16 @@ public:
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) override { return m_method.parameterize_coarsest(level, uv); }
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) override { return m_method.refine(level, uv, summary); }
   bool leave_room() override { return leave_room(m_method, 0); }
+
+  // Who keeps triangles positive needs no repair, and does not compile it.
+  Error_code settle_flips(Flip_policy policy, const One_rings& rings, Function_ref<Triangulated_surface_3()> make_surface, Level::Uv& uv,
+                          Parameterization_summary& summary) const override
+  {
+    if constexpr (Method::is_flip_free)
+      return policy == Flip_policy::KEEP || has_no_flips(rings, uv) ? OK : ERROR_NO_1_TO_1_MAPPING;
+    else
+      return apply_flip_policy(policy, rings, make_surface, uv, summary);
+  }
 
 private:
   // Calls the optional member of the concept.
