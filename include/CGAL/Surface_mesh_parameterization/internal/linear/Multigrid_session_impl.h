@@ -109,8 +109,10 @@ bool Multigrid_session::solve(const std::vector<const std::vector<double>*>& rig
     b.push_back(right_side->data());
   }
   std::vector<double*> x;
+  std::vector<std::size_t> sizes;       // which a failure leaves
   for (std::vector<double>* solution : solutions) {
-    solution->resize(n);
+    sizes.push_back(solution->size());
+    solution->resize((std::max)(n, solution->size()));
     x.push_back(solution->data());
   }
   const Linear_solver_result result = m_solver->solve(b, x, m_options);
@@ -118,6 +120,8 @@ bool Multigrid_session::solve(const std::vector<const std::vector<double>*>& rig
   m_summary.iterations = (std::max)(m_summary.iterations, result.iterations);
   m_summary.residual = (std::max)(m_summary.residual, result.residual);
   m_summary.direct_solutions += result.is_direct ? b.size() : 0;
+  for (std::size_t i = 0; i < solutions.size(); ++i)
+    solutions[i]->resize(result.is_solved ? n : sizes[i]);
   m_summary.seconds_solve += timer.time();
   return result.is_solved;
 }
