@@ -4,10 +4,11 @@
 /// \ingroup PkgHierarchicalParameterizationConcepts
 /// \cgalConcept
 ///
-/// The energy of a triangle's linear map from space to the plane, a function of its singular values `s1 >= s2 > 0` that is symmetric in them and
-/// twice differentiable. It is given through two invariants that are polynomials in the coordinates: the squared Frobenius norm
-/// `f = s1^2 + s2^2` and the determinant `d = s1 s2`. Either it is defined for positive `d` and grows beyond all bounds as `d` goes to 0 with `f` fixed, which
-/// keeps triangles positive, or it is defined for every `d`, and maps may have flips.
+/// The energy of a triangle's linear map from space to the plane: a symmetric, twice differentiable function of the singular
+/// values `s1 >= s2 > 0` of the map. Its arguments are two invariants that are polynomials in the coordinates: the squared
+/// Frobenius norm `f = s1^2 + s2^2` and the determinant `d = s1 s2`. There are two kinds of energies. One kind is defined
+/// for positive `d` and goes to infinity as `d` goes to 0 with `f` fixed: it keeps triangles positive. The other kind is
+/// defined for every `d`, and maps may have flips.
 ///
 /// Models are `DefaultConstructible` and `CopyConstructible`. The functions are `static` where an energy has no parameters.
 ///
@@ -26,7 +27,7 @@ public:
   /// whether the energy keeps triangles positive
   static constexpr bool is_flip_free;
 
-  /// the energy of a triangle with the given area in space; itself, if it does not depend on the area
+  /// the energy of a triangle with the given area in space; returns itself if the energy does not depend on the area
   DistortionEnergy_2 of_area(double area) const;
 
   /// the energy

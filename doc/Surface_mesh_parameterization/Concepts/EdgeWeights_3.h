@@ -4,9 +4,10 @@
 /// \ingroup PkgHierarchicalParameterizationConcepts
 /// \cgalConcept
 ///
-/// The coefficients \f$ c_{ij} \f$ of an edge energy: how strongly each neighbor draws a vertex. They depend on the shape of its one-ring in space.
+/// The weights \f$ c_{ij} \f$ of an edge energy: how strongly each neighbor attracts a vertex. They depend on the shape of
+/// the one-ring of the vertex in space.
 ///
-/// A model is copied; each copy is used by one thread at a time and may keep scratch space.
+/// Models are `DefaultConstructible` and `CopyConstructible`. One thread at a time uses a copy, which may keep scratch space.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Uniform_edge_weights_3`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Chordal_edge_weights_3`
@@ -16,7 +17,7 @@
 class EdgeWeights_3
 {
 public:
-  /// a point in space
+  /// a point in space, of `CGAL::Simple_cartesian<double>`
   typedef CGAL::Surface_mesh_parameterization::Level::Point_3   Point_3;
 
   /// whether \f$ c_{ij} = c_{ji} \f$, up to rounding
@@ -27,10 +28,12 @@ public:
 
   /// computes the weights of the edges of one vertex.
   ///
-  /// \param v the vertex; the surface is scaled to about size 1
-  /// \param ring its neighbors, counter-clockwise, two or more; with `v`, any two consecutive ones form a triangle, which may be degenerate
-  /// \param is_closed whether the last and the first neighbor form a triangle with `v`, too; if not, `v` lies on a border: of a hole, where the outer border is fixed
-  /// \param weights receives a finite number for each neighbor, in the order of the ring; its size before means nothing. If their sum is not positive, uniform
-  /// weights are taken instead
+  /// \param v the vertex; the size of the surface is about 1
+  /// \param ring its neighbors, counter-clockwise, two or more. With `v`, any two consecutive ones form a triangle, which may
+  ///        be degenerate
+  /// \param is_closed whether the last and the first neighbor form a triangle with `v`, too. If not, `v` lies on a border,
+  ///        which is that of a hole if the outer border is fixed
+  /// \param weights receives a finite number for each neighbor, in the order of the ring. It may have any size at the call.
+  ///        If the sum of the weights is not positive, uniform weights replace them
   void operator()(const Point_3& v, const std::vector<Point_3>& ring, bool is_closed, std::vector<double>& weights);
 };

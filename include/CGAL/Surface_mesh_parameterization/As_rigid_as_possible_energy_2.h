@@ -23,7 +23,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// Weighted by the areas, the sum over the triangles is the energy that `CGAL::Surface_mesh_parameterization::ARAP_parameterizer_3` minimizes, half of
 /// \f[ \sum_t \Bigl( \sum_{i} \cot\theta_i \, | u_{i+1} - u_{i+2} - L_t ( x_{i+1} - x_{i+2} ) |^2 + \lambda ( a_t^2 + b_t^2 - 1 )^2 \Bigr),
 ///     \qquad L_t = \begin{pmatrix} a_t & b_t \\ -b_t & a_t \end{pmatrix}, \f]
-/// with the best \f$ L_t \f$ put in. The cotangents may be negative: they only express the Dirichlet integral of a triangle.
+/// minimized over all \f$ L_t \f$. The cotangents may be negative: they only express the Dirichlet integral of a triangle.
 ///
 /// Source: Liu, Zhang, Xu, Gotsman, Gortler, *A local/global approach to mesh parameterization*, 2008.
 ///
@@ -40,21 +40,21 @@ public:
   /// whether the energy keeps triangles positive
   static constexpr bool is_flip_free = false;
 
-  /// \pre `lambda >= 0`; it may be infinite, which leaves no scale but 1
+  /// \pre `lambda >= 0`; if it is infinite, the scale is 1
   explicit As_rigid_as_possible_energy_2(double lambda = (std::numeric_limits<double>::infinity)(), double area = 1)
     : m_lambda(lambda), m_stiffness(lambda / (2 * area)) { }
 
   /// the energy, for the same lambda, of a triangle with the given area in space
   As_rigid_as_possible_energy_2 of_area(double area) const { return As_rigid_as_possible_energy_2(m_lambda, area); }
 
-  /// the energy of a map with the given squared Frobenius norm `s1^2 + s2^2` and determinant `s1 s2` of any sign
+  /// the energy of a map with the given squared Frobenius norm `s1^2 + s2^2` and determinant `s1 s2` of either sign
   double value(double frobenius, double determinant) const
   {
     const double r = mean_singular_value(frobenius, determinant);
     return anisotropy(frobenius, determinant) + scale_penalty(r, excess_scale(r));
   }
 
-  /// the energy's value and derivatives with respect to both arguments. They do not exist where `s1 + s2 = 0`, and are finite there.
+  /// the energy's value and derivatives with respect to both arguments. They do not exist where `s1 + s2 = 0`; the values returned there are finite.
   ///
   /// With `r = (s1 + s2) / 2` the energy is `(s1 - s2)^2 / 2 + h(r)` where `h(r) = min 2 (r - s)^2 + k (s^2 - 1)^2`. By the envelope theorem
   /// `h' = 4 (r - s)` at the best `s`, and with the implicit derivative of `s`, `h'' = 4 (1 - 1 / (1 + k (3 s^2 - 1)))`.

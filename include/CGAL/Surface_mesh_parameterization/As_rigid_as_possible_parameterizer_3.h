@@ -23,15 +23,17 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// Minimizes the energy of CGAL's `ARAP_parameterizer_3`, see `As_rigid_as_possible_energy_2`, with a free border: the greater `lambda`, the better
-/// lengths are kept at the expense of angles. As in CGAL, triangles of the result may be flipped where that costs less, and `lambda` is in the units of
-/// the mesh: it weighs against squares of lengths. A `lambda` that is too small for the units makes the map shrink, at last to a point, because that costs
-/// least. For `lambda` 0, where no scale is better than another, two vertices on the border are held far from each other. Flips are treated
-/// as the named parameter `flip_policy` says.
+/// Minimizes the energy of CGAL's `ARAP_parameterizer_3` with a free border, see `As_rigid_as_possible_energy_2`. A greater
+/// `lambda` preserves lengths better, at the expense of angles. As in CGAL, triangles of the result may be flipped where
+/// that lowers the energy. The named parameter `flip_policy` says how flips are treated.
 ///
-/// The energy has many local minima, and once a map is folded it does not unfold. So the levels below the finest, or Tutte's map where the method runs
-/// alone, are made flip-free and free of strong distortion by the symmetric Dirichlet energy. On the finest level Newton's method with multigrid starts
-/// from there.
+/// As in CGAL, `lambda` depends on the units of the mesh, because it is compared with squares of lengths. If it is too small
+/// for the units, the map shrinks, in the limit to a point. If it is 0, no scale is better than another; then two vertices on
+/// the border are kept far from each other.
+///
+/// The energy has many local minima, and a folded map does not unfold. So the levels below the finest, or Tutte's map in a
+/// flat run, are optimized for the symmetric Dirichlet energy, which removes strong distortion without flips. On the finest
+/// level Newton's method with multigrid starts from there.
 ///
 /// Energies are reported as CGAL reports them: half of the sum over the edges of all triangles, in the units of the mesh.
 ///
@@ -51,9 +53,10 @@ class As_rigid_as_possible_parameterizer_3
 
 public:
   /// \param np
-  /// - `lambda`: what a change of scale costs; at least 0, and may be infinite; default 1000, as in CGAL
-  /// - `tolerance`, `number_of_iterations` and the other named parameters of `Refinement_options`, less `triangle_weight`
-  /// - `flip_policy`: a `Flip_policy`: what becomes of the flips of a flat run; default `FAIL`
+  /// - `lambda`: the cost of a change of scale, at least 0, may be infinite; default 1000, as in CGAL
+  /// - `tolerance`, `number_of_iterations` and the other named parameters of `Refinement_options`, except `triangle_weight`
+  ///   and `globally_injective`
+  /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `FAIL`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit As_rigid_as_possible_parameterizer_3(const NamedParameters& np = parameters::default_values())
@@ -65,7 +68,7 @@ public:
     CGAL_precondition(m_lambda >= 0);
   }
 
-  /// Tutte's map of a level, scaled to the surface's area. Of the only level, improved as far as it can be without a flip.
+  /// Tutte's map of a level, scaled to the surface's area. In a flat run it is then improved without flips.
   /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING` if Tutte's map, computed in doubles, has a flip
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
@@ -78,7 +81,8 @@ public:
     return OK;
   }
 
-  /// improves a flip-free map of a level and keeps it flip-free; of the finest level, minimizes the energy of a map, flips or not.
+  /// improves a flip-free map of a level and keeps it flip-free. On the finest level, minimizes the energy, and flips are
+  /// possible.
   /// \return `OK`
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {

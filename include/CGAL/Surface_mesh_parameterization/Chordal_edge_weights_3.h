@@ -17,9 +17,9 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationEnergies
 ///
-/// An edge of length `l` weighs `1 / l^r`: the longer the edge, the softer the spring. With `r = 0` these are uniform weights.
+/// The weight of an edge of length `l` is `1 / l^r`: a longer edge is a softer spring. With `r = 0` the weights are uniform.
 ///
-/// An edge shorter than 1e-9 of the surface's size counts as being of that length.
+/// An edge that is shorter than 1e-9 of the size of the surface is treated as if it had that length.
 ///
 /// Source: Greiner and Hormann, *Interpolating and approximating scattered 3D-data with hierarchical tensor product B-splines*, 1997.
 ///
@@ -27,7 +27,7 @@ namespace CGAL::Surface_mesh_parameterization {
 class Chordal_edge_weights_3
 {
 public:
-  static constexpr bool is_symmetric = true;    ///< an edge weighs as much at both ends
+  static constexpr bool is_symmetric = true;    ///< an edge has the same weight at both ends
   static constexpr bool is_positive = true;     ///< no weight is negative
 
   /// \param exponent `r`

@@ -33,38 +33,44 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationHierarchy
 ///
-/// A triangulated surface as a sequence of levels, from a coarse mesh (level 0) to the input (the last level). Each level comes from the next
-/// finer one by a *collapse group*: half-edge collapses whose removed vertices share no edge. A removed vertex stores its *parent triangle*
-/// in the coarser level and its barycentric coordinates there, found by the discrete exponential map.
+/// A triangulated surface as a sequence of levels, from a coarse mesh (level 0) to the input (the last level). A *collapse
+/// group* leads from each level to the next coarser one: half-edge collapses whose removed vertices share no edge. For each
+/// removed vertex the hierarchy stores its *parent triangle* in the coarser level and its barycentric coordinates there,
+/// found by the discrete exponential map.
 ///
-/// Vertices are numbered by removal, coarsest first: the *rank*. So the vertices of every level are the ranks from 0 to `number_of_vertices(level) - 1`,
-/// and undoing the collapses one by one, in the order of the ranks, leads through the meshes \f$ M^0, \dots, M^n \f$ of a progressive mesh
-/// (`Progressive_mesh_3`). Faces are numbered likewise. Inside a group the input's order is kept.
+/// Vertices are numbered by removal, the coarsest ones first. This number is the *rank*. So the vertices of a level are the
+/// ranks from 0 to `number_of_vertices(level) - 1`. Undoing the collapses one by one, in the order of the ranks, leads
+/// through the meshes \f$ M^0, \dots, M^n \f$ of a progressive mesh (`Progressive_mesh_3`). Faces are numbered in the same
+/// way. Inside a group the order of the input is kept.
 ///
 /// Source: Hormann, Greiner, Campagna, *Hierarchical Parametrization of Triangulated Surfaces*, 1999, sections 2 and 3.
 class Collapse_hierarchy_3
 {
 public:
   typedef internal::Index            Index;      ///< an unsigned integer type: rank of a vertex or of a face
-  typedef internal::Point_2          Point_2;    ///< `CGAL::Exact_predicates_inexact_constructions_kernel::Point_2`
-  typedef internal::Point_3          Point_3;    ///< `CGAL::Exact_predicates_inexact_constructions_kernel::Point_3`
+  typedef internal::Point_2          Point_2;    ///< `CGAL::Simple_cartesian<double>::Point_2`, whose predicates are not exact
+  typedef internal::Point_3          Point_3;    ///< `CGAL::Simple_cartesian<double>::Point_3`, whose predicates are not exact
   typedef internal::Index_triangle   Triangle;   ///< an array of three ranks of vertices, counter-clockwise
 
-  /// `Eigen::SparseMatrix<double, Eigen::RowMajor>`, for which `<Eigen/SparseCore>` has to be included
+  /// `Eigen::SparseMatrix<double, Eigen::RowMajor>`. This header only declares it: include `<Eigen/SparseCore>` to use it
   typedef Eigen::SparseMatrix<double, 1, int>   Prolongation;
 
   /// builds the hierarchy of a surface.
   ///
-  /// Of the vertices whose places in the plane are given, those stay on every level that do not lie on the border between two others.
+  /// A vertex whose place in the plane is given stays on every level, unless it lies on the border between two others.
   ///
   /// \param surface the surface; move it in to save memory
   /// \param np
   /// - `random_seed`: the seed of the random choice of vertices; default 0
-  /// - `coarsest_size`: collapse groups are made until a level has at most that many vertices, or until nothing can be collapsed; default 100
-  /// - `unit_edges`: whether a collapse is chosen by the triangles that it leaves in space (`false`, the default), or as they would be if all edges of the surface
-  ///   were equally long (`true`), which suits methods that know nothing of lengths, such as barycentric mapping
-  /// - `vertex_is_constrained_map`: a readable property map from an index of `surface.points`, a `std::size_t`, to `bool`: vertices that stay on every level; default: none
-  /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the hierarchy is the same
+  /// - `coarsest_size`: collapse groups are made until a level has at most that many vertices, or until no vertex can be
+  ///   collapsed; default 100
+  /// - `unit_edges`: whether the quality of coarse triangles is measured as if all edges of the surface were equally long;
+  ///   default `false`: it is measured in space. The value `true` suits methods whose weights do not depend on lengths,
+  ///   such as barycentric mapping
+  /// - `vertex_is_constrained_map`: a readable property map from an index of `surface.points`, a `std::size_t`, to `bool`:
+  ///   vertices that stay on every level; default: none
+  /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the
+  ///         hierarchy is the same with all of them
   template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
   explicit Collapse_hierarchy_3(Triangulated_surface_3 surface, const NamedParameters& np = parameters::default_values(),
                                 ConcurrencyTag = ConcurrencyTag())
@@ -112,11 +118,12 @@ public:
   // The points of all vertices, by rank.
   const std::vector<Point_3>& points() const { return m_points; }
 
-  // All that does not speak of faces.
+  // What the hierarchy knows of the vertices alone.
   const internal::Vertex_hierarchy& vertices() const { return m_vertices; }
   /// \endcond
 
-  /// whether a vertex stays on every level: because it was constrained to, or because its place in the plane is given and no coarse level can do without it
+  /// whether a vertex stays on every level: because it is constrained, or because its place in the plane is given and the
+  /// coarse levels need it
   bool is_pinned(Index v) const { return m_is_pinned[v]; }
 
   /// whether the place of a vertex in the plane is given
@@ -126,7 +133,7 @@ public:
   /// \pre `is_fixed(v)`
   const Point_2& fixed_place(Index v) const;
 
-  /// whether a vertex lies on the outer border. A border vertex that does not lies on the border of a hole.
+  /// whether a vertex lies on the outer border. Any other border vertex lies on the border of a hole
   bool is_on_outer_border(Index v) const { return m_is_on_outer_border[v]; }
 
   /// index of a vertex in the array of points that the hierarchy was built from
@@ -135,7 +142,8 @@ public:
   /// index of a face in the array of triangles that the hierarchy was built from
   Index input_face(Index f) const { return m_faces.input_face[f]; }
 
-  /// the corners of a face just before it vanishes on the way down, counter-clockwise from any one; of a face of level 0, its corners there
+  /// the corners of a face just before a collapse removes it, counter-clockwise from any one; for a face of level 0, its
+  /// corners on that level
   const Triangle& last_triangle(Index f) const { return m_faces.last_triangle[f]; }
 
   /// @}
@@ -146,8 +154,8 @@ public:
   /// the vertex that `v` collapsed onto
   Index kept_vertex(Index v) const { return split(v).parent[0]; }
 
-  /// the parent triangle (W0, Wi, Wi+1) of `v`; it exists on the level that lacks `v`. Of an ear (a border vertex with one triangle), that has
-  /// no parent triangle, its two neighbors: then the last two are the same vertex.
+  /// the parent triangle (W0, Wi, Wi+1) of `v`, a triangle of the level without `v`. An ear, which is a border vertex with
+  /// one triangle, has no parent triangle: then the result holds its two neighbors, and the last two corners are equal
   const Triangle& parent_triangle(Index v) const { return split(v).parent; }
 
   /// the barycentric coordinates of `v` in its parent triangle; not negative, their sum is 1
@@ -171,16 +179,17 @@ public:
   /// \name Transfer between levels
   /// @{
 
-  /// the prolongation from a coarse to a fine level: a sparse matrix with `number_of_vertices(fine)` rows and `number_of_vertices(coarse)`
-  /// columns, whose rows are barycentric coordinates: not negative, with the sum 1. Rows of vertices on the coarse level are those of the identity.
-  /// Its transpose is the restriction.
+  /// the prolongation from a coarse to a fine level: a sparse matrix with `number_of_vertices(fine)` rows and
+  /// `number_of_vertices(coarse)` columns. Its rows are barycentric coordinates: they are not negative and sum to 1. The
+  /// rows of the vertices of the coarse level are those of the identity. The transpose is the restriction. Include
+  /// `<Eigen/SparseCore>` before calling it.
   ///
   /// \pre `coarse <= fine < number_of_levels()`
   Prolongation prolongation(std::size_t coarse, std::size_t fine) const;
 
   /// @}
 
-  /// bytes that the hierarchy holds
+  /// memory that the hierarchy takes, in bytes
   std::size_t memory() const;
 
 private:

@@ -19,20 +19,23 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// Minimizes a distortion energy: the sum over the triangles of a function of the singular values of the map. The border is free. No triangle
-/// of the result is flipped or degenerate, and no vertex is surrounded more than once, by exact predicates. Holes stay holes. Where the energy does not
-/// depend on scale, the result has the surface's area.
+/// Minimizes a distortion energy: the sum over the triangles of a function of the singular values of the map. The border is
+/// free, and holes stay holes. By exact predicates, no triangle of the result is flipped or degenerate, and the triangles
+/// around a vertex wind around it once. If the energy does not depend on scale, the result has the area of the surface.
 ///
-/// A free border may run over itself, unless the named parameter `globally_injective` is true: then a barrier (Smith and Schaefer 2015) joins the energy where borders come
-/// near each other, and none meets itself or another one, by exact predicates.
+/// A free border may overlap itself, unless the named parameter `globally_injective` is true. Then a barrier term (Smith and
+/// Schaefer 2015) is added to the energy where borders come near each other. No border meets itself or another one, by exact
+/// predicates.
 ///
-/// Alone it starts from Tutte's map onto a circle, or, where that flips in doubles, from the result on a level that is coarse enough; with
-/// `Hierarchical_parameterizer_3` always from a coarse level's result, which is faster by orders of magnitude on large meshes.
+/// Without the adaptor the method starts from Tutte's map onto a circle. If that has flips in doubles, it starts from the
+/// result on a level that is coarse enough. With `Hierarchical_parameterizer_3` it always starts from the result of a coarse
+/// level, which is much faster on large meshes.
 ///
-/// Where the least energy would need scales that differ by more than doubles can hold, so that no hierarchy leads to the finest level, a small part of the
-/// symmetric Dirichlet energy is added, and the result counts as not converged.
+/// The minimum may need scales that differ by more than doubles can hold, so that no hierarchy leads to the finest level.
+/// Then a small part of the symmetric Dirichlet energy is added, and the result counts as not converged.
 ///
-/// A triangle lower than 1e-6 of its longest edge counts as being of that height. Vertices that a hierarchy pins are not held in place.
+/// A triangle whose height is less than 1e-6 of its longest edge is treated as if it had that height. Pinned vertices of a
+/// hierarchy may move in the plane.
 ///
 /// \cgalModels `Parameterizer_3`
 /// \cgalModels `RefinableParameterizer_3`
@@ -56,7 +59,8 @@ public:
     : Distortion_parameterizer_3(Refinement_options(), np)
   { }
 
-  /// takes other defaults.
+  /// \param defaults the options that `np` does not set
+  /// \param np as above
   template <class NamedParameters>
   Distortion_parameterizer_3(const Refinement_options& defaults, const NamedParameters& np)
     : Base(np), m_options(defaults)
@@ -72,7 +76,7 @@ public:
   }
 
   /// improves a flip-free map of a level and keeps it flip-free.
-  /// \return `OK`, or `ERROR_NO_1_TO_1_MAPPING` if borders must not meet and could not be separated
+  /// \return `OK`, or `ERROR_NO_1_TO_1_MAPPING` if `globally_injective` is true and the borders could not be separated
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     if constexpr (Energy::is_scale_invariant)
@@ -84,8 +88,8 @@ public:
     return minimize<Energy>(level, uv, summary);
   }
 
-  /// bounds the scale of the map from now on, at an energy that is not quite the least.
-  /// \return whether the scale was free until now
+  /// bounds the scale of the map from now on. The energy of the result is then slightly above the minimum.
+  /// \return whether the scale was not bounded before
   bool leave_room() { return Energy::is_scale_invariant && !std::exchange(m_bounds_scale, true); }
 
 private:

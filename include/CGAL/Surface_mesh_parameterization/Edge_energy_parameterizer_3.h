@@ -23,15 +23,17 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// Minimizes the quadratic energy \f$ E = \frac{1}{2} \sum c_{ij} \|p_i - p_j\|^2 \f$ over the edges of the surface, with the border fixed: every other vertex
-/// goes to the weighted mean of its neighbors. Weights that are not symmetric have no such energy, but a mean.
+/// Minimizes the quadratic energy \f$ E = \frac{1}{2} \sum c_{ij} \|p_i - p_j\|^2 \f$ over the edges of the surface, with the
+/// border fixed: every other vertex goes to the weighted mean of its neighbors. If the weights are not symmetric, there is
+/// no such energy, and the weighted means define the map.
 ///
-/// With weights that are not negative and a convex border, the converged map is one to one (Tutte, Floater), within the precision of doubles; whether it
-/// is can be told by `parameterization_quality()`. Holes become convex, for their borders are free; a vertex with one triangle on the border of a hole then lies
-/// on the line between its neighbors, and so may one with one triangle on a straight side of the outer border.
+/// If no weight is negative and the border is convex, the converged map is one-to-one (Tutte, Floater), within the precision
+/// of doubles. `parameterization_quality()` tells whether it is. Holes become convex, because their borders are free. An
+/// ear, a vertex with one triangle, on the border of a hole then lies on the line between its neighbors. The same can happen
+/// to an ear on a straight side of the outer border.
 ///
-/// Run by `Hierarchical_parameterizer_3`, the coarsest level is solved directly, the others by Gauss-Seidel sweeps with over-relaxation, each from the map of the
-/// level before. Alone it solves the input directly.
+/// With `Hierarchical_parameterizer_3`, a direct solver computes the coarsest level, and Gauss-Seidel sweeps with
+/// over-relaxation the others, each from the map of the level before. In a flat run a direct solver computes the whole map.
 ///
 /// Source: equation (1) of Hormann, Greiner, Campagna, *Hierarchical Parametrization of Triangulated Surfaces*, 1999.
 ///
@@ -55,16 +57,17 @@ public:
   typedef EdgeWeights                          Edge_weights;             ///< the weights of the edges
   typedef BorderParameterizer                  Border_parameterizer;     ///< places the outer border
 
-  /// while a level is not yet solved, and with negative weights, triangles may be flipped
+  /// triangles may be flipped while a level has not converged, and with negative weights
   static constexpr bool is_flip_free = false;
 
   /// \param border_parameterizer places the outer border
   /// \param weights the weights of the edges
   /// \param np
-  /// - `tolerance`: the finest level has converged when its *relative residual* is not greater. The residual is the root of the sum of the squared distances of the vertices
-  ///   from the means of their neighbors, relative to that of the map that has all vertices but those of the border in one point; default 1e-8
+  /// - `tolerance`: greatest *relative residual* of a converged finest level; default 1e-8. The residual is the root of the
+  ///   sum of the squared distances of the vertices from the weighted means of their neighbors. It is relative to the
+  ///   residual of the map with all vertices, except those of the border, at one point
   /// - `number_of_iterations`: the most sweeps on a level; default 10000
-  /// - `flip_policy`: a `Flip_policy`: what becomes of the flips of a flat run; default `FAIL`
+  /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `FAIL`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Edge_energy_parameterizer_3(const Border_parameterizer& border_parameterizer = Border_parameterizer(), const Edge_weights& weights = Edge_weights(),
@@ -77,7 +80,7 @@ public:
     m_number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), m_number_of_iterations);
   }
 
-  /// takes named parameters alone.
+  /// \param np as above; the border parameterizer and the weights are made by their default constructors
   template <class NamedParameters, class = std::enable_if_t<internal::is_named_parameters<NamedParameters>>>
   explicit Edge_energy_parameterizer_3(const NamedParameters& np) : Edge_energy_parameterizer_3(Border_parameterizer(), Edge_weights(), np) { }
 
@@ -96,7 +99,7 @@ public:
     return internal::solve_directly<Edge_weights::is_symmetric>(internal::Edge_system(level, m_weights), uv);
   }
 
-  /// improves a map of a level until it has converged or the greatest number of sweeps is reached.
+  /// improves a map of a level until it has converged or has got the greatest number of sweeps.
   /// \return `OK`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the sweeps diverged
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary)
   {

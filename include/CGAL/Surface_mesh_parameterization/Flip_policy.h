@@ -10,13 +10,13 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// What becomes of a map that a method made with flips: triangles that are not positive, by exact predicates, or vertices that are surrounded more than once. A
-/// map that is mirrored as a whole has none.
+/// The treatment of flips in a map that a method made. A flip is a triangle that is not positive by exact predicates, or a
+/// vertex around which its triangles wind more than once. A map that is mirrored as a whole has no flips.
 enum class Flip_policy
 {
-  FAIL,     ///< it is an error, `ERROR_NO_1_TO_1_MAPPING`; the default
+  FAIL,     ///< flips are an error, `ERROR_NO_1_TO_1_MAPPING`; the default
   KEEP,     ///< the map is returned as it is
-  REPAIR    ///< the map is made free of flips, and stays the same but for vertices that cannot be where the method put them
+  REPAIR    ///< flips are removed; only vertices move that cannot stay where the method put them
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -16,10 +16,12 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationEnergies
 ///
-/// Half the sum of the cotangents of the angles opposite to the edge: the energy is Dirichlet's, the map a discrete harmonic one. A planar mesh is mapped onto
-/// itself, if its border is. Where two opposite angles sum to more than half a turn, the weight is negative, and triangles may flip.
+/// The weight is half the sum of the cotangents of the angles opposite to the edge. The energy is the Dirichlet energy, and
+/// the map is discrete harmonic. A planar mesh is mapped onto itself if its border is. Where the two opposite angles sum to
+/// more than half a turn, the weight is negative, and triangles may flip.
 ///
-/// The border of a hole is free: its edges have one opposite angle. A triangle lower than 1e-6 of its longest edge counts as being of that height.
+/// The border of a hole is free: its edges have one opposite angle. A triangle whose height is less than 1e-6 of its longest
+/// edge is treated as if it had that height.
 ///
 /// Sources: Pinkall and Polthier, *Computing discrete minimal surfaces and their conjugates*, 1993; Eck et al., *Multiresolution analysis of arbitrary
 /// meshes*, 1995.
@@ -27,7 +29,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `EdgeWeights_3`
 struct Harmonic_edge_weights_3
 {
-  static constexpr bool is_symmetric = true;    ///< an edge weighs as much at both ends
+  static constexpr bool is_symmetric = true;    ///< an edge has the same weight at both ends
   static constexpr bool is_positive = false;    ///< weights may be negative
 
   /// computes the weights of the edges of one vertex, see `EdgeWeights_3`

@@ -73,30 +73,18 @@ struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// Runs a parameterizer hierarchically.
+/// Runs a parameterizer hierarchically. What this means depends on the parameterizer:
 ///
-/// A method that improves a given map (`RefinableParameterizer_3`) runs coarse to fine, level by level, by `Nested_iteration_parameterizer_3`,
-/// whose constructor this class then has.
+/// - A model of `RefinableParameterizer_3`, such as `MIPS_parameterizer_3`, improves a given map. It runs coarse to fine,
+///   level by level, see `Nested_iteration_parameterizer_3`.
+/// - A model of `RebindableParameterizer_3` solves linear systems, as most of CGAL's parameterizers do. It runs once, on
+///   the finest level, and `Multigrid_solver_traits` replaces its solver. The map is the same as without this class.
+/// - In place of CGAL's `ARAP_parameterizer_3`, `As_rigid_as_possible_parameterizer_3` runs level by level. It minimizes
+///   the same energy.
+/// - CGAL's `Orbifold_Tutte_parameterizer_3` runs with the multigrid solver. It has a `parameterize()` of its own and
+///   keeps its flips.
 ///
-/// A parameterizer that solves linear systems, as most of CGAL's do, gives the same map as without this class, found by multigrid
-/// (`Multigrid_solver_traits`, `Rebind_solver`). The constructor takes what that parameterizer's constructor takes, but for the solver, and then named parameters:
-/// - `tolerance`, `number_of_iterations`: of the solver, see `Multigrid_solver_traits`
-/// - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see `Collapse_hierarchy_3`; `unit_edges` is `true` by default for
-///   `Barycentric_mapping_parameterizer_3`, whose weights know nothing of lengths
-/// - `flip_policy`: a `Flip_policy`: what becomes of a map with flips; default `FAIL`. Where a repair had to move more than a tenth of the vertices of LSCM's map,
-///   the map of `MIPS_parameterizer_3` takes its place
-/// - `fill_holes`: whether every further border is closed by a virtual vertex in the middle of it; default `false`: the border of a hole is free. On a `Surface_mesh`, and on a
-///   `Polyhedron_3` if the constructor takes nothing else; otherwise an `ERROR_WRONG_PARAMETER`
-/// - `visitor`: a model of `HierarchyVisitor_3`, of which `hierarchy_built()` is called
-/// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as long as the parameterizer runs
-///
-/// CGAL's `ARAP_parameterizer_3` is the exception: in its place runs `As_rigid_as_possible_parameterizer_3`, level by level, which minimizes the same energy. The
-/// constructor takes what CGAL's takes, but for the solver: `(lambda)` or `(border_parameterizer, lambda, iterations, tolerance)`, and then the named parameters of
-/// that method and of `Nested_iteration_parameterizer_3`. The border parameterizer is not used.
-///
-/// CGAL's `Orbifold_Tutte_parameterizer_3` keeps its own call, `parameterize(mesh, bhd, cmap, uvmap, vimap)`, and its flips.
-///
-/// On an error the user's maps are untouched. Any other type is refused when it is compiled.
+/// Any other type is rejected at compile time. On an error the user's property maps are untouched.
 ///
 /// \code
 ///   namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -110,9 +98,11 @@ struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 ///
 /// \cgalModels `Parameterizer_3`
 ///
-/// \tparam Parameterizer a model of `RefinableParameterizer_3` or of `RebindableParameterizer_3`, or another one of CGAL's that is named above
+/// \tparam Parameterizer a model of `RefinableParameterizer_3` or of `RebindableParameterizer_3`, or one of CGAL's classes
+///         that are named above
 template <class Parameterizer>
 class Hierarchical_parameterizer_3
+#ifndef DOXYGEN_RUNNING
   : public internal::Hierarchical_base<Parameterizer>::type
 {
   typedef typename internal::Hierarchical_base<Parameterizer>::type   Base;
@@ -120,14 +110,123 @@ class Hierarchical_parameterizer_3
 public:
   using Base::Base;
 };
+#else
+{
+public:
+  typedef typename Parameterizer::Triangle_mesh                               Triangle_mesh;          ///< the mesh type
+  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;    ///< a halfedge of the mesh
+
+  /// \name Constructors for a model of RefinableParameterizer_3
+  /// @{
+
+  /// runs `method` on every level.
+  ///
+  /// \param method the method
+  /// \param np
+  /// - `coarsest_size`, `random_seed`, `unit_edges`, `visitor`, `fill_holes`, `flip_policy`, `summary`: see
+  ///   `Nested_iteration_parameterizer_3`
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Hierarchical_parameterizer_3(const Parameterizer& method = Parameterizer(), const NamedParameters& np = parameters::default_values());
+
+  /// runs `Parameterizer(np)` on every level.
+  ///
+  /// \param np the named parameters of `Parameterizer`, if its constructor takes any, and those above
+  template <class NamedParameters>
+  explicit Hierarchical_parameterizer_3(const NamedParameters& np);
+
+  /// @}
+  /// \name Constructor for a model of RebindableParameterizer_3 and for Orbifold_Tutte_parameterizer_3
+  /// @{
+
+  /// takes the arguments of the constructor of `Parameterizer`, except the solver. Named parameters may follow as the last
+  /// argument.
+  ///
+  /// \param arguments copies of these arguments are passed to the constructor of `Parameterizer` on every run
+  /// \param np
+  /// - `tolerance`: greatest relative residual of the linear system, rows scaled to unit diagonal; default 1e-10
+  /// - `number_of_iterations`: the most iterations before a direct solver takes over; default 300
+  /// - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see `Collapse_hierarchy_3`. For
+  ///   `Barycentric_mapping_parameterizer_3`, whose weights do not depend on lengths, `unit_edges` is `true` by default
+  /// - `flip_policy`: a `Flip_policy`: the treatment of flips; default `FAIL`. If the repair has to move more than a tenth
+  ///   of the vertices of an LSCM map, the map of `MIPS_parameterizer_3` takes its place
+  /// - `fill_holes`: whether every border except the outer one is closed by a virtual vertex in its middle; default
+  ///   `false`: the borders of holes are free. It works on a `Surface_mesh`, and on a `Polyhedron_3` if there are no
+  ///   `arguments`; otherwise the result is `ERROR_WRONG_PARAMETER`
+  /// - `visitor`: a model of `HierarchyVisitor_3`, of which only `hierarchy_built()` is called
+  /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did. It must live as
+  ///   long as the parameterizer runs
+  template <class... Arguments, class NamedParameters = parameters::Default_named_parameters>
+  explicit Hierarchical_parameterizer_3(const Arguments&... arguments, const NamedParameters& np = parameters::default_values());
+
+  /// @}
+  /// \name Constructors for ARAP_parameterizer_3
+  /// They take what the constructors of `ARAP_parameterizer_3` take, except the solver.
+  /// @{
+
+  /// The argument `np` may stand alone.
+  ///
+  /// \param lambda the cost of a change of scale, see `As_rigid_as_possible_parameterizer_3`
+  /// \param np the named parameters of `As_rigid_as_possible_parameterizer_3` and of `Nested_iteration_parameterizer_3`
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Hierarchical_parameterizer_3(double lambda = 1000, const NamedParameters& np = parameters::default_values());
+
+  /// The last three arguments before `np` may be left out, from the right.
+  ///
+  /// \param border_parameterizer not used: the border is free
+  /// \param lambda the cost of a change of scale
+  /// \param iterations the named parameter `number_of_iterations`; 200 if left out
+  /// \param tolerance the named parameter `tolerance`; 1e-6 if left out
+  /// \param np as above
+  template <class BorderParameterizer, class NamedParameters = parameters::Default_named_parameters>
+  explicit Hierarchical_parameterizer_3(const BorderParameterizer& border_parameterizer, double lambda, unsigned int iterations, double tolerance,
+                                        const NamedParameters& np = parameters::default_values());
+
+  /// @}
+  /// \name Operations
+  /// @{
+
+  /// parameterizes the connected component of `mesh` that contains `bhd`. The free function `parameterize(mesh, parameterizer, bhd, uvmap)`
+  /// calls it with maps of its own for the last two.
+  ///
+  /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex. It is only read
+  /// \param bhd a halfedge on the outer border of `mesh`
+  /// \param uvmap a writable property map from vertices to points of the plane. A model of `RebindableParameterizer_3` also
+  ///        reads the places of the vertices for which `vpmap` is `true`. Untouched on an error
+  /// \param vimap not used: vertices get indices of the package's own
+  /// \param vpmap a readable and writable property map from vertices to `bool`: set for each vertex that got a place.
+  ///        Untouched on an error
+  /// \param others what `Parameterizer::parameterize()` takes besides, as the number of iterations of
+  ///        `Iterative_authalic_parameterizer_3`; none for a model of `RefinableParameterizer_3`
+  ///
+  /// \return `OK`; an error of `Mesh_component` or of the parameterizer; `ERROR_NO_1_TO_1_MAPPING` if there are flips and
+  ///         the `Flip_policy` is `FAIL`, if no map without flips was found, or if a visitor stopped the run
+  template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
+  Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap vimap, VertexParameterizedMap vpmap, Others&&... others);
+
+  /// parameterizes a `CGAL::Seam_mesh` by `Orbifold_Tutte_parameterizer_3`, and exists for that class only.
+  ///
+  /// \param mesh the surface, cut open along the seam
+  /// \param bhd a halfedge on the seam, which is the only border
+  /// \param cmap a map from vertices to cones, as CGAL's class takes it
+  /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
+  /// \param vimap not used: vertices get indices of the package's own
+  ///
+  /// \return as above; flips are no error here
+  template <class ConeMap, class VertexIndexMap, class VertexUVMap>
+  Error_code parameterize(SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap, VertexUVMap uvmap, VertexIndexMap vimap) const;
+
+  /// @}
+};
+#endif
 
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
-/// parameterizes the connected component of `mesh` that contains `bhd`: what CGAL's `parameterize()` does, but without its preconditions. A mesh with
-/// isolated vertices is one to parameterize, and what is no surface, as a closed mesh with a null halfedge, gets an error, whether assertions are checked or not.
+/// parameterizes the connected component of `mesh` that contains `bhd`. It does what CGAL's `parameterize()` does, but has
+/// no preconditions: isolated vertices are allowed, and a rejected input, such as a closed mesh with a null halfedge, gets
+/// an error, whether assertions are checked or not.
 ///
-/// \param mesh a triangulated surface
-/// \param parameterizer the parameterizer
+/// \param mesh a triangulated surface; it is only read
+/// \param parameterizer the parameterizer; its class is documented at `Hierarchical_parameterizer_3`
 /// \param bhd a halfedge on the outer border of `mesh`
 /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
 ///

@@ -16,16 +16,16 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
-/// A visitor that does nothing: a base for those that are interested in a part only. A visitor is copied; let it hold references to what it
-/// collects. Each function returns whether the run may go on.
+/// A visitor that does nothing. It is a base class for visitors that need only one of the functions. Visitors are copied, so
+/// let a visitor hold references to what it collects. Each function returns whether the run may go on.
 ///
 /// \cgalModels `HierarchyVisitor_3`
 struct Hierarchy_visitor_3
 {
-  /// called when the levels are built, before any is parameterized
+  /// called when all levels are built, before the first one is parameterized
   bool hierarchy_built(const Collapse_hierarchy_3&) { return true; }
 
-  /// called when a level, its vertices inserted, has been refined; `uv` is its map by rank, in units of the level's points
+  /// called after the refinement of each level; `uv` is its map by rank, in units of the level's points
   bool level_parameterized(const Level& /*level*/, const Level::Uv& /*uv*/, const Level_summary& /*summary*/) { return true; }
 };
 

@@ -19,19 +19,25 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationHierarchy
 ///
-/// A read-only view of one level of a hierarchy: what a refinable method sees instead of a mesh. Vertices and faces are numbered by
-/// rank, so a coordinate that is stored by vertex keeps its place on all finer levels.
+/// One level of a hierarchy. A refinable method sees a level instead of a mesh. Vertices and faces are numbered by rank, so
+/// an array of values by vertex keeps its order on all finer levels.
+///
+/// A level owns its triangles and one-rings, and refers to the hierarchy, which must outlive it. It can become another
+/// level of the same hierarchy by `go_to()`.
+///
+/// The point types are those of `CGAL::Simple_cartesian<double>`, whose predicates are not exact. A method that decides by
+/// orientations converts the points to a kernel with exact predicates.
 class Level
 {
 public:
   typedef Collapse_hierarchy_3::Index        Index;      ///< rank of a vertex or of a face
-  typedef Collapse_hierarchy_3::Point_3      Point_3;    ///< a point in space
+  typedef Collapse_hierarchy_3::Point_3      Point_3;    ///< `CGAL::Simple_cartesian<double>::Point_3`
   typedef Collapse_hierarchy_3::Triangle     Triangle;   ///< an array of three ranks of vertices, counter-clockwise
-  typedef internal::Point_2                  Point_2;    ///< a point of the plane
+  typedef internal::Point_2                  Point_2;    ///< `CGAL::Simple_cartesian<double>::Point_2`
   typedef std::vector<Point_2>               Uv;         ///< the places of the vertices in the plane, by rank
   typedef internal::One_rings::Ring          Ring;       ///< a range of vertices
 
-  /// a level of a hierarchy, which is kept by reference.
+  /// makes the level with the given index. The hierarchy is kept by reference.
   /// \pre `index < hierarchy.number_of_levels()`
   explicit Level(const Collapse_hierarchy_3& hierarchy, std::size_t index = 0) : Level(hierarchy, index, internal::Loops()) { }
 
@@ -40,7 +46,7 @@ public:
   Level(const Collapse_hierarchy_3& hierarchy, std::size_t index, const internal::Loops& loops) : m_mesh(hierarchy), m_loops(loops) { go_to(index); }
   /// \endcond
 
-  /// becomes another level of the hierarchy, by splits or collapses from the one that it is.
+  /// becomes another level of the hierarchy, by vertex splits or collapses from the current level.
   /// \pre `index < hierarchy().number_of_levels()`
   void go_to(std::size_t index);
 
@@ -59,7 +65,7 @@ public:
   /// number of triangles: their ranks are the numbers below it
   std::size_t number_of_faces() const { return triangles().size(); }
 
-  /// the number of vertices of the next coarser level, 0 if there is none: the vertices from this rank on are new
+  /// the number of vertices of the next coarser level, or 0 on the coarsest one: the vertices from this rank on are new
   std::size_t first_new_vertex() const { return m_index == 0 ? 0 : hierarchy().number_of_vertices(m_index - 1); }
 
   /// the point of `v` in space, the same on every level

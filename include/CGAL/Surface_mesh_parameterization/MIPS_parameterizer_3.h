@@ -13,11 +13,12 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// The *most isometric parameterization* of Hormann and Greiner: minimizes the MIPS energy, by default the plain sum of `s1/s2 + s2/s1` over all triangles,
-/// with a free border. It keeps angles as well as the triangulation permits. See `Distortion_parameterizer_3` for what it guarantees and takes.
+/// The *most isometric parameterization* of Hormann and Greiner. It minimizes the MIPS energy with a free border: by
+/// default the plain sum of `s1/s2 + s2/s1` over all triangles. It preserves angles as far as the triangulation permits. See
+/// `Distortion_parameterizer_3` for guarantees and options.
 ///
-/// `Hierarchical_parameterizer_3<MIPS_parameterizer_3<Mesh>>` is the way to use it. With `optimizer(Optimizer::RANDOM_VERTICES)` it is the method of the
-/// paper to the letter.
+/// Use it as `Hierarchical_parameterizer_3<MIPS_parameterizer_3<Mesh>>`. With `optimizer(Optimizer::RANDOM_VERTICES)` it
+/// relaxes random vertices, as the method of the paper does.
 ///
 /// Source: Hormann and Greiner, *MIPS: An efficient global parametrization method*, 1999.
 ///
@@ -31,7 +32,18 @@ class MIPS_parameterizer_3
   : public Distortion_parameterizer_3<TriangleMesh, MIPS_energy_2, ConcurrencyTag>
 {
 public:
+#ifdef DOXYGEN_RUNNING
+  /// \param np as of `Distortion_parameterizer_3`
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit MIPS_parameterizer_3(const NamedParameters& np = parameters::default_values());
+
+  /// \param defaults the options that `np` does not set
+  /// \param np as above
+  template <class NamedParameters>
+  MIPS_parameterizer_3(const Refinement_options& defaults, const NamedParameters& np);
+#else
   using Distortion_parameterizer_3<TriangleMesh, MIPS_energy_2, ConcurrencyTag>::Distortion_parameterizer_3;
+#endif
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -17,17 +17,19 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationEnergies
 ///
-/// The sum of the tangents of half the angles on both sides of the edge, by the edge's length. A planar mesh is mapped onto itself, if its border is; all
-/// weights are positive, so no triangle flips where the border is convex.
+/// The weight is the sum of the tangents of half the two angles at the vertex beside the edge, divided by the length of the
+/// edge. A planar mesh is mapped onto itself if its border is. All weights are positive, so no triangle flips if the border
+/// is convex.
 ///
-/// An edge on the border of a hole has one angle. A triangle lower than 1e-6 of its longest edge counts as being of that height.
+/// An edge on the border of a hole has one such angle. A triangle whose height is less than 1e-6 of its longest edge is
+/// treated as if it had that height.
 ///
 /// Source: Floater, *Mean value coordinates*, 2003.
 ///
 /// \cgalModels `EdgeWeights_3`
 struct Mean_value_edge_weights_3
 {
-  static constexpr bool is_symmetric = false;   ///< an edge weighs differently at its ends
+  static constexpr bool is_symmetric = false;   ///< an edge has different weights at its ends
   static constexpr bool is_positive = true;     ///< no weight is negative
 
   /// computes the weights of the edges of one vertex, see `EdgeWeights_3`

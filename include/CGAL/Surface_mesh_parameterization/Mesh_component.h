@@ -31,11 +31,12 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationHierarchy
 ///
-/// The connected component of a mesh that contains a given border halfedge, as flat arrays: what a hierarchy is built from.
-/// The mesh is only read.
+/// The connected component of a mesh that contains a given border halfedge, as flat arrays, and checked. A hierarchy is built
+/// from it. The mesh is only read.
 ///
-/// Vertices and faces are numbered breadth first from `bhd`, which suits the cache whatever the mesh's own order. The points are scaled by a power of
-/// two (`Triangulated_surface_3::scale_exponent`), which is exact, so that no later product of lengths over- or underflows, and moved to the center of their box.
+/// Vertices and faces are numbered breadth first from `bhd`, which is good for the cache in any order of the mesh. The points
+/// are moved so that the center of their box is the origin, and scaled by a power of two
+/// (`Triangulated_surface_3::scale_exponent`), so that no later product of lengths over- or underflows.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` with an internal vertex point map
 template <class TriangleMesh>
@@ -48,9 +49,10 @@ public:
   typedef typename Graph_traits::halfedge_descriptor   halfedge_descriptor;   ///< a halfedge of the mesh
   typedef typename Graph_traits::face_descriptor       face_descriptor;       ///< a face of the mesh
 
-  /// reads the component of `mesh` around the border halfedge `bhd`. Whether this succeeded is told by `error()`.
+  /// reads and checks the component of `mesh` that contains the border halfedge `bhd`. The result is in `error()`.
   ///
-  /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`: how the component is checked
+  /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`: whether the checks
+  ///         may use several threads
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   Mesh_component(const TriangleMesh& mesh, halfedge_descriptor bhd, ConcurrencyTag = ConcurrencyTag())
   {
@@ -66,19 +68,21 @@ public:
   /// - `ERROR_EMPTY_MESH`: the mesh has no face;
   /// - `ERROR_WRONG_PARAMETER`: `bhd` is not a border halfedge, or a point has a coordinate that is not finite;
   /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
-  /// - `ERROR_NO_TOPOLOGICAL_DISC`: two umbrellas meet at a vertex, be it that of another component, or the surface has a handle.
+  /// - `ERROR_NO_TOPOLOGICAL_DISC`: two fans of triangles meet at a vertex, possibly of another component, or the surface has
+  ///   a handle.
   const Parameterization_error& error() const { return m_error; }
 
-  /// the input's vertices; the position in this array is the vertex's index in the others
+  /// the vertices of the component; the position of a vertex in this array is its index in `surface()`
   const std::vector<vertex_descriptor>& vertices_of_component() const { return m_vertices; }
 
-  /// the input's faces
+  /// the faces of the component, in the order of `surface().triangles`
   const std::vector<face_descriptor>& faces_of_component() const { return m_faces; }
 
   /// the component's geometry; it may be moved from
   Triangulated_surface_3& surface() { return m_surface; }
 
-  /// closes every border but the outer one by a *virtual vertex* in the middle of it. The virtual vertices come last in the surface, and the mesh has none of them.
+  /// closes every border except the outer one by a *virtual vertex* in its middle. The virtual vertices come last in
+  /// `surface()`, and the mesh does not have them.
   void fill_holes() { internal::fill_holes(m_surface); }
 
 private:

@@ -30,42 +30,43 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// Solves sparse linear systems whose unknowns sit at the vertices of a mesh, by a multigrid method on the mesh's hierarchy. It takes the place
-/// of CGAL's solver traits wherever CGAL assembles such a system: as the third template argument of its parameterizers, or as the solver that functions of
-/// `Polygon_mesh_processing` take. The solution is the same; time and memory grow in proportion to the mesh.
+/// Solves sparse linear systems whose unknowns belong to the vertices of a mesh, by a multigrid method on the hierarchy of
+/// the mesh. It replaces CGAL's solver traits wherever CGAL assembles such a system: as the third template argument of its
+/// parameterizers, or as the solver of functions of `Polygon_mesh_processing`. The solution is the same, and time and
+/// memory grow in proportion to the mesh.
 ///
-/// Conjugate gradients if the matrix is symmetric, stabilized bi-conjugate gradients if not, preconditioned by V-cycles with an incomplete
-/// factorization as smoother, begin with a first guess by full multigrid. Unknowns whose row holds nothing but the diagonal are taken as given values.
-/// Where the iteration does not arrive at the wished residual, a sparse LU factorization takes over; if that fails, too, the functions return `false` and leave
-/// the solution as it was.
+/// The solver uses conjugate gradients if the matrix is symmetric, and BiCGSTAB otherwise. The preconditioner is a V-cycle
+/// with an incomplete factorization as smoother, and full multigrid gives the first guess. A row with only a diagonal entry
+/// holds a given value, and its unknown is eliminated. If the residual does not become small enough, a sparse LU
+/// factorization takes over. If that fails, too, the functions return `false` and leave the solution unchanged.
 ///
-/// An object knows the hierarchy and which unknown sits where:
+/// An object knows the hierarchy and the vertex of each unknown:
 /// \code
 ///   typedef SMP::Mean_value_coordinates_parameterizer_3<Mesh, Border, SMP::Multigrid_solver_traits>   Parameterizer;
 ///   SMP::Multigrid_solver_traits solver(mesh, bhd, vimap);
 ///   Parameterizer(Border(), solver).parameterize(mesh, bhd, uvmap, vimap, vpmap);
 /// \endcode
-/// A class that makes its solver itself, by the default constructor, gets the one of the innermost `Scope` of its thread:
+/// A class that makes its solver by the default constructor gets the solver of the innermost `Scope` of its thread:
 /// \code
 ///   SMP::Multigrid_solver_traits::Scope scope(solver);
 ///   SMP::LSCM_parameterizer_3<Mesh, Two_vertices, SMP::Multigrid_solver_traits>().parameterize(mesh, bhd, uvmap, vimap, vpmap);
 /// \endcode
 ///
-/// Copies share what has been set up, so they must not be used by several threads at once.
+/// Copies share their state, so several threads must not use them at once.
 ///
 /// \cgalModels `SparseLinearAlgebraWithFactorTraits_d`
 class Multigrid_solver_traits
 {
 public:
   typedef double                    NT;         ///< the number type
-  typedef internal::Sparse_matrix   Matrix;     ///< a model of `SparseLinearAlgebraTraits_d::Matrix`
-  typedef internal::Solver_vector   Vector;     ///< a model of `SparseLinearAlgebraTraits_d::Vector`
+  typedef internal::Sparse_matrix   Matrix;     ///< a matrix of the package's own, a model of `SparseLinearAlgebraTraits_d::Matrix`
+  typedef internal::Solver_vector   Vector;     ///< a vector of the package's own, a model of `SparseLinearAlgebraTraits_d::Vector`
 
-  /// Makes a solver the one that default-constructed objects of this thread take, until the scope ends. Scopes may be nested.
+  /// Until a scope ends, objects that this thread makes by the default constructor share its solver. Scopes may be nested.
   class Scope
   {
   public:
-    /// begins the scope of `solver`, whose copies share what it has set up
+    /// begins the scope of `solver`
     explicit Scope(const Multigrid_solver_traits& solver) : m_session(solver.m_session), m_outer(std::exchange(innermost(), this)) { }
     ~Scope() { innermost() = m_outer; }
     Scope(const Scope&) = delete;
@@ -84,7 +85,7 @@ public:
     Scope* m_outer;
   };
 
-  /// takes the solver of the innermost `Scope` that is alive in this thread. Without one, nothing can be solved.
+  /// takes the solver of the innermost `Scope` of this thread. Without a scope, the object cannot solve anything.
   Multigrid_solver_traits()
   {
     if (const Scope* scope = Scope::innermost())
@@ -95,15 +96,17 @@ public:
   ///
   /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
   /// \param bhd a halfedge on the outer border of `mesh`
-  /// \param vimap a readable property map from vertices to integers: the vertices' order in the linear system. With k unknowns at each vertex, the unknowns of
-  ///        a vertex whose index is the i-th in ascending order have the numbers from k i to k i + k - 1. A vertex with a negative index is not in the system
+  /// \param vimap a readable property map from vertices to integers: the order of the vertices in the linear system. With k
+  ///        unknowns at each vertex, the vertex with the i-th smallest index, from 0, has the unknowns from k i to
+  ///        k i + k - 1. A vertex with a negative index is not in the system
   /// \param np
-  /// - `tolerance`: relative residual to be reached, of rows scaled to unit diagonal; default 1e-10
+  /// - `tolerance`: greatest relative residual, rows scaled to unit diagonal; default 1e-10
   /// - `number_of_iterations`: the most iterations before the direct solver takes over; default 300
   /// - `coarsest_size`, `random_seed`: of the hierarchy, see `Collapse_hierarchy_3`
-  /// - `unit_edges`: likewise; `true` for a matrix of uniform weights, as of `Barycentric_mapping_parameterizer_3`, saves iterations where triangles are not round
+  /// - `unit_edges`: of the hierarchy. For a matrix of uniform weights, as in `Barycentric_mapping_parameterizer_3`, `true`
+  ///   saves iterations on stretched triangles
   ///
-  /// Whether the mesh could be read is told by `error()`; if not, nothing can be solved.
+  /// If the mesh is rejected, `error()` says why, and the object cannot solve anything.
   template <class TriangleMesh, class VertexIndexMap, class NamedParameters = parameters::Default_named_parameters>
   Multigrid_solver_traits(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexIndexMap vimap,
                           const NamedParameters& np = parameters::default_values())
@@ -130,7 +133,7 @@ public:
   explicit Multigrid_solver_traits(std::shared_ptr<internal::Multigrid_session> session) : m_session(std::move(session)) { }
   /// \endcond
 
-  /// `OK`, or what is wrong with the mesh and where, as `Mesh_component` has it
+  /// `OK`, or the error of `Mesh_component`
   const Parameterization_error& error() const { return m_error; }
 
   /// what has been done so far

@@ -30,17 +30,17 @@ struct Parameterization_error
 
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
-/// One level of a hierarchy, as a run saw it.
+/// One level of a run.
 struct Level_summary
 {
   std::size_t vertices = 0;       ///< number of vertices
   std::size_t faces = 0;          ///< number of triangles
-  double energy_start = 0;        ///< the method's energy before the level was refined, its vertices inserted
-  double energy_end = 0;          ///< the method's energy after the level was refined
+  double energy_start = 0;        ///< the method's energy after the insertion of the new vertices, before refinement
+  double energy_end = 0;          ///< the method's energy after refinement
   std::size_t iterations = 0;     ///< the method's iterations: Newton steps, or sweeps of vertex relaxation
   std::size_t cycles = 0;         ///< V-cycles in all Newton steps
-  std::size_t vertex_visits = 0;  ///< local optimization steps, in vertices
-  bool converged = false;         ///< whether the method's own criterion of convergence was met
+  std::size_t vertex_visits = 0;  ///< steps of vertex relaxation, one vertex each
+  bool converged = false;         ///< whether the method converged on this level, by its own criterion
   double seconds = 0;             ///< wall-clock time of insertion and refinement
 };
 
@@ -50,10 +50,10 @@ struct Level_summary
 struct Linear_solver_summary
 {
   std::size_t setups = 0;             ///< matrices for which the grids were set up
-  std::size_t right_sides = 0;        ///< right sides that were solved for
-  std::size_t iterations = 0;         ///< the most iterations that a right side took: of conjugate gradients, or of the stabilized bi-conjugate gradients
-  double residual = 0;                ///< the greatest relative residual at the end, computed anew; rows scaled to unit diagonal
-  std::size_t direct_solutions = 0;   ///< right sides for which the iteration did not arrive, so that a direct solver took over
+  std::size_t right_sides = 0;        ///< right-hand sides that were solved
+  std::size_t iterations = 0;         ///< the most iterations for one right-hand side, of conjugate gradients or BiCGSTAB
+  double residual = 0;                ///< the greatest relative residual at the end, recomputed from the solution; rows scaled to unit diagonal
+  std::size_t direct_solutions = 0;   ///< right-hand sides for which the iteration did not converge, so that a direct solver took over
   double seconds_setup = 0;           ///< wall-clock time of the setups
   double seconds_solve = 0;           ///< wall-clock time of the iterations and direct solutions
 };
@@ -64,11 +64,11 @@ struct Linear_solver_summary
 struct Parameterization_summary
 {
   Parameterization_error error;           ///< what went wrong, and where
-  bool converged = false;                 ///< whether the finest level converged; a map that has not is as free of flips
+  bool converged = false;                 ///< whether the finest level converged; the guarantees about flips do not depend on it
   bool stopped = false;                   ///< whether a visitor stopped the run
   double energy = 0;                      ///< the method's energy of the result: the sum over the triangles, or the mean over the area
   std::vector<Level_summary> levels;      ///< from the coarsest level to the finest
-  std::size_t flips = 0;                  ///< triangles that the method flipped, unless `Flip_policy` is `KEEP`. An error, or repaired
+  std::size_t flips = 0;                  ///< triangles that the method flipped, before a repair; not counted if the `Flip_policy` is `KEEP`
   std::size_t moved_vertices = 0;         ///< vertices that the repair moved
   Linear_solver_summary linear_solver;    ///< of a method that solves linear systems by multigrid
   double seconds_hierarchy = 0;           ///< wall-clock time of reading the mesh and of building the hierarchy

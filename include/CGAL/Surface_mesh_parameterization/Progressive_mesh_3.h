@@ -17,8 +17,9 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationHierarchy
 ///
-/// The triangles of a hierarchy at one place of the sequence \f$ M^0, \dots, M^n \f$ (Hoppe 1996), which can be walked up and down, vertex by
-/// vertex or level by level. The mesh with `k` vertices has the ranks from 0 to `k - 1`; the triangles keep their ranks, too.
+/// One mesh of the sequence \f$ M^0, \dots, M^n \f$ of a hierarchy (Hoppe 1996). It can become the others of the sequence,
+/// vertex by vertex or level by level. The vertices of the mesh with `k` vertices have the ranks from 0 to `k - 1`. The
+/// triangles keep their ranks, too.
 ///
 /// The hierarchy must outlive it.
 class Progressive_mesh_3
@@ -36,16 +37,16 @@ public:
       m_triangles.push_back(hierarchy.last_triangle(Index(f)));
   }
 
-  /// the hierarchy that is walked
+  /// the hierarchy
   const Collapse_hierarchy_3& hierarchy() const { return *m_hierarchy; }
 
-  /// the number of vertices where the mesh stands: their ranks are the numbers below it
+  /// the current number of vertices: their ranks are the numbers below it
   std::size_t number_of_vertices() const { return m_number_of_vertices; }
 
   /// the triangles, by rank; a triangle and its corners have the order of the input
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
-  /// splits one vertex: brings back the one with the least rank that is missing.
+  /// undoes one collapse: brings back the missing vertex with the least rank.
   /// \pre `number_of_vertices() < hierarchy().number_of_vertices()`
   void split_vertex()
   {
@@ -57,7 +58,7 @@ public:
       m_triangles.push_back(m_hierarchy->last_triangle(f));
   }
 
-  /// collapses the vertex with the greatest rank that is left.
+  /// collapses the vertex with the greatest rank.
   /// \pre `number_of_vertices() > hierarchy().number_of_vertices(0)`
   void collapse_vertex()
   {

@@ -14,18 +14,20 @@ template <class, class> class Orbifold_Tutte_parameterizer_3;
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// Tells how a parameterizer is made to use another solver: `type` is the same parameterizer with `SolverTraits`.
+/// The member `type` is the same parameterizer with the solver `SolverTraits`.
 ///
-/// Parameterizers with the template parameters of CGAL's, a mesh, a border parameterizer and solver traits, are covered. A specialization opens
-/// `Hierarchical_parameterizer_3` to any other one that solves linear systems with one unknown, or the same number of unknowns, at each vertex, numbered by the
-/// vertex index map that it is called with (`RebindableParameterizer_3`):
+/// It is defined for all parameterizers with the template parameters of CGAL's: a mesh, a border parameterizer and solver
+/// traits. For any other model of `RebindableParameterizer_3`, specialize it, and `Hierarchical_parameterizer_3` takes the
+/// parameterizer. Such a parameterizer solves linear systems with the same number of unknowns at each vertex, numbered by
+/// the vertex index map of the call:
 /// \code
 ///   namespace CGAL::Surface_mesh_parameterization {
 ///   template <class Mesh, class Solver, class NewSolver>
 ///   struct Rebind_solver<My_parameterizer_3<Mesh, Solver>, NewSolver> { typedef My_parameterizer_3<Mesh, NewSolver> type; };
 ///   }
 /// \endcode
-/// Such a parameterizer makes its solver by the default constructor, be it as the default of an argument of its own constructor.
+/// Such a parameterizer makes its solver by the default constructor, for example as the default of an argument of its own
+/// constructor.
 template <class Parameterizer, class SolverTraits>
 struct Rebind_solver { };
 

@@ -24,10 +24,11 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// Makes a model of `Parameterizer_3` out of a model of `RefinableParameterizer_3`: `parameterize()` runs the method *flat*, on a hierarchy
-/// whose only level is the input, or, where a flip-free method finds no first map of it without a flip, whose coarsest level is as fine as
-/// the method can lay out. A method derives from it:
-/// `class My_parameterizer_3 : public Refinable_parameterizer_base_3<My_parameterizer_3<Mesh>, Mesh>`. One whose maps may have flips hides `is_flip_free`.
+/// A base class that turns a model of `RefinableParameterizer_3` into a model of `Parameterizer_3`. Its `parameterize()`
+/// runs the method *flat*, on a hierarchy whose only level is the input. If a flip-free method finds no first map of the
+/// input without a flip, the hierarchy gets coarser levels, as few as possible. A method derives from it:
+/// `class My_parameterizer_3 : public Refinable_parameterizer_base_3<My_parameterizer_3<Mesh>, Mesh>`. A method whose maps
+/// may have flips declares its own `is_flip_free`.
 ///
 /// \cgalModels `Parameterizer_3`
 ///
@@ -43,7 +44,7 @@ public:
   typedef ConcurrencyTag                                                      Concurrency_tag;        ///< whether several threads are used
   typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;    ///< a halfedge of the mesh
 
-  /// the method's maps have no flip
+  /// whether the maps of the method have no flips
   static constexpr bool is_flip_free = true;
 
   /// parameterizes the connected component of `mesh` that contains `bhd`.
@@ -63,7 +64,8 @@ public:
   }
 
 protected:
-  /// takes the named parameters of a flat run where `np` has them: `summary`, a `std::reference_wrapper<Parameterization_summary>`, `flip_policy` and `fill_holes`
+  /// \param np the named parameters of a flat run: `summary`, a `std::reference_wrapper<Parameterization_summary>`,
+  ///        `flip_policy` and `fill_holes`
   template <class NamedParameters>
   explicit Refinable_parameterizer_base_3(const NamedParameters& np)
     : m_summary(internal::summary_of(np)), m_options(internal::nested_iteration_options_of(np))

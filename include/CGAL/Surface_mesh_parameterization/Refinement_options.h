@@ -15,12 +15,12 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// How the energy of a level is minimized.
+/// The optimizer that minimizes the energy of a level.
 enum class Optimizer
 {
   NEWTON,           ///< Newton's method with multigrid: to convergence
-  SWEEPS,           ///< vertex relaxation, all vertices one after the other, over and over, with over-relaxation
-  RANDOM_VERTICES   ///< vertex relaxation, each time of a vertex that is chosen at random, as in the paper
+  SWEEPS,           ///< vertex relaxation in sweeps over all vertices, with over-relaxation
+  RANDOM_VERTICES   ///< vertex relaxation of vertices that are chosen at random, as in the paper
 };
 
 /// \ingroup PkgHierarchicalParameterizationMethods
@@ -31,26 +31,29 @@ struct Refinement_options
   /// named parameter `optimizer`
   Optimizer optimizer = Optimizer::NEWTON;
 
-  /// named parameter `tolerance`: a level has converged when an iteration lowers the energy by less than this part of its excess over the minimum. By
-  /// Newton's method the levels below the finest converge to 5e-3, whatever is asked for: they only hand on a good start
+  /// named parameter `tolerance`: a level has converged when an iteration lowers the energy by less than this part of its
+  /// excess over the minimum. With Newton's method, levels below the finest use 5e-3 instead: they only need to give a good
+  /// first guess
   double tolerance = 1e-6;
 
   /// named parameter `number_of_iterations`: the most iterations on a level: Newton steps, or sweeps (of as many visits as there are vertices)
   std::size_t number_of_iterations = 200;
 
-  /// named parameter `number_of_local_steps`: unless 0, exactly so many vertex visits on every level, of vertices chosen at random, whatever the others say: the paper's experiment
+  /// named parameter `number_of_local_steps`: if it is not 0, every level gets exactly this number of random vertex visits,
+  /// and the parameters above have no effect: the experiment of the paper
   std::size_t number_of_local_steps = 0;
 
   /// named parameter `triangle_weight`
   Triangle_weight triangle_weight = Triangle_weight::ONE;
 
-  /// named parameter `globally_injective`: whether the borders of the map must not meet, so that it is one-to-one as a whole. Without it a free border can run over itself
+  /// named parameter `globally_injective`: whether the borders of the map are kept from meeting, so that the map is
+  /// one-to-one as a whole. If `false`, a free border may overlap itself
   bool is_globally_injective = false;
 
   /// named parameter `random_seed`, of vertices chosen at random
   unsigned int random_seed = 0;
 
-  /// takes from named parameters what they hold.
+  /// sets the options that are among the given named parameters.
   template <class NamedParameters>
   void set(const NamedParameters& np)
   {

@@ -19,11 +19,12 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationEnergies
 ///
-/// The one-ring of a vertex is laid in the plane by the discrete exponential map. There the vertex lies, for each of its neighbors, in a triangle of that one
-/// and of two consecutive others; the weights are the mean of its barycentric coordinates in these triangles, and sum to 1. A planar mesh is mapped onto itself,
-/// if its border is. No weight is negative, so no triangle flips where the border is convex.
+/// The discrete exponential map flattens the one-ring of a vertex. For each neighbor, the vertex then lies in a triangle of
+/// this neighbor and two other, consecutive ones. The weights are the means of its barycentric coordinates in these
+/// triangles, and sum to 1. A planar mesh is mapped onto itself if its border is. No weight is negative, so no triangle
+/// flips if the border is convex.
 ///
-/// A vertex on the border of a hole sees its two neighbors on that border as if a triangle joined them.
+/// For a vertex on the border of a hole, its two neighbors on that border count as joined by a triangle.
 ///
 /// Source: Floater, *Parametrization and smooth approximation of surface triangulations*, 1997.
 ///
@@ -31,7 +32,7 @@ namespace CGAL::Surface_mesh_parameterization {
 class Shape_preserving_edge_weights_3
 {
 public:
-  static constexpr bool is_symmetric = false;   ///< an edge weighs differently at its ends
+  static constexpr bool is_symmetric = false;   ///< an edge has different weights at its ends
   static constexpr bool is_positive = true;     ///< no weight is negative
 
   /// computes the weights of the edges of one vertex, see `EdgeWeights_3`

@@ -10,7 +10,7 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationEnergies
 ///
-/// What a triangle's energy is multiplied with in the sum over all triangles.
+/// The weight of a triangle's energy in the sum over all triangles.
 enum class Triangle_weight
 {
   ONE,    ///< 1, as in the paper

@@ -14,11 +14,12 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationHierarchy
 ///
-/// A surface with borders as flat arrays: what a hierarchy is built from. It must be connected, without handles, with one fan of triangles
-/// around every vertex; `Mesh_component` makes it from any mesh and checks that.
+/// A surface with borders, as flat arrays. A hierarchy is built from it. The surface must be connected and have no handles,
+/// and one fan of triangles around each vertex. `Mesh_component` makes it from any mesh and checks this. The points are of
+/// `CGAL::Simple_cartesian<double>`.
 struct Triangulated_surface_3
 {
-  /// the vertices, scaled so that the surface is about of size 1
+  /// the vertices, scaled so that the size of the surface is about 1
   std::vector<internal::Point_3> points;
 
   /// three indices of points for each triangle, counter-clockwise
@@ -27,7 +28,7 @@ struct Triangulated_surface_3
   /// the vertices of the outer border, in any order; other borders are holes
   std::vector<internal::Index> outer_border;
 
-  /// a length in `points` is `2^scale_exponent` times the length in the user's units; so is a length in the plane
+  /// a length in `points`, and in the plane, is `2^scale_exponent` times the length in the user's units
   int scale_exponent = 0;
 
   /// a vertex whose place in the plane is given
@@ -37,7 +38,7 @@ struct Triangulated_surface_3
     internal::Point_2 place;    ///< in the units of `points`
   };
 
-  /// the vertices whose places are given, at most once each
+  /// the vertices whose places are given, each at most once
   std::vector<Fixed_vertex> fixed_vertices = {};
 };
 

@@ -14,14 +14,14 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationEnergies
 ///
-/// Each edge weighs 1, so that every vertex goes to the mean of its neighbors, whatever the surface's shape.
+/// All weights are 1, so every vertex goes to the mean of its neighbors. The shape of the surface has no influence.
 ///
 /// Source: Tutte, *How to draw a graph*, 1963.
 ///
 /// \cgalModels `EdgeWeights_3`
 struct Uniform_edge_weights_3
 {
-  static constexpr bool is_symmetric = true;    ///< an edge weighs as much at both ends
+  static constexpr bool is_symmetric = true;    ///< an edge has the same weight at both ends
   static constexpr bool is_positive = true;     ///< no weight is negative
 
   /// computes the weights of the edges of one vertex, see `EdgeWeights_3`

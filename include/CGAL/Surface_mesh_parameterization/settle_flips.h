@@ -26,15 +26,16 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// looks for flips in a map that any parameterizer has made, by exact predicates, and does with them what `policy` says.
+/// finds the flips of a map from any parameterizer, by exact predicates, and treats them as `policy` says.
 ///
-/// A repaired map is the same but for vertices that cannot be where they were, and as few as the method finds: it goes to the finest level of a hierarchy on which
-/// the map has no flip, and puts the vertices back from there, each to its place where its triangles are positive then, or near it.
+/// A repair moves only vertices that cannot stay where they are, and tries to move few of them. It goes to the finest level
+/// of a hierarchy on which the map has no flip, and inserts the vertices again from there. Each vertex goes to its old place
+/// if its triangles are positive then, and otherwise near it.
 ///
 /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
 /// \param bhd a halfedge on the outer border of the component that has the map
 /// \param uvmap a read-write property map from vertices to points of the plane; untouched on an error
-/// \param policy what to do
+/// \param policy the treatment of flips
 /// \param np
 /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives the error, the number of flips and that of the vertices that were moved
 ///

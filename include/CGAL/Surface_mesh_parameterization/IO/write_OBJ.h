@@ -18,13 +18,13 @@ namespace CGAL::Surface_mesh_parameterization::IO {
 /// \ingroup PkgHierarchicalParameterizationIO
 ///
 /// writes a mesh with its parameterization as Wavefront OBJ: `v` and `vt` lines in the order of `vertices(mesh)`, faces in the order of
-/// `faces(mesh)`, all digits.
+/// `faces(mesh)`. Coordinates have all digits.
 ///
-/// \param os the stream; whether writing succeeded is told by its state
+/// \param os the stream; its state tells whether writing succeeded
 /// \param mesh a model of `FaceListGraph` with an internal vertex point map
 /// \param uvmap a readable property map from vertices to points of the plane
-/// \param vpmap a readable property map from vertices to `bool`: which vertices have a place in the plane. Faces with one that has not are
-///        written without texture coordinates
+/// \param vpmap a readable property map from vertices to `bool`: which vertices have a place in the plane. A face with
+///        another vertex is written without texture coordinates
 template <class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
 void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, VertexParameterizedMap vpmap)
 {

@@ -119,10 +119,10 @@ namespace IO {
 
 /// \ingroup PkgHierarchicalParameterizationIO
 ///
-/// draws a parameterization as SVG: the triangles in the plane, colored by their angle distortion `(s1/s2 + s2/s1) / 2` from nearly white (1) over
-/// orange to dark red (2 and more), with a bar that tells the colors.
+/// draws a parameterization as SVG: the triangles in the plane, colored by their distortion of angles `(s1/s2 + s2/s1) / 2`,
+/// from nearly white (1) over orange to dark red (2 and more), with a color bar.
 ///
-/// \param os the stream; whether writing succeeded is told by its state
+/// \param os the stream; its state tells whether writing succeeded
 /// \param mesh a triangle mesh, a model of `FaceGraph` with an internal vertex point map
 /// \param face_range the faces to draw; their map must be positive
 /// \param uvmap a readable property map from vertices to points of the plane
