@@ -166,7 +166,8 @@ void parameterize(Mesh& mesh, const Parameterizer& parameterizer)
   check(SMP::parameterize(mesh, parameterizer, outer_border(mesh), add_uv_map(mesh)));
 }
 
-// The paper's number of local steps, 700 000 on 1042 vertices, for a mesh of any size; its 350 000 on 476 vertices are 9 % more per vertex.
+// The paper's number of local steps, 700 000 on 1042 vertices, for a mesh of any size; its 350 000 on 476 vertices are
+// 9 % more per vertex.
 inline std::size_t paper_steps(const Mesh& mesh)
 {
   return std::size_t(700000. / 1042 * double(mesh.number_of_vertices()) + 0.5);

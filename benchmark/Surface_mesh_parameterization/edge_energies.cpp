@@ -1,8 +1,9 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The introduction of Hormann, Greiner and Campagna (1999) in numbers: iterative solvers of the quadratic energy (1) become slow as meshes grow, unless they go
-// from coarse to fine. For a mesh and its Loop subdivisions, the iterations and seconds of each solver to a relative residual. CSV on stdout.
+// The introduction of Hormann, Greiner and Campagna (1999) in numbers: iterative solvers of the quadratic energy (1)
+// become slow as meshes grow, unless they go from coarse to fine. For a mesh and its Loop subdivisions, the iterations
+// and seconds of each solver to a relative residual. CSV on stdout.
 
 #include "benchmark_utilities.h"
 
@@ -135,7 +136,8 @@ struct Edge_matrix
   }
 };
 
-// Conjugate gradients, or BiCGSTAB where the matrix is not symmetric, with Jacobi's preconditioner, which is what Eigen takes unless told otherwise.
+// Conjugate gradients, or BiCGSTAB where the matrix is not symmetric, with Jacobi's preconditioner, which is what Eigen
+// takes unless told otherwise.
 template <bool is_symmetric>
 std::size_t solve_by_Krylov_method(const SMP::internal::Edge_system& system, const Limits& limits, const SMP::Level::Point_2& middle, SMP::Level::Uv& uv)
 {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Figure 4 of Hormann, Greiner and Campagna (1999), in numbers: how long the levels take to build, compared with reading the file; what they hold
-// in memory; how many triangles go per collapse group.
+// Figure 4 of Hormann, Greiner and Campagna (1999), in numbers: how long the levels take to build, compared with
+// reading the file; what they hold in memory; how many triangles go per collapse group.
 
 #include "Peak_memory.h"
 #include "benchmark_utilities.h"

@@ -1,9 +1,9 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The linear systems of CGAL's parameterizers with a fixed border, as CGAL assembles them, solved by multigrid, by CGAL's default solver and by sparse direct
-// solvers; or whole calls of CGAL's parameterizers compared with the hierarchical ones. Every run has a process of its own, so that its peak memory is its
-// alone. CSV on stdout.
+// The linear systems of CGAL's parameterizers with a fixed border, as CGAL assembles them, solved by multigrid, by
+// CGAL's default solver and by sparse direct solvers; or whole calls of CGAL's parameterizers compared with the
+// hierarchical ones. Every run has a process of its own, so that its peak memory is its alone. CSV on stdout.
 
 #include "Peak_memory.h"
 #include "benchmark_utilities.h"
@@ -201,7 +201,8 @@ Solution solve_by_multigrid(const Problem& problem)
   return solution;
 }
 
-// The default of CGAL's parameterizers, called as they call it: for u and for v the matrix is factorized anew. Its own tolerance is that of rounding.
+// The default of CGAL's parameterizers, called as they call it: for u and for v the matrix is factorized anew. Its own
+// tolerance is that of rounding.
 Solution solve_as_CGAL(const Problem& problem, bool with_own_tolerance)
 {
   CGAL::Eigen_solver_traits<Eigen::BiCGSTAB<Eigen_matrix, Eigen::IncompleteLUT<double>>> solver;
@@ -308,7 +309,8 @@ const std::vector<Named_solver>& all_solvers()
 
 // ---- measuring ----
 
-// Prints `name` and the rest of the row that `measure` prints in a process of its own, or that many empty fields if it fails.
+// Prints `name` and the rest of the row that `measure` prints in a process of its own, or that many empty fields if it
+// fails.
 template <class Measure>
 void print_row(const std::string& name, std::size_t fields, const Measure& measure)
 {
@@ -365,7 +367,8 @@ void compare_solvers(Named_mesh& input, const std::string& method, bool is_symme
 {
   if (!Choice::contains(choice.methods, method))
     return;
-  // Breadth first, as Hierarchical_parameterizer_3 numbers them; the order matters little to the other solvers, which have their own.
+  // Breadth first, as Hierarchical_parameterizer_3 numbers them; the order matters little to the other solvers, which
+  // have their own.
   const Index_map index = input.mesh.add_property_map<Mesh::Vertex_index, int>("v:index_in_system").first;
   const SMP::Mesh_component<Mesh> component(input.mesh, outer_border(input.mesh));
   check(component.error().code);

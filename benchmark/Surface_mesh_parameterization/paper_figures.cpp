@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Figures 5 to 7 of Hormann, Greiner and Campagna (1999) as SVG files: levels of the hierarchy in space and in the plane, and the maps after the
-// same number of random local steps with and without the hierarchy.
+// Figures 5 to 7 of Hormann, Greiner and Campagna (1999) as SVG files: levels of the hierarchy in space and in the
+// plane, and the maps after the same number of random local steps with and without the hierarchy.
 
 #include "benchmark_utilities.h"
 
@@ -36,7 +36,8 @@ std::ofstream open(const fs::path& file)
   return stream;
 }
 
-// The painter's algorithm: the triangles from the farthest to the nearest, each in one shade of gray by its angle to the line of sight.
+// The painter's algorithm: the triangles from the farthest to the nearest, each in one shade of gray by its angle to
+// the line of sight.
 void draw_surface(const fs::path& file, const Mesh& mesh, const View& view)
 {
   constexpr double size = 1000, margin = 10;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Table 1 of Hormann, Greiner and Campagna (1999): the MIPS energy after the same number of random local steps, with and without a hierarchy.
+// Table 1 of Hormann, Greiner and Campagna (1999): the MIPS energy after the same number of random local steps, with
+// and without a hierarchy.
 
 #include "benchmark_utilities.h"
 

@@ -1,7 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A few sweeps on every level of the hierarchy against as many, and ten times as many, vertex visits on the input alone.
+// A few sweeps on every level of the hierarchy against as many, and ten times as many, vertex visits on the input
+// alone.
 
 #include "benchmark_utilities.h"
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Seconds to a map within a thousandth of the optimum's excess energy, for a mesh and its Loop subdivisions, in units of one sparse direct
-// factorization on the same mesh. CSV on stdout.
+// Seconds to a map within a thousandth of the optimum's excess energy, for a mesh and its Loop subdivisions, in units
+// of one sparse direct factorization on the same mesh. CSV on stdout.
 
 #include "benchmark_utilities.h"
 
@@ -16,7 +16,8 @@
 
 #include <fstream>
 
-// The unit: analysis, factorization and two solutions of the cotangent Laplacian of the interior vertices by Eigen::SimplicialLDLT.
+// The unit: analysis, factorization and two solutions of the cotangent Laplacian of the interior vertices by
+// Eigen::SimplicialLDLT.
 double seconds_of_direct_solver(const Mesh& mesh)
 {
   std::vector<int> unknown(mesh.number_of_vertices(), -1);

@@ -1,7 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Nanoseconds per vertex visit of MIPS relaxation on the finest level of a nested iteration: in sweeps, and in random order.
+// Nanoseconds per vertex visit of MIPS relaxation on the finest level of a nested iteration: in sweeps, and in random
+// order.
 
 #include "benchmark_utilities.h"
 

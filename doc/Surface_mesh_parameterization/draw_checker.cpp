@@ -64,7 +64,8 @@ struct Drawn_surface
 // From where a surface is seen: the direction towards the eye, and the one that is up in the picture.
 struct View { Vector_3 direction{ 0, 0, 1 }, up{ 0, 1, 0 }; };
 
-// Draws a surface in mild perspective, lit from the upper left, two-sided, every pixel the mean of `samples` times `samples` ones.
+// Draws a surface in mild perspective, lit from the upper left, two-sided, every pixel the mean of `samples` times
+// `samples` ones.
 class Renderer
 {
 public:

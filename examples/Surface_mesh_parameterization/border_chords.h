@@ -17,7 +17,8 @@ struct New_vertex
   double fraction;
 };
 
-// The borders of a map as closed polygons, and coarser ones with a part of their vertices. A chord joins two consecutive ones of these.
+// The borders of a map as closed polygons, and coarser ones with a part of their vertices. A chord joins two
+// consecutive ones of these.
 class Border_chords
 {
 public:

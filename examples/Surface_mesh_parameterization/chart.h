@@ -42,8 +42,8 @@ struct Chart
   Chart(const Chart&) = delete;              // the seam mesh refers to the mesh
 };
 
-// Finds a tree of edges: the shortest path between two vertices that are far from each other, then from the vertex that is farthest from the tree the
-// shortest path to it, and so on. A tree on a sphere leaves a disk.
+// Finds a tree of edges: the shortest path between two vertices that are far from each other, then from the vertex that
+// is farthest from the tree the shortest path to it, and so on. A tree on a sphere leaves a disk.
 class Seam_tree
 {
   typedef Mesh::Vertex_index   Vertex;
@@ -57,8 +57,8 @@ public:
     spread({ first });
   }
 
-  // Halfedges along `number_of_paths` paths; more if they are fewer than two edges, which make no border that can be laid out.
-  // Precondition: the mesh is connected and has at least two edges.
+  // Halfedges along `number_of_paths` paths; more if they are fewer than two edges, which make no border that can be
+  // laid out. Precondition: the mesh is connected and has at least two edges.
   std::vector<Mesh::Halfedge_index> grow(std::size_t number_of_paths)
   {
     std::vector<Mesh::Halfedge_index> tree;

@@ -1,8 +1,9 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Edge weights of one's own: springs that are the softer the greater the triangles beside them, so that finely meshed parts do not take the room of coarse ones, as
-// they do with uniform weights. What a short border does to the parts far from it, no weights can cure.
+// Edge weights of one's own: springs that are the softer the greater the triangles beside them, so that finely meshed
+// parts do not take the room of coarse ones, as they do with uniform weights. What a short border does to the parts far
+// from it, no weights can cure.
 
 #include "face_mesh.h"
 

@@ -1,7 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An energy of one's own: the distortion of angles plus that of areas, minimized coarse to fine without a flip, and compared with MIPS, which minds angles only.
+// An energy of one's own: the distortion of angles plus that of areas, minimized coarse to fine without a flip, and
+// compared with MIPS, which minds angles only.
 
 #include "face_mesh.h"
 
@@ -22,7 +23,8 @@ typedef CGAL::Surface_mesh<Kernel::Point_3>     Mesh;
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
 //! [energy]
-// s1/s2 + s2/s1 + d + 1/d with the singular values s1, s2 of a triangle's map and d = s1 s2. As f = s1^2 + s2^2 it is f/d + d + 1/d.
+// s1/s2 + s2/s1 + d + 1/d with the singular values s1, s2 of a triangle's map and d = s1 s2. As f = s1^2 + s2^2 it is
+// f/d + d + 1/d.
 struct Angles_and_areas_energy_2
 {
   static constexpr double minimum = 4;                    // of an isometry: f = 2, d = 1

@@ -55,7 +55,8 @@ public:
   }
 
 private:
-  // Moves v in steps that become shorter, wherever its worst triangle becomes better. With positive triangles around it a vertex stays surrounded once.
+  // Moves v in steps that become shorter, wherever its worst triangle becomes better. With positive triangles around it
+  // a vertex stays surrounded once.
   static void search(const Level& level, Index v, Level::Uv& uv)
   {
     double worst = worst_of_star(level, v, uv), step = 0.25 * std::sqrt(CGAL::squared_distance(uv[v], uv[level.one_ring(v).front()]));
@@ -88,8 +89,8 @@ private:
     return worst;
   }
 
-  // s1/s2 + s2/s1 by the cotangents of the triangle in space; infinite unless the exact predicate says that the triangle is positive. One that is degenerate in
-  // space has no shape to keep.
+  // s1/s2 + s2/s1 by the cotangents of the triangle in space; infinite unless the exact predicate says that the
+  // triangle is positive. One that is degenerate in space has no shape to keep.
   static double distortion(const Level& level, const Level::Triangle& t, const Level::Uv& uv)
   {
     if (CGAL::orientation(uv[t[0]], uv[t[1]], uv[t[2]]) != CGAL::LEFT_TURN)

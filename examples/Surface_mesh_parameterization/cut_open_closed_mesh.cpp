@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Parameterizes a closed mesh: cuts it open along paths of edges, which a seam mesh does without changing the mesh, and writes it as OBJ with texture
-// coordinates by corner and the seam as lines. Without INPUT, a sphere with bumps.
+// Parameterizes a closed mesh: cuts it open along paths of edges, which a seam mesh does without changing the mesh, and
+// writes it as OBJ with texture coordinates by corner and the seam as lines. Without INPUT, a sphere with bumps.
 
 #include "chart.h"
 #include "example_utilities.h"
@@ -55,7 +55,8 @@ void run(const Arguments& arguments)
   CGAL::Polygon_mesh_processing::remove_isolated_vertices(mesh);
   mesh.collect_garbage();
 
-  // Both halfedges of a seam edge are on the border of the seam mesh; a vertex is there as often as seams divide the faces around it.
+  // Both halfedges of a seam edge are on the border of the seam mesh; a vertex is there as often as seams divide the
+  // faces around it.
   std::list<Chart> charts;
   Chart& chart = charts.emplace_back(mesh);
   const std::vector<Mesh::Halfedge_index> seam = Seam_tree(chart.mesh).grow(number_of_paths);

@@ -37,7 +37,8 @@ typedef Kernel::Point_2                                     Point_2;
 typedef Kernel::Point_3                                     Point_3;
 typedef Mesh::Property_map<Mesh::Vertex_index, Point_2>     Vertex_uv_map;
 
-// The command line of an application: at most one INPUT, and options `--name VALUE`. What is wrong with it is a Usage_error.
+// The command line of an application: at most one INPUT, and options `--name VALUE`. What is wrong with it is a
+// Usage_error.
 class Arguments
 {
 public:
@@ -86,7 +87,8 @@ private:
 };
 
 // Runs an application and tells errors in one line. `usage` starts with its name.
-// Returns the exit status: 0 all files written, 1 wrong usage, 2 the input cannot be read or is no surface to parameterize, 3 anything else.
+// Returns the exit status: 0 all files written, 1 wrong usage, 2 the input cannot be read or is no surface to
+// parameterize, 3 anything else.
 inline int run_application(int argc, char** argv, const std::string& usage, const std::set<std::string>& options, void (*run)(const Arguments&))
 {
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) { });     // a failed assertion is an exception as others

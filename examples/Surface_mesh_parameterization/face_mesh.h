@@ -159,8 +159,9 @@ inline std::vector<Triangle> triangles(const std::vector<Point_2>& points)
 
 } // namespace face_mesh
 
-/// Fills `mesh` (empty, a `CGAL::Surface_mesh<Point_3>`) with a human-like face: exactly 1042 vertices and 1999 triangles,
-/// counter-clockwise seen from +z, and one border of 83 edges (the vertices 0 to 82). Every call makes the same mesh.
+/// Fills `mesh` (empty, a `CGAL::Surface_mesh<Point_3>`) with a human-like face: exactly 1042 vertices and 1999
+/// triangles, counter-clockwise seen from +z, and one border of 83 edges (the vertices 0 to 82). Every call makes the
+/// same mesh.
 template <class Mesh>
 void make_face(Mesh& mesh)
 {

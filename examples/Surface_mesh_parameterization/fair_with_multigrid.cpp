@@ -1,9 +1,10 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The hierarchy serves other functions of CGAL, too: makes a mesh as smooth as its border allows with the multigrid solver, and again with the
-// solver that CGAL takes unless told otherwise. Continuity 0, the default, is a system of second order, which the grids are made for. With continuity 1,
-// of fourth order, the iteration does not arrive, and the direct solver that stands by gives the result: later, but the same.
+// The hierarchy serves other functions of CGAL, too: makes a mesh as smooth as its border allows with the multigrid
+// solver, and again with the solver that CGAL takes unless told otherwise. Continuity 0, the default, is a system of
+// second order, which the grids are made for. With continuity 1, of fourth order, the iteration does not arrive, and
+// the direct solver that stands by gives the result: later, but the same.
 
 #include "face_mesh.h"
 
@@ -30,7 +31,8 @@ typedef CGAL::Surface_mesh<Kernel::Point_3>     Mesh;
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
-// The vertices that are neither on the border nor next to it: the rows of the system for continuity 1 reach two edges far.
+// The vertices that are neither on the border nor next to it: the rows of the system for continuity 1 reach two edges
+// far.
 std::vector<Mesh::Vertex_index> vertices_to_fair(const Mesh& mesh)
 {
   std::vector<Mesh::Vertex_index> result;
@@ -59,7 +61,8 @@ int main(int argc, char** argv)
   const std::vector<Mesh::Vertex_index> region = vertices_to_fair(mesh);
   CGAL::Real_timer timer;
 
-  // fair() numbers the vertices that it is given in ascending order; a vertex with a negative index is not in the system.
+  // fair() numbers the vertices that it is given in ascending order; a vertex with a negative index is not in the
+  // system.
   timer.start();
   auto index = mesh.add_property_map<Mesh::Vertex_index, int>("v:index_in_system", -1).first;
   for (std::size_t i = 0; i < region.size(); ++i)

@@ -57,8 +57,9 @@ class Remesher
 public:
   Remesher(const Mesh& mesh, const Vertex_uv_map& uvmap) : m_mesh(mesh), m_uvmap(uvmap), m_borders(mesh, uvmap) { }
 
-  // The coarse mesh has the vertices of the coarsest level of a hierarchy and is their Delaunay triangulation in the plane between the chords of the
-  // borders. Where a border leaves its chord too far for the triangle beside it, more vertices of the border are taken.
+  // The coarse mesh has the vertices of the coarsest level of a hierarchy and is their Delaunay triangulation in the
+  // plane between the chords of the borders. Where a border leaves its chord too far for the triangle beside it, more
+  // vertices of the border are taken.
   Subdivided_mesh remesh(std::size_t coarsest_size, std::size_t subdivisions) const
   {
     std::vector<bool> is_kept = coarsest_vertices(coarsest_size);
@@ -199,7 +200,8 @@ private:
     mesh.vertices.swap(used);
   }
 
-  // The chords that the border leaves by more than a quarter of the height of their triangle, and those at triangles that flip where they are subdivided.
+  // The chords that the border leaves by more than a quarter of the height of their triangle, and those at triangles
+  // that flip where they are subdivided.
   std::set<std::size_t> coarse_chords(const std::vector<Border_chords::Chord>& chords, const Subdivided_mesh& coarse, const Subdivided_mesh& fine) const
   {
     std::map<Mesh::Halfedge_index, std::size_t> chord_of;

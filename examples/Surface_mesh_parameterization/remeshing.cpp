@@ -1,9 +1,10 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Remeshing with subdivision connectivity: triangulates the vertices of the coarsest level of the hierarchy in the map, divides each triangle there into four
-// over and over, and pulls the result back to the surface. Vertices on the border stay there: an edge of the border is halved along it. Writes the new mesh
-// as OBJ, the edges of the coarse mesh also as lines. Without INPUT, a face.
+// Remeshing with subdivision connectivity: triangulates the vertices of the coarsest level of the hierarchy in the map,
+// divides each triangle there into four over and over, and pulls the result back to the surface. Vertices on the border
+// stay there: an edge of the border is halved along it. Writes the new mesh as OBJ, the edges of the coarse mesh also
+// as lines. Without INPUT, a face.
 
 #include "example_utilities.h"
 #include "write_file.h"

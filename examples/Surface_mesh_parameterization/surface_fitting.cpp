@@ -1,8 +1,9 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Surface fitting: the map tells where on a tensor product surface each vertex belongs. Finds the bicubic B-spline surface that is nearest to the vertices in
-// the least squares sense, tells the errors, and writes the part of it over the map as OBJ, with its parameters as texture coordinates. Without INPUT, a face.
+// Surface fitting: the map tells where on a tensor product surface each vertex belongs. Finds the bicubic B-spline
+// surface that is nearest to the vertices in the least squares sense, tells the errors, and writes the part of it over
+// the map as OBJ, with its parameters as texture coordinates. Without INPUT, a face.
 
 #include "example_utilities.h"
 #include "write_file.h"
@@ -85,7 +86,8 @@ private:
   std::size_t m_columns, m_rows;
 };
 
-// Least squares by normal equations, with a little stiffness against bending, without which control points far from the map would be free.
+// Least squares by normal equations, with a little stiffness against bending, without which control points far from the
+// map would be free.
 void fit(Spline_surface& surface, const std::vector<Point_2>& uv, const std::vector<Point_3>& points, double smoothing)
 {
   typedef Eigen::Triplet<double>        Entry;

@@ -1,9 +1,9 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Texture mapping: lays every component of a mesh in the plane with least distortion of lengths, side by side in the unit square and to one scale, and
-// writes it as OBJ with a material and a checker board as its texture. Closed components are cut open along paths of edges.
-// Without INPUT, a face.
+// Texture mapping: lays every component of a mesh in the plane with least distortion of lengths, side by side in the
+// unit square and to one scale, and writes it as OBJ with a material and a checker board as its texture. Closed
+// components are cut open along paths of edges. Without INPUT, a face.
 
 #include "Checker_board.h"
 #include "chart.h"
@@ -45,7 +45,8 @@ std::list<Chart> make_charts(const Mesh& mesh, std::size_t number_of_paths)
   return charts;
 }
 
-// The board as an image without compression, which takes no library: rows from the bottom up, blue before green before red.
+// The board as an image without compression, which takes no library: rows from the bottom up, blue before green before
+// red.
 void write_TGA(std::ostream& out, const Checker_board& board, std::size_t pixels)
 {
   const char low = char(pixels & 255), high = char(pixels >> 8);

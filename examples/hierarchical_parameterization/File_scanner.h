@@ -17,7 +17,8 @@
 #include <string_view>
 #include <system_error>
 
-// A place in a file that is held in memory. Nothing is read beyond the end, whatever the file promises; a count can be compared with what remains.
+// A place in a file that is held in memory. Nothing is read beyond the end, whatever the file promises; a count can be
+// compared with what remains.
 class File_scanner
 {
 public:

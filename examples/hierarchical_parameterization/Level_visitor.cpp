@@ -21,7 +21,8 @@
 
 namespace {
 
-// One level as OBJ: its vertices where the input has them, or in the middle of a hole that was filled, its triangles, and its map (up to scale).
+// One level as OBJ: its vertices where the input has them, or in the middle of a hole that was filled, its triangles,
+// and its map (up to scale).
 void write_level(std::ostream& out, const Mesh& mesh, const std::vector<Mesh::Vertex_index>& vertices_of_component,
                         const SMP::Level& level, const SMP::Level::Uv& uv)
 {

@@ -14,7 +14,8 @@
 #include <string>
 #include <string_view>
 
-// Reads Geomview's OFF, text or binary: [ST][C][N][4]OFF. Of a vertex, texture coordinates, color and normal are skipped, of a face the color.
+// Reads Geomview's OFF, text or binary: [ST][C][N][4]OFF. Of a vertex, texture coordinates, color and normal are
+// skipped, of a face the color.
 class OFF_reader
 {
 public:

@@ -17,7 +17,8 @@
 #include <string_view>
 #include <vector>
 
-// Reads PLY, text or binary: x, y and z of the element "vertex" and the list "vertex_indices" or "vertex_index" of the element "face", of any types.
+// Reads PLY, text or binary: x, y and z of the element "vertex" and the list "vertex_indices" or "vertex_index" of the
+// element "face", of any types.
 class PLY_reader
 {
 public:

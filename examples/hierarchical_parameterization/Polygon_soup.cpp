@@ -96,7 +96,8 @@ private:
       std::sort(begin(v), end(v));
   }
 
-  // An edge that two faces run along in the same direction tells of every fault: of a third face, two orientations, or a face that is there twice.
+  // An edge that two faces run along in the same direction tells of every fault: of a third face, two orientations, or
+  // a face that is there twice.
   void check_edges(std::size_t v)
   {
     const Corner* const twice = std::adjacent_find(begin(v), end(v), [](const Corner& a, const Corner& b) { return a.next == b.next; });

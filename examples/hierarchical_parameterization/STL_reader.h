@@ -16,7 +16,8 @@
 #include <string_view>
 #include <vector>
 
-// Reads STL, text or binary. It has no other way to join triangles than by coordinates, so vertices that coincide are one here.
+// Reads STL, text or binary. It has no other way to join triangles than by coordinates, so vertices that coincide are
+// one here.
 class STL_reader
 {
 public:
@@ -37,7 +38,8 @@ public:
 private:
   static constexpr std::size_t header_size = 80, triangle_size = 50;
 
-  // Binary files may begin with "solid" too, but a text never has exactly the size that its bytes 80 to 83 would ask for.
+  // Binary files may begin with "solid" too, but a text never has exactly the size that its bytes 80 to 83 would ask
+  // for.
   bool is_binary() const
   {
     File_scanner file = m_file;

@@ -122,7 +122,8 @@ Exit_status run(const std::string& file, const Options& options, std::string& re
 
 int main(int argc, char** argv)
 {
-  // A failed assertion of CGAL is an exception, told in one line as every error; a file that may not grow further is a failed write, not the end.
+  // A failed assertion of CGAL is an exception, told in one line as every error; a file that may not grow further is a
+  // failed write, not the end.
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) { });
   std::signal(SIGXFSZ, SIG_IGN);
   try {

@@ -14,7 +14,8 @@
 #include <string>
 #include <string_view>
 
-// Reads the `v` and `f` lines of Wavefront OBJ; what else a line may say is skipped. Indices count from 1, or, if negative, back from the last vertex so far.
+// Reads the `v` and `f` lines of Wavefront OBJ; what else a line may say is skipped. Indices count from 1, or, if
+// negative, back from the last vertex so far.
 inline Polygon_soup read_OBJ(File_scanner& file)
 {
   Polygon_soup soup;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A target for libFuzzer: the program's readers on any bytes, and the whole way to the map for meshes of up to 50 faces. test/fuzz.sh builds and runs it.
+// A target for libFuzzer: the program's readers on any bytes, and the whole way to the map for meshes of up to 50
+// faces. test/fuzz.sh builds and runs it.
 //
 // The first byte chooses the file format, the second one what is done; the file follows.
 
@@ -31,7 +32,8 @@ void require(bool condition)
     std::abort();
 }
 
-// A map that is called good must be: one-to-one around every vertex, and as a whole if that was promised. Where there is none the user's map is untouched.
+// A map that is called good must be: one-to-one around every vertex, and as a whole if that was promised. Where there
+// is none the user's map is untouched.
 void check(const Input& input, UV_map uvmap, SMP::Error_code status, bool is_globally_injective)
 {
   if (status != SMP::OK) {

@@ -30,7 +30,8 @@ using SMP::internal::Sparse_matrix;
 
 typedef Multigrid_solver_traits::Vector   Vector;
 
-// An edge energy's matrix with an unknown at each vertex in the order of the input; rows of border vertices hold nothing but the diagonal.
+// An edge energy's matrix with an unknown at each vertex in the order of the input; rows of border vertices hold
+// nothing but the diagonal.
 template <class EdgeWeights>
 Sparse_matrix edge_matrix(const Flat_mesh& m, EdgeWeights edge_weights)
 {

@@ -52,7 +52,8 @@ typedef Hierarchical_parameterizer_3<Method>                  Hierarchical_metho
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// CGAL's energy of a map as it is defined: half of the sum over the triangles of sum cot |e - L x|^2 + lambda (a^2 + b^2 - 1)^2 with the best L = (a b; -b a).
+// CGAL's energy of a map as it is defined: half of the sum over the triangles of sum cot |e - L x|^2 + lambda (a^2 +
+// b^2 - 1)^2 with the best L = (a b; -b a).
 double energy_by_definition(const Flat_mesh& m, const std::vector<Kernel::Point_2>& uv, double lambda)
 {
   double sum = 0;

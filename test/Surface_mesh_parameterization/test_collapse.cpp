@@ -110,7 +110,8 @@ TEST(Collapse_quality, is_negative_exactly_if_a_triangle_flips)
 
 // ---- groups of them ----
 
-// Against the triangles with their corners replaced, group after group: the rings are those of the triangles that are left.
+// Against the triangles with their corners replaced, group after group: the rings are those of the triangles that are
+// left.
 TEST(Ring_mesh, collapses_as_its_triangles_do)
 {
   std::vector<std::pair<std::string, Flat_mesh>> meshes = named_meshes();

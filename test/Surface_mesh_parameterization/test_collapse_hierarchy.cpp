@@ -302,7 +302,8 @@ TEST(Fixed_vertices, of_a_fixed_border_may_go)
 
 TEST(Fixed_vertices, that_no_level_can_do_without_stay)
 {
-  // Inside; alone on the border; the ends of a fixed part of the border, but not what lies between them; two that are joined by an edge across the surface.
+  // Inside; alone on the border; the ends of a fixed part of the border, but not what lies between them; two that are
+  // joined by an edge across the surface.
   const Index columns = 12;
   const Flat_mesh m = grid(columns, columns, wavy);
   const Index inside = 6 * (columns + 1) + 6, alone = columns * (columns + 1) + 5, last_of_part = 8;

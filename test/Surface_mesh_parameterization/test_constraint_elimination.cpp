@@ -77,7 +77,8 @@ struct Constrained_system
 
 Eigen::VectorXd as_Eigen(const Constraint_elimination::Vector& x) { return Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()); }
 
-// Points 0 and 4 have places; 1 and 2 are turned into each other about 0, and 3 and 5 about 4, whose place is told after that.
+// Points 0 and 4 have places; 1 and 2 are turned into each other about 0, and 3 and 5 about 4, whose place is told
+// after that.
 Constrained_system two_rotations()
 {
   const Complex third = std::polar(1., 2 * CGAL_PI / 3), sixth = std::polar(1., CGAL_PI / 3);

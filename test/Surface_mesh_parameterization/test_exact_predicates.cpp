@@ -95,7 +95,8 @@ TEST(Exact_orientation, of_points_on_a_line_moved_by_ulps)
   counts.expect_all_kinds(0);
 }
 
-// Where the filter alone would be wrong: Kettner, Mehlhorn, Pion, Schirra, Yap, Classroom examples of robustness problems in geometric computations, 2008.
+// Where the filter alone would be wrong: Kettner, Mehlhorn, Pion, Schirra, Yap, Classroom examples of robustness
+// problems in geometric computations, 2008.
 TEST(Exact_orientation, of_points_beside_a_diagonal)
 {
   Counts counts;

@@ -151,7 +151,7 @@ TEST(Holes, filled_ones_of_any_shape_leave_no_flip)
     EXPECT_EQ(uniform.parameterize(Hierarchical_parameterizer_3<Uniform<Surface_mesh>>(parameters::tolerance(1e-12).fill_holes(true))).code, OK);
     EXPECT_EQ(barycentric.number_of_flips() + mean_value.number_of_flips() + uniform.number_of_flips(), 0u);
     expect_near(mean_value.uv(), polyhedron.uv(), 1e-8);
-    expect_near(barycentric.uv(), uniform.uv(), 1e-6);     // the same weights, by other rooms of the house
+    expect_near(barycentric.uv(), uniform.uv(), 1e-6);     // the same weights, by other layers of the package
   }
 }
 

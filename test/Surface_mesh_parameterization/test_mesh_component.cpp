@@ -81,7 +81,8 @@ TEST(Mesh_component, reads_every_mesh)
   }
 }
 
-// Each face but the first one is a neighbor of an earlier one, and these do not go back; vertices come in the order of the faces.
+// Each face but the first one is a neighbor of an earlier one, and these do not go back; vertices come in the order of
+// the faces.
 TEST(Mesh_component, is_numbered_breadth_first)
 {
   for (const auto& [name, m] : named_meshes()) {

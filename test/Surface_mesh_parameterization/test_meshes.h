@@ -128,7 +128,8 @@ inline Flat_mesh open_fan(Index n)
   return m;
 }
 
-// A border vertex, number 0, whose angles in space sum to more than a full turn: seven of 60 degrees, one upon the other.
+// A border vertex, number 0, whose angles in space sum to more than a full turn: seven of 60 degrees, one upon the
+// other.
 inline Flat_mesh folded_fan()
 {
   Flat_mesh m = open_fan(7);
@@ -220,8 +221,8 @@ inline Flat_mesh ramp(Index n, double turns)
   return m;
 }
 
-// A winding staircase: a developable surface whose angles at vertex 0, on the border, sum to more than a turn. The isometry is not allowed, so the best map has
-// hardly a gap there.
+// A winding staircase: a developable surface whose angles at vertex 0, on the border, sum to more than a turn. The
+// isometry is not allowed, so the best map has hardly a gap there.
 inline Flat_mesh staircase()
 {
   constexpr Index rings = 6, sectors = 40;
@@ -334,7 +335,8 @@ Flat_mesh delaunay_patch(std::size_t n, unsigned int seed, Height height)
   return m;
 }
 
-// Triangles without area and edges without length: a row of the grid lies in one point, another one on one line with its neighbors.
+// Triangles without area and edges without length: a row of the grid lies in one point, another one on one line with
+// its neighbors.
 inline Flat_mesh degenerate_grid()
 {
   Flat_mesh m = grid(8, 8, wavy);

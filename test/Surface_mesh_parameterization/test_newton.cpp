@@ -209,7 +209,8 @@ TYPED_TEST(Newton_of, finds_the_same_minimum_as_relaxation)
   }
 }
 
-// Steps of the whole map come close to that place in full length, without sweeps that free them: where the bound turns a border vertex aside, its neighbors go along.
+// Steps of the whole map come close to that place in full length, without sweeps that free them: where the bound turns
+// a border vertex aside, its neighbors go along.
 TEST(Newton_multigrid, keeps_the_length_of_steps_at_the_bound_of_the_angles_at_the_border)
 {
   const Flat_mesh m = staircase();

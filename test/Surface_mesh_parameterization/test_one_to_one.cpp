@@ -211,7 +211,8 @@ std::size_t number_of_random_surfaces()
   return given ? std::size_t(std::atol(given)) : 1000;
 }
 
-// A Delaunay patch, collapsed by a part of its hierarchy, its points displaced; in some edges have no length, some have a hole, and scales differ.
+// A Delaunay patch, collapsed by a part of its hierarchy, its points displaced; in some edges have no length, some have
+// a hole, and scales differ.
 Flat_mesh random_surface(unsigned int seed)
 {
   Random random(seed);

@@ -66,7 +66,8 @@ TEST(Overlapping_pairs, of_two_triangles)
   EXPECT_EQ(number_of_overlapping_pairs(std::vector<Triangle_2>(10, t), 20), 20u);  // counting ends
 }
 
-// Two triangles are apart if, and only if, the line of an edge has them on its two sides; with small whole numbers this is exact.
+// Two triangles are apart if, and only if, the line of an edge has them on its two sides; with small whole numbers this
+// is exact.
 TEST(Overlapping_pairs, of_random_triangles_on_a_grid)
 {
   typedef std::array<std::array<long, 2>, 3>   Whole_triangle;

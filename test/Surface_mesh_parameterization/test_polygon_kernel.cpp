@@ -54,7 +54,8 @@ Polygon_kernel_2 kernel_of(const std::vector<Point_2>& polygon, const Point_2& o
   return result;
 }
 
-// The kernel's corners by brute force: those intersections of two edges' lines that lie on no wrong side, by their angle around `inside`.
+// The kernel's corners by brute force: those intersections of two edges' lines that lie on no wrong side, by their
+// angle around `inside`.
 std::vector<Point_2> kernel_corners(const std::vector<Point_2>& polygon, const Point_2& inside)
 {
   const std::size_t n = polygon.size();

@@ -58,8 +58,8 @@ TEST_P(Program_input, comes_to_what_is_expected)
 // A text as it stands.
 std::function<std::string()> as_is(const std::string& content) { return [content] { return content; }; }
 
-// `any` goes with surfaces that can be laid out without distortion: near the minimum 0 of the energy above that of an isometry, rounding decides whether a run
-// counts as converged.
+// `any` goes with surfaces that can be laid out without distortion: near the minimum 0 of the energy above that of an
+// isometry, rounding decides whether a run counts as converged.
 
 const Row off_files[] = {
   { "missing.off", nullptr, bad_input, unreadable, "does not exist" },

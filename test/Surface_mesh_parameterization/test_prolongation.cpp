@@ -73,7 +73,8 @@ TEST(Prolongation, from_a_level_to_itself_is_the_identity)
   }
 }
 
-// The exponential map of an interior vertex of a planar mesh is an isometry: the vertex is the barycentric combination of its parents.
+// The exponential map of an interior vertex of a planar mesh is an isometry: the vertex is the barycentric combination
+// of its parents.
 TEST(Prolongation, of_a_planar_mesh_reproduces_linear_functions_inside)
 {
   for (const Flat_mesh& m : { grid(15, 15, flat), delaunay_patch(500, 3, flat) }) {
@@ -112,7 +113,8 @@ TEST(Prolongation, along_the_border_is_by_arc_length)
 
 // ---- what solvers keep of it ----
 
-// The solver works with the interpolation alone: it must put every vertex where the hierarchy does, to single precision.
+// The solver works with the interpolation alone: it must put every vertex where the hierarchy does, to single
+// precision.
 TEST(Hierarchy_interpolation, has_the_levels_and_the_prolongation_of_its_hierarchy)
 {
   const Collapse_hierarchy_3 hierarchy = hierarchy_of(delaunay_patch(300, 5, wavy));

@@ -85,7 +85,8 @@ TYPED_TEST(Iterations, are_few_on_real_meshes)
   }
 }
 
-// Half the edges are opposite to angles of up to 166 degrees: with cotangents so negative, incomplete factors of the matrix as it is make no smoother.
+// Half the edges are opposite to angles of up to 166 degrees: with cotangents so negative, incomplete factors of the
+// matrix as it is make no smoother.
 TEST(Multigrid_solver_traits, copes_with_obtuse_triangles)
 {
   for (const Index n : { 60, 120 })

@@ -206,7 +206,8 @@ TYPED_TEST(Relax_vertex, ends_where_the_gradient_vanishes)
   }
 }
 
-// A border vertex with five angles of 100 degrees in space, that would like to turn by more than a full turn in the plane.
+// A border vertex with five angles of 100 degrees in space, that would like to turn by more than a full turn in the
+// plane.
 TEST(Relax_vertex, keeps_the_angles_at_the_border_below_a_full_turn)
 {
   const double angle = CGAL_PI / 1.8;

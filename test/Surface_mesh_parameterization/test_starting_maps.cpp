@@ -146,7 +146,8 @@ TEST(Insert_new_vertices, keeps_every_level_valid)
     }
 }
 
-// The exponential map of an interior vertex of a planar mesh is an isometry, and the best place is where the vertex was.
+// The exponential map of an interior vertex of a planar mesh is an isometry, and the best place is where the vertex
+// was.
 TEST(Insert_new_vertices, of_a_planar_mesh_puts_interior_vertices_back)
 {
   for (const Flat_mesh& m : { grid(15, 15, flat), delaunay_patch(400, 2, flat) }) {

@@ -47,7 +47,8 @@ Eigen::Matrix2d dense_of(const Block& b)
   return result;
 }
 
-// A random symmetric, diagonally dominant matrix with the pattern of a level's edges; and the same one, unscaled and dense.
+// A random symmetric, diagonally dominant matrix with the pattern of a level's edges; and the same one, unscaled and
+// dense.
 struct Random_matrix
 {
   Block_matrix matrix;

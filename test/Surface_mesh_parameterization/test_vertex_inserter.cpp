@@ -44,7 +44,8 @@ std::array<double, 3> random_coordinates(Random& random)
   return { 1 - sigma - tau, sigma, tau };
 }
 
-// Inserts an interior vertex into the star polygon with the corner W0 at `center`, an angle of `turn` there, and `fan` coarse triangles.
+// Inserts an interior vertex into the star polygon with the corner W0 at `center`, an angle of `turn` there, and `fan`
+// coarse triangles.
 testing::AssertionResult insert_interior_vertex(Index fan, double turn, double least_radius, const Point_2& center, Random& random)
 {
   // V is vertex 0, W0 vertex 1, Wi vertex i + 1.
@@ -110,8 +111,8 @@ TEST(Vertex_inserter, takes_the_stored_place_if_it_is_best)
 
 // ---- on the border ----
 
-// A border vertex C, number 0, whose coarse fan turns by `turn`, with the neighbors 1, .., n + 1. Its last edge, from n + 1 to 0, and its
-// first one, from 0 to 1, lie on the border.
+// A border vertex C, number 0, whose coarse fan turns by `turn`, with the neighbors 1, .., n + 1. Its last edge, from n
+// + 1 to 0, and its first one, from 0 to 1, lie on the border.
 std::vector<Point_2> coarse_border_fan(Index n, double turn, Random& random)
 {
   std::vector<Point_2> uv(1, Point_2(0, 0));
@@ -161,8 +162,8 @@ TEST(Vertex_inserter, inserts_ears_beside_border_vertices_of_any_turn)
     }
 }
 
-// Inserts a border vertex V between the last neighbor of C and C; it takes the last `taken` triangles from C. V had collapsed onto C
-// or, if it takes one triangle only, onto the other end.
+// Inserts a border vertex V between the last neighbor of C and C; it takes the last `taken` triangles from C. V had
+// collapsed onto C or, if it takes one triangle only, onto the other end.
 testing::AssertionResult insert_border_vertex(Index n, double turn, Index taken, bool onto_center, Random& random)
 {
   std::vector<Point_2> uv = coarse_border_fan(n, turn, random);

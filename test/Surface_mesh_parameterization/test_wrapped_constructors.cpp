@@ -28,7 +28,8 @@
 #include <cstddef>
 #include <functional>
 
-// A user's own parameterizer, as small as can be: every vertex but those of the border goes to the mean of its neighbors.
+// A user's own parameterizer, as small as can be: every vertex but those of the border goes to the mean of its
+// neighbors.
 namespace archetype {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;

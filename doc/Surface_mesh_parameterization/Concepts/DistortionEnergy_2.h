@@ -4,13 +4,14 @@
 /// \ingroup PkgHierarchicalParameterizationConcepts
 /// \cgalConcept
 ///
-/// The energy of a triangle's linear map from space to the plane: a symmetric, twice differentiable function of the singular
-/// values `s1 >= s2 > 0` of the map. Its arguments are two invariants that are polynomials in the coordinates: the squared
-/// Frobenius norm `f = s1^2 + s2^2` and the determinant `d = s1 s2`. There are two kinds of energies. One kind is defined
-/// for positive `d` and goes to infinity as `d` goes to 0 with `f` fixed: it keeps triangles positive. The other kind is
-/// defined for every `d`, and maps may have flips.
+/// The energy of a triangle's linear map from space to the plane: a symmetric, twice differentiable function of the
+/// singular values `s1 >= s2 > 0` of the map. Its arguments are two invariants that are polynomials in the coordinates:
+/// the squared Frobenius norm `f = s1^2 + s2^2` and the determinant `d = s1 s2`. There are two kinds of energies. One
+/// kind is defined for positive `d` and goes to infinity as `d` goes to 0 with `f` fixed: it keeps triangles positive.
+/// The other kind is defined for every `d`, and maps may have flips.
 ///
-/// Models are `DefaultConstructible` and `CopyConstructible`. The functions are `static` where an energy has no parameters.
+/// Models are `DefaultConstructible` and `CopyConstructible`. The functions are `static` where an energy has no
+/// parameters.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::As_rigid_as_possible_energy_2`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::MIPS_energy_2`

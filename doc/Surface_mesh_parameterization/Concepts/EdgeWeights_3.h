@@ -4,10 +4,11 @@
 /// \ingroup PkgHierarchicalParameterizationConcepts
 /// \cgalConcept
 ///
-/// The weights \f$ c_{ij} \f$ of an edge energy: how strongly each neighbor attracts a vertex. They depend on the shape of
-/// the one-ring of the vertex in space.
+/// The weights \f$ c_{ij} \f$ of an edge energy: how strongly each neighbor attracts a vertex. They depend on the shape
+/// of the one-ring of the vertex in space.
 ///
-/// Models are `DefaultConstructible` and `CopyConstructible`. One thread at a time uses a copy, which may keep scratch space.
+/// Models are `DefaultConstructible` and `CopyConstructible`. One thread at a time uses a copy, which may keep scratch
+/// space.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Uniform_edge_weights_3`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Chordal_edge_weights_3`
@@ -29,11 +30,14 @@ public:
   /// computes the weights of the edges of one vertex.
   ///
   /// \param v the vertex; the size of the surface is about 1
-  /// \param ring its neighbors, counter-clockwise, two or more. With `v`, any two consecutive ones form a triangle, which may
+  /// \param ring its neighbors, counter-clockwise, two or more. With `v`, any two consecutive ones form a triangle,
+  /// which may
   ///        be degenerate
-  /// \param is_closed whether the last and the first neighbor form a triangle with `v`, too. If not, `v` lies on a border,
+  /// \param is_closed whether the last and the first neighbor form a triangle with `v`, too. If not, `v` lies on a
+  /// border,
   ///        which is that of a hole if the outer border is fixed
-  /// \param weights receives a finite number for each neighbor, in the order of the ring. It may have any size at the call.
+  /// \param weights receives a finite number for each neighbor, in the order of the ring. It may have any size at the
+  /// call.
   ///        If the sum of the weights is not positive, uniform weights replace them
   void operator()(const Point_3& v, const std::vector<Point_3>& ring, bool is_closed, std::vector<double>& weights);
 };

@@ -5,18 +5,19 @@
 /// \cgalConcept
 ///
 /// A parameterizer that solves sparse linear systems through solver traits, which are a template parameter.
-/// `Hierarchical_parameterizer_3` runs it with `Multigrid_solver_traits` instead of its own solver, and the map is the same.
-/// A model has a specialization of `Rebind_solver`. Models with CGAL's three template parameters, mesh, border
+/// `Hierarchical_parameterizer_3` runs it with `Multigrid_solver_traits` instead of its own solver, and the map is the
+/// same. A model has a specialization of `Rebind_solver`. Models with CGAL's three template parameters, mesh, border
 /// parameterizer and solver traits, need none.
 ///
 /// Its systems
-/// - have the same number `k` of unknowns at each vertex of the component; those of the vertex with the index `i` have the numbers from `k i` to `k i + k - 1`;
+/// - have the same number `k` of unknowns at each vertex of the component; those of the vertex with the index `i` have
+///   the numbers from `k i` to `k i + k - 1`;
 /// - may contain given values, each in a row with only a diagonal entry;
 /// - are solved by `linear_solver(A, B, X, D)`, or by `factor(A, D)` and `linear_solver(B, X)`. If one of these returns
 ///   `false`, `X` is unchanged.
 ///
-/// The matrix need not be symmetric. The solver sets up a matrix once for all right-hand sides. The same requirements hold
-/// for systems that are passed to a `Multigrid_solver_traits` without the adaptor.
+/// The matrix need not be symmetric. The solver sets up a matrix once for all right-hand sides. The same requirements
+/// hold for systems that are passed to a `Multigrid_solver_traits` without the adaptor.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Barycentric_mapping_parameterizer_3`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Discrete_authalic_parameterizer_3`
@@ -30,19 +31,22 @@ public:
   /// the mesh type, a model of `FaceListGraph` with an internal vertex point map
   typedef unspecified_type Triangle_mesh;
 
-  /// takes the arguments of the user's `Hierarchical_parameterizer_3`, except the named parameters. It is called for every
-  /// run. Here or in `parameterize()`, the solver must be made by its default constructor, through which it finds the
-  /// hierarchy.
+  /// takes the arguments of the user's `Hierarchical_parameterizer_3`, except the named parameters. It is called for
+  /// every run. Here or in `parameterize()`, the solver must be made by its default constructor, through which it finds
+  /// the hierarchy.
   RebindableParameterizer_3(arguments...);
 
-  /// parameterizes the connected component of `mesh` that contains `bhd`. The mesh has been checked, see `Mesh_component`.
+  /// parameterizes the connected component of `mesh` that contains `bhd`. The mesh has been checked, see
+  /// `Mesh_component`.
   ///
   /// \param mesh the user's mesh
   /// \param bhd the user's halfedge on the outer border
-  /// \param uvmap a readable and writable property map from the component's vertices to points. At the call it has the user's
+  /// \param uvmap a readable and writable property map from the component's vertices to points. At the call it has the
+  /// user's
   ///        places where the user's `vpmap` is `true`; it receives the map
   /// \param vimap the indices of the component's vertices, from 0 without gaps; they are not the user's
-  /// \param vpmap a readable and writable property map from the component's vertices to `bool`. At the call it has the user's
+  /// \param vpmap a readable and writable property map from the component's vertices to `bool`. At the call it has the
+  /// user's
   ///        values
   /// \param others the further arguments of `Hierarchical_parameterizer_3::parameterize()`
   ///

@@ -4,12 +4,12 @@
 /// \ingroup PkgHierarchicalParameterizationConcepts
 /// \cgalConcept
 ///
-/// A parameterization method that improves a given map. `Nested_iteration_parameterizer_3` runs it level by level. A method
-/// sees a `Level` and not a mesh: points, triangles and one-rings by rank.
+/// A parameterization method that improves a given map. `Nested_iteration_parameterizer_3` runs it level by level. A
+/// method sees a `Level` and not a mesh: points, triangles and one-rings by rank.
 ///
-/// A *flip-free* map has only positive triangles, by exact predicates. The angles at an interior vertex sum to one turn, and
-/// at a border vertex to less. The points of a level are of `CGAL::Simple_cartesian<double>`, whose predicates are not
-/// exact. So a flip-free method converts them to a kernel with exact predicates, such as
+/// A *flip-free* map has only positive triangles, by exact predicates. The angles at an interior vertex sum to one
+/// turn, and at a border vertex to less. The points of a level are of `CGAL::Simple_cartesian<double>`, whose
+/// predicates are not exact. So a flip-free method converts them to a kernel with exact predicates, such as
 /// `CGAL::Exact_predicates_inexact_constructions_kernel`, before it tests orientations.
 ///
 /// Methods are copied. All functions of a run are called on the same copy.
@@ -23,21 +23,23 @@ public:
   /// the mesh type, a model of `FaceListGraph` with an internal vertex point map
   typedef unspecified_type Triangle_mesh;
 
-  /// `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`: whether several threads insert vertices
+  /// `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`: whether several threads insert
+  /// vertices
   typedef unspecified_type Concurrency_tag;
 
   /// whether the method keeps maps flip-free, at least on all levels below the finest. If so, new vertices are inserted
   /// without flips. If not, they go to their stored barycentric coordinates, and flips are possible
   static constexpr bool is_flip_free;
 
-  /// optional, for a method that is not flip-free: fixes vertices in the plane before the levels are built, for example by
-  /// one of CGAL's border parameterizers, whose `parameterize()` takes the same arguments. On every level,
-  /// `level.is_fixed(v)` and `level.fixed_place(v)` return them. A fixed vertex stays on all levels, unless it lies on the
-  /// border between two others.
+  /// optional, for a method that is not flip-free: fixes vertices in the plane before the levels are built, for example
+  /// by one of CGAL's border parameterizers, whose `parameterize()` takes the same arguments. On every level,
+  /// `level.is_fixed(v)` and `level.fixed_place(v)` return them. A fixed vertex stays on all levels, unless it lies on
+  /// the border between two others.
   ///
   /// \param mesh the user's mesh
   /// \param bhd the user's halfedge on the outer border
-  /// \param uvmap receives the places, in the user's units. The result has exactly these places, unless a coordinate under-
+  /// \param uvmap receives the places, in the user's units. The result has exactly these places, unless a coordinate
+  /// under-
   ///        or overflows in units of the level
   /// \param vimap the indices of the component's vertices, from 0 without gaps
   /// \param vpmap receives `true` for every vertex that is fixed
@@ -48,9 +50,9 @@ public:
   place_border(const Triangle_mesh& mesh, boost::graph_traits<Triangle_mesh>::halfedge_descriptor bhd,
                VertexUVMap uvmap, VertexIndexMap vimap, VertexParameterizedMap vpmap);
 
-  /// optional, for a flip-free method: asks the method to leave more space for the vertices of finer levels from now on. It
-  /// is called when a vertex could not be inserted in doubles, in several hierarchies. If it returns `true`, nested iteration
-  /// starts once more.
+  /// optional, for a flip-free method: asks the method to leave more space for the vertices of finer levels from now
+  /// on. It is called when a vertex could not be inserted in doubles, in several hierarchies. If it returns `true`,
+  /// nested iteration starts once more.
   ///
   /// \return whether the method can do so
   bool leave_room();
@@ -60,7 +62,8 @@ public:
   /// \param level the coarsest level, with about a hundred vertices, or the whole input in a flat run
   /// \param uv receives a place for every vertex of the level, by rank
   ///
-  /// \return `OK` and a map, flip-free if the method is, or an error. After `ERROR_NO_1_TO_1_MAPPING` of a flip-free method,
+  /// \return `OK` and a map, flip-free if the method is, or an error. After `ERROR_NO_1_TO_1_MAPPING` of a flip-free
+  /// method,
   ///         nested iteration tries again with a coarser coarsest level
   CGAL::Surface_mesh_parameterization::Error_code
   parameterize_coarsest(const CGAL::Surface_mesh_parameterization::Level& level,
@@ -68,7 +71,8 @@ public:
 
   /// improves a map. It is called for every level, including the coarsest one.
   ///
-  /// \param level the level. The vertices from `level.first_new_vertex()` on are new, and `level.is_finest()` tells whether
+  /// \param level the level. The vertices from `level.first_new_vertex()` on are new, and `level.is_finest()` tells
+  /// whether
   ///        this is the last call
   /// \param uv a map of the level. If the method is flip-free, the map is flip-free and must stay so
   /// \param summary receives what was done. The caller fills in the numbers of vertices and faces and the time

@@ -16,14 +16,18 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationEnergies
 ///
-/// The squared distance of a triangle's map from the nearest similarity, plus a penalty for that similarity's scale `s`:
-/// the least value, over `s >= 0`, of `(s1 - s)^2 + (s2 - s)^2 + k (s^2 - 1)^2` with the singular values `s1 >= |s2|` of the map, of which the second is
-/// negative if the triangle is flipped. It is 0 for an isometry. The stiffness `k` is \f$ \lambda / (2A) \f$ for a triangle of area `A`.
+/// The squared distance of a triangle's map from the nearest similarity, plus a penalty for that similarity's scale
+/// `s`: the least value, over `s >= 0`, of `(s1 - s)^2 + (s2 - s)^2 + k (s^2 - 1)^2` with the singular values `s1 >=
+/// |s2|` of the map, of which the second is negative if the triangle is flipped. It is 0 for an isometry. The stiffness
+/// `k` is \f$ \lambda / (2A) \f$ for a triangle of area `A`.
 ///
-/// Weighted by the areas, the sum over the triangles is the energy that `CGAL::Surface_mesh_parameterization::ARAP_parameterizer_3` minimizes, half of
-/// \f[ \sum_t \Bigl( \sum_{i} \cot\theta_i \, | u_{i+1} - u_{i+2} - L_t ( x_{i+1} - x_{i+2} ) |^2 + \lambda ( a_t^2 + b_t^2 - 1 )^2 \Bigr),
+/// Weighted by the areas, the sum over the triangles is the energy that
+/// `CGAL::Surface_mesh_parameterization::ARAP_parameterizer_3` minimizes, half of
+/// \f[ \sum_t \Bigl( \sum_{i} \cot\theta_i \, | u_{i+1} - u_{i+2} - L_t ( x_{i+1} - x_{i+2} ) |^2 + \lambda ( a_t^2 +
+/// b_t^2 - 1 )^2 \Bigr),
 ///     \qquad L_t = \begin{pmatrix} a_t & b_t \\ -b_t & a_t \end{pmatrix}, \f]
-/// minimized over all \f$ L_t \f$. The cotangents may be negative: they only express the Dirichlet integral of a triangle.
+/// minimized over all \f$ L_t \f$. The cotangents may be negative: they only express the Dirichlet integral of a
+/// triangle.
 ///
 /// Source: Liu, Zhang, Xu, Gotsman, Gortler, *A local/global approach to mesh parameterization*, 2008.
 ///
@@ -54,10 +58,12 @@ public:
     return anisotropy(frobenius, determinant) + scale_penalty(r, excess_scale(r));
   }
 
-  /// the energy's value and derivatives with respect to both arguments. They do not exist where `s1 + s2 = 0`; the values returned there are finite.
+  /// the energy's value and derivatives with respect to both arguments. They do not exist where `s1 + s2 = 0`; the
+  /// values returned there are finite.
   ///
-  /// With `r = (s1 + s2) / 2` the energy is `(s1 - s2)^2 / 2 + h(r)` where `h(r) = min 2 (r - s)^2 + k (s^2 - 1)^2`. By the envelope theorem
-  /// `h' = 4 (r - s)` at the best `s`, and with the implicit derivative of `s`, `h'' = 4 (1 - 1 / (1 + k (3 s^2 - 1)))`.
+  /// With `r = (s1 + s2) / 2` the energy is `(s1 - s2)^2 / 2 + h(r)` where `h(r) = min 2 (r - s)^2 + k (s^2 - 1)^2`. By
+  /// the envelope theorem `h' = 4 (r - s)` at the best `s`, and with the implicit derivative of `s`, `h'' = 4 (1 - 1 /
+  /// (1 + k (3 s^2 - 1)))`.
   Distortion_derivatives_2 derivatives(double frobenius, double determinant) const
   {
     constexpr double least_r = 1e-12, least_slope = 1e-12;
@@ -78,8 +84,9 @@ private:
   // From here on the scale of a triangle is its own.
   static constexpr double infinite_stiffness = 1e15;
 
-  // The best scale, less 1. It is the positive root of k s (s^2 - 1) + s - r, which is convex there and negative at 0: Newton's method comes down to it from
-  // the end of a first step that starts at s = 1. With s - 1 as the unknown nothing is lost for great k, where it is of the order 1/k.
+  // The best scale, less 1. It is the positive root of k s (s^2 - 1) + s - r, which is convex there and negative at 0:
+  // Newton's method comes down to it from the end of a first step that starts at s = 1. With s - 1 as the unknown
+  // nothing is lost for great k, where it is of the order 1/k.
   double excess_scale(double r) const
   {
     if (m_stiffness > infinite_stiffness)

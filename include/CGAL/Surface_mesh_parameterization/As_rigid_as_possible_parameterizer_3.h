@@ -23,19 +23,20 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// Minimizes the energy of CGAL's `ARAP_parameterizer_3` with a free border, see `As_rigid_as_possible_energy_2`. A greater
-/// `lambda` preserves lengths better, at the expense of angles. As in CGAL, triangles of the result may be flipped where
-/// that lowers the energy. The named parameter `flip_policy` says how flips are treated.
+/// Minimizes the energy of CGAL's `ARAP_parameterizer_3` with a free border, see `As_rigid_as_possible_energy_2`. A
+/// greater `lambda` preserves lengths better, at the expense of angles. As in CGAL, triangles of the result may be
+/// flipped where that lowers the energy. The named parameter `flip_policy` says how flips are treated.
 ///
-/// As in CGAL, `lambda` depends on the units of the mesh, because it is compared with squares of lengths. If it is too small
-/// for the units, the map shrinks, in the limit to a point. If it is 0, no scale is better than another; then two vertices on
-/// the border are kept far from each other.
+/// As in CGAL, `lambda` depends on the units of the mesh, because it is compared with squares of lengths. If it is too
+/// small for the units, the map shrinks, in the limit to a point. If it is 0, no scale is better than another; then two
+/// vertices on the border are kept far from each other.
 ///
-/// The energy has many local minima, and a folded map does not unfold. So the levels below the finest, or Tutte's map in a
-/// flat run, are optimized for the symmetric Dirichlet energy, which removes strong distortion without flips. On the finest
-/// level Newton's method with multigrid starts from there.
+/// The energy has many local minima, and a folded map does not unfold. So the levels below the finest, or Tutte's map
+/// in a flat run, are optimized for the symmetric Dirichlet energy, which removes strong distortion without flips. On
+/// the finest level Newton's method with multigrid starts from there.
 ///
-/// Energies are reported as CGAL reports them: half of the sum over the edges of all triangles, in the units of the mesh.
+/// Energies are reported as CGAL reports them: half of the sum over the edges of all triangles, in the units of the
+/// mesh.
 ///
 /// Source: Liu, Zhang, Xu, Gotsman, Gortler, *A local/global approach to mesh parameterization*, 2008.
 ///
@@ -43,7 +44,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `RefinableParameterizer_3`
 ///
 /// \tparam TriangleMesh_ a model of `FaceListGraph` with an internal vertex point map
-/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result is the same for every number of threads
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result
+/// is the same for every number of threads
 template <class TriangleMesh_, class ConcurrencyTag = Sequential_tag>
 class As_rigid_as_possible_parameterizer_3
   : public Refinable_parameterizer_base_3<As_rigid_as_possible_parameterizer_3<TriangleMesh_, ConcurrencyTag>, TriangleMesh_, ConcurrencyTag>
@@ -54,8 +56,8 @@ class As_rigid_as_possible_parameterizer_3
 public:
   /// \param np
   /// - `lambda`: the cost of a change of scale, at least 0, may be infinite; default 1000, as in CGAL
-  /// - `tolerance`, `number_of_iterations` and the other named parameters of `Refinement_options`, except `triangle_weight`
-  ///   and `globally_injective`
+  /// - `tolerance`, `number_of_iterations` and the other named parameters of `Refinement_options`, except
+  ///   `triangle_weight` and `globally_injective`
   /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `FAIL`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -69,7 +71,8 @@ public:
   }
 
   /// Tutte's map of a level, scaled to the surface's area. In a flat run it is then improved without flips.
-  /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING` if Tutte's map, computed in doubles, has a flip
+  /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING` if Tutte's map, computed in
+  /// doubles, has a flip
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
     const Error_code status = internal::compute_first_map(level, uv);
@@ -81,8 +84,8 @@ public:
     return OK;
   }
 
-  /// improves a flip-free map of a level and keeps it flip-free. On the finest level, minimizes the energy, and flips are
-  /// possible.
+  /// improves a flip-free map of a level and keeps it flip-free. On the finest level, minimizes the energy, and flips
+  /// are possible.
   /// \return `OK`
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {

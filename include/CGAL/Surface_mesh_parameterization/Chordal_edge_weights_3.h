@@ -17,11 +17,13 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationEnergies
 ///
-/// The weight of an edge of length `l` is `1 / l^r`: a longer edge is a softer spring. With `r = 0` the weights are uniform.
+/// The weight of an edge of length `l` is `1 / l^r`: a longer edge is a softer spring. With `r = 0` the weights are
+/// uniform.
 ///
 /// An edge that is shorter than 1e-9 of the size of the surface is treated as if it had that length.
 ///
-/// Source: Greiner and Hormann, *Interpolating and approximating scattered 3D-data with hierarchical tensor product B-splines*, 1997.
+/// Source: Greiner and Hormann, *Interpolating and approximating scattered 3D-data with hierarchical tensor product
+/// B-splines*, 1997.
 ///
 /// \cgalModels `EdgeWeights_3`
 class Chordal_edge_weights_3

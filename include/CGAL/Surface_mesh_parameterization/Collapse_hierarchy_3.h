@@ -33,15 +33,15 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationHierarchy
 ///
-/// A triangulated surface as a sequence of levels, from a coarse mesh (level 0) to the input (the last level). A *collapse
-/// group* leads from each level to the next coarser one: half-edge collapses whose removed vertices share no edge. For each
-/// removed vertex the hierarchy stores its *parent triangle* in the coarser level and its barycentric coordinates there,
-/// found by the discrete exponential map.
+/// A triangulated surface as a sequence of levels, from a coarse mesh (level 0) to the input (the last level). A
+/// *collapse group* leads from each level to the next coarser one: half-edge collapses whose removed vertices share no
+/// edge. For each removed vertex the hierarchy stores its *parent triangle* in the coarser level and its barycentric
+/// coordinates there, found by the discrete exponential map.
 ///
-/// Vertices are numbered by removal, the coarsest ones first. This number is the *rank*. So the vertices of a level are the
-/// ranks from 0 to `number_of_vertices(level) - 1`. Undoing the collapses one by one, in the order of the ranks, leads
-/// through the meshes \f$ M^0, \dots, M^n \f$ of a progressive mesh (`Progressive_mesh_3`). Faces are numbered in the same
-/// way. Inside a group the order of the input is kept.
+/// Vertices are numbered by removal, the coarsest ones first. This number is the *rank*. So the vertices of a level are
+/// the ranks from 0 to `number_of_vertices(level) - 1`. Undoing the collapses one by one, in the order of the ranks,
+/// leads through the meshes \f$ M^0, \dots, M^n \f$ of a progressive mesh (`Progressive_mesh_3`). Faces are numbered in
+/// the same way. Inside a group the order of the input is kept.
 ///
 /// Source: Hormann, Greiner, Campagna, *Hierarchical Parametrization of Triangulated Surfaces*, 1999, sections 2 and 3.
 class Collapse_hierarchy_3
@@ -52,7 +52,8 @@ public:
   typedef internal::Point_3          Point_3;    ///< `CGAL::Simple_cartesian<double>::Point_3`, whose predicates are not exact
   typedef internal::Index_triangle   Triangle;   ///< an array of three ranks of vertices, counter-clockwise
 
-  /// `Eigen::SparseMatrix<double, Eigen::RowMajor>`. This header only declares it: include `<Eigen/SparseCore>` to use it
+  /// `Eigen::SparseMatrix<double, Eigen::RowMajor>`. This header only declares it: include `<Eigen/SparseCore>` to use
+  /// it
   typedef Eigen::SparseMatrix<double, 1, int>   Prolongation;
 
   /// builds the hierarchy of a surface.
@@ -62,13 +63,13 @@ public:
   /// \param surface the surface; move it in to save memory
   /// \param np
   /// - `random_seed`: the seed of the random choice of vertices; default 0
-  /// - `coarsest_size`: collapse groups are made until a level has at most that many vertices, or until no vertex can be
-  ///   collapsed; default 100
-  /// - `unit_edges`: whether the quality of coarse triangles is measured as if all edges of the surface were equally long;
-  ///   default `false`: it is measured in space. The value `true` suits methods whose weights do not depend on lengths,
-  ///   such as barycentric mapping
-  /// - `vertex_is_constrained_map`: a readable property map from an index of `surface.points`, a `std::size_t`, to `bool`:
-  ///   vertices that stay on every level; default: none
+  /// - `coarsest_size`: collapse groups are made until a level has at most that many vertices, or until no vertex can
+  ///   be collapsed; default 100
+  /// - `unit_edges`: whether the quality of coarse triangles is measured as if all edges of the surface were equally
+  ///   long; default `false`: it is measured in space. The value `true` suits methods whose weights do not depend on
+  ///   lengths, such as barycentric mapping
+  /// - `vertex_is_constrained_map`: a readable property map from an index of `surface.points`, a `std::size_t`, to
+  ///   `bool`: vertices that stay on every level; default: none
   /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the
   ///         hierarchy is the same with all of them
   template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
@@ -122,8 +123,8 @@ public:
   const internal::Vertex_hierarchy& vertices() const { return m_vertices; }
   /// \endcond
 
-  /// whether a vertex stays on every level: because it is constrained, or because its place in the plane is given and the
-  /// coarse levels need it
+  /// whether a vertex stays on every level: because it is constrained, or because its place in the plane is given and
+  /// the coarse levels need it
   bool is_pinned(Index v) const { return m_is_pinned[v]; }
 
   /// whether the place of a vertex in the plane is given
@@ -142,8 +143,8 @@ public:
   /// index of a face in the array of triangles that the hierarchy was built from
   Index input_face(Index f) const { return m_faces.input_face[f]; }
 
-  /// the corners of a face just before a collapse removes it, counter-clockwise from any one; for a face of level 0, its
-  /// corners on that level
+  /// the corners of a face just before a collapse removes it, counter-clockwise from any one; for a face of level 0,
+  /// its corners on that level
   const Triangle& last_triangle(Index f) const { return m_faces.last_triangle[f]; }
 
   /// @}
@@ -154,8 +155,9 @@ public:
   /// the vertex that `v` collapsed onto
   Index kept_vertex(Index v) const { return split(v).parent[0]; }
 
-  /// the parent triangle (W0, Wi, Wi+1) of `v`, a triangle of the level without `v`. An ear, which is a border vertex with
-  /// one triangle, has no parent triangle: then the result holds its two neighbors, and the last two corners are equal
+  /// the parent triangle (W0, Wi, Wi+1) of `v`, a triangle of the level without `v`. An ear, which is a border vertex
+  /// with one triangle, has no parent triangle: then the result holds its two neighbors, and the last two corners are
+  /// equal
   const Triangle& parent_triangle(Index v) const { return split(v).parent; }
 
   /// the barycentric coordinates of `v` in its parent triangle; not negative, their sum is 1
@@ -180,8 +182,8 @@ public:
   /// @{
 
   /// the prolongation from a coarse to a fine level: a sparse matrix with `number_of_vertices(fine)` rows and
-  /// `number_of_vertices(coarse)` columns. Its rows are barycentric coordinates: they are not negative and sum to 1. The
-  /// rows of the vertices of the coarse level are those of the identity. The transpose is the restriction. Include
+  /// `number_of_vertices(coarse)` columns. Its rows are barycentric coordinates: they are not negative and sum to 1.
+  /// The rows of the vertices of the coarse level are those of the identity. The transpose is the restriction. Include
   /// `<Eigen/SparseCore>` before calling it.
   ///
   /// \pre `coarse <= fine < number_of_levels()`

@@ -10,9 +10,10 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationEnergies
 ///
-/// Value and derivatives of a distortion energy as a function of two invariants of a triangle's map: the squared Frobenius norm
-/// `f = s1^2 + s2^2` and the determinant `d = s1 s2`. Every smooth energy that is symmetric in the singular values is a smooth
-/// function of the two, also where `s1 = s2`; the norm is quadratic and the determinant bilinear in the vertices.
+/// Value and derivatives of a distortion energy as a function of two invariants of a triangle's map: the squared
+/// Frobenius norm `f = s1^2 + s2^2` and the determinant `d = s1 s2`. Every smooth energy that is symmetric in the
+/// singular values is a smooth function of the two, also where `s1 = s2`; the norm is quadratic and the determinant
+/// bilinear in the vertices.
 struct Distortion_derivatives_2
 {
   double value;   ///< the energy

@@ -19,30 +19,32 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// Minimizes a distortion energy: the sum over the triangles of a function of the singular values of the map. The border is
-/// free, and holes stay holes. By exact predicates, no triangle of the result is flipped or degenerate, and the triangles
-/// around a vertex wind around it once. If the energy does not depend on scale, the result has the area of the surface.
+/// Minimizes a distortion energy: the sum over the triangles of a function of the singular values of the map. The
+/// border is free, and holes stay holes. By exact predicates, no triangle of the result is flipped or degenerate, and
+/// the triangles around a vertex wind around it once. If the energy does not depend on scale, the result has the area
+/// of the surface.
 ///
-/// A free border may overlap itself, unless the named parameter `globally_injective` is true. Then a barrier term (Smith and
-/// Schaefer 2015) is added to the energy where borders come near each other. No border meets itself or another one, by exact
-/// predicates.
+/// A free border may overlap itself, unless the named parameter `globally_injective` is true. Then a barrier term
+/// (Smith and Schaefer 2015) is added to the energy where borders come near each other. No border meets itself or
+/// another one, by exact predicates.
 ///
-/// Without the adaptor the method starts from Tutte's map onto a circle. If that has flips in doubles, it starts from the
-/// result on a level that is coarse enough. With `Hierarchical_parameterizer_3` it always starts from the result of a coarse
-/// level, which is much faster on large meshes.
+/// Without the adaptor the method starts from Tutte's map onto a circle. If that has flips in doubles, it starts from
+/// the result on a level that is coarse enough. With `Hierarchical_parameterizer_3` it always starts from the result of
+/// a coarse level, which is much faster on large meshes.
 ///
-/// The minimum may need scales that differ by more than doubles can hold, so that no hierarchy leads to the finest level.
-/// Then a small part of the symmetric Dirichlet energy is added, and the result counts as not converged.
+/// The minimum may need scales that differ by more than doubles can hold, so that no hierarchy leads to the finest
+/// level. Then a small part of the symmetric Dirichlet energy is added, and the result counts as not converged.
 ///
-/// A triangle whose height is less than 1e-6 of its longest edge is treated as if it had that height. Pinned vertices of a
-/// hierarchy may move in the plane.
+/// A triangle whose height is less than 1e-6 of its longest edge is treated as if it had that height. Pinned vertices
+/// of a hierarchy may move in the plane.
 ///
 /// \cgalModels `Parameterizer_3`
 /// \cgalModels `RefinableParameterizer_3`
 ///
 /// \tparam TriangleMesh_ a model of `FaceListGraph` with an internal vertex point map
 /// \tparam Energy a model of `DistortionEnergy_2` that keeps triangles positive
-/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result is the same for every number of threads
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result
+/// is the same for every number of threads
 template <class TriangleMesh_, class Energy, class ConcurrencyTag = Sequential_tag>
 class Distortion_parameterizer_3
   : public Refinable_parameterizer_base_3<Distortion_parameterizer_3<TriangleMesh_, Energy, ConcurrencyTag>, TriangleMesh_, ConcurrencyTag>
@@ -69,7 +71,8 @@ public:
   }
 
   /// Tutte's map of a level, scaled to the surface's area.
-  /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING` if the map, computed in doubles, has a flip
+  /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING` if the map, computed in doubles,
+  /// has a flip
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
     return internal::compute_first_map(level, uv);

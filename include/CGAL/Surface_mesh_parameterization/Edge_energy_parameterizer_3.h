@@ -23,17 +23,18 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// Minimizes the quadratic energy \f$ E = \frac{1}{2} \sum c_{ij} \|p_i - p_j\|^2 \f$ over the edges of the surface, with the
-/// border fixed: every other vertex goes to the weighted mean of its neighbors. If the weights are not symmetric, there is
-/// no such energy, and the weighted means define the map.
+/// Minimizes the quadratic energy \f$ E = \frac{1}{2} \sum c_{ij} \|p_i - p_j\|^2 \f$ over the edges of the surface,
+/// with the border fixed: every other vertex goes to the weighted mean of its neighbors. If the weights are not
+/// symmetric, there is no such energy, and the weighted means define the map.
 ///
-/// If no weight is negative and the border is convex, the converged map is one-to-one (Tutte, Floater), within the precision
-/// of doubles. `parameterization_quality()` tells whether it is. Holes become convex, because their borders are free. An
-/// ear, a vertex with one triangle, on the border of a hole then lies on the line between its neighbors. The same can happen
-/// to an ear on a straight side of the outer border.
+/// If no weight is negative and the border is convex, the converged map is one-to-one (Tutte, Floater), within the
+/// precision of doubles. `parameterization_quality()` tells whether it is. Holes become convex, because their borders
+/// are free. An ear, a vertex with one triangle, on the border of a hole then lies on the line between its neighbors.
+/// The same can happen to an ear on a straight side of the outer border.
 ///
 /// With `Hierarchical_parameterizer_3`, a direct solver computes the coarsest level, and Gauss-Seidel sweeps with
-/// over-relaxation the others, each from the map of the level before. In a flat run a direct solver computes the whole map.
+/// over-relaxation the others, each from the map of the level before. In a flat run a direct solver computes the whole
+/// map.
 ///
 /// Source: equation (1) of Hormann, Greiner, Campagna, *Hierarchical Parametrization of Triangulated Surfaces*, 1999.
 ///
@@ -42,8 +43,10 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// \tparam TriangleMesh_ a model of `FaceListGraph` with an internal vertex point map
 /// \tparam EdgeWeights a model of `EdgeWeights_3`
-/// \tparam BorderParameterizer one of CGAL's border parameterizers, a model of `Parameterizer_3` that places the border only
-/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result is the same for every number of threads
+/// \tparam BorderParameterizer one of CGAL's border parameterizers, a model of `Parameterizer_3` that places the border
+/// only
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result
+/// is the same for every number of threads
 template <class TriangleMesh_, class EdgeWeights, class BorderParameterizer = Circular_border_arc_length_parameterizer_3<TriangleMesh_>,
           class ConcurrencyTag = Sequential_tag>
 class Edge_energy_parameterizer_3
@@ -63,9 +66,9 @@ public:
   /// \param border_parameterizer places the outer border
   /// \param weights the weights of the edges
   /// \param np
-  /// - `tolerance`: greatest *relative residual* of a converged finest level; default 1e-8. The residual is the root of the
-  ///   sum of the squared distances of the vertices from the weighted means of their neighbors. It is relative to the
-  ///   residual of the map with all vertices, except those of the border, at one point
+  /// - `tolerance`: greatest *relative residual* of a converged finest level; default 1e-8. The residual is the root of
+  ///   the sum of the squared distances of the vertices from the weighted means of their neighbors. It is relative to
+  ///   the residual of the map with all vertices, except those of the border, at one point
   /// - `number_of_iterations`: the most sweeps on a level; default 10000
   /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `FAIL`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did

@@ -10,8 +10,8 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// The treatment of flips in a map that a method made. A flip is a triangle that is not positive by exact predicates, or a
-/// vertex around which its triangles wind more than once. A map that is mirrored as a whole has no flips.
+/// The treatment of flips in a map that a method made. A flip is a triangle that is not positive by exact predicates,
+/// or a vertex around which its triangles wind more than once. A map that is mirrored as a whole has no flips.
 enum class Flip_policy
 {
   FAIL,     ///< flips are an error, `ERROR_NO_1_TO_1_MAPPING`; the default

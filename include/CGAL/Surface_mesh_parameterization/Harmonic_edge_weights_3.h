@@ -16,15 +16,15 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationEnergies
 ///
-/// The weight is half the sum of the cotangents of the angles opposite to the edge. The energy is the Dirichlet energy, and
-/// the map is discrete harmonic. A planar mesh is mapped onto itself if its border is. Where the two opposite angles sum to
-/// more than half a turn, the weight is negative, and triangles may flip.
+/// The weight is half the sum of the cotangents of the angles opposite to the edge. The energy is the Dirichlet energy,
+/// and the map is discrete harmonic. A planar mesh is mapped onto itself if its border is. Where the two opposite
+/// angles sum to more than half a turn, the weight is negative, and triangles may flip.
 ///
-/// The border of a hole is free: its edges have one opposite angle. A triangle whose height is less than 1e-6 of its longest
-/// edge is treated as if it had that height.
+/// The border of a hole is free: its edges have one opposite angle. A triangle whose height is less than 1e-6 of its
+/// longest edge is treated as if it had that height.
 ///
-/// Sources: Pinkall and Polthier, *Computing discrete minimal surfaces and their conjugates*, 1993; Eck et al., *Multiresolution analysis of arbitrary
-/// meshes*, 1995.
+/// Sources: Pinkall and Polthier, *Computing discrete minimal surfaces and their conjugates*, 1993; Eck et al.,
+/// *Multiresolution analysis of arbitrary meshes*, 1995.
 ///
 /// \cgalModels `EdgeWeights_3`
 struct Harmonic_edge_weights_3

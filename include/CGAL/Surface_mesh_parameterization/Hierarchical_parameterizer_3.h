@@ -75,12 +75,12 @@ struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 ///
 /// Runs a parameterizer hierarchically. What this means depends on the parameterizer:
 ///
-/// - A model of `RefinableParameterizer_3`, such as `MIPS_parameterizer_3`, improves a given map. It runs coarse to fine,
-///   level by level, see `Nested_iteration_parameterizer_3`.
-/// - A model of `RebindableParameterizer_3` solves linear systems, as most of CGAL's parameterizers do. It runs once, on
-///   the finest level, and `Multigrid_solver_traits` replaces its solver. The map is the same as without this class.
-/// - In place of CGAL's `ARAP_parameterizer_3`, `As_rigid_as_possible_parameterizer_3` runs level by level. It minimizes
-///   the same energy.
+/// - A model of `RefinableParameterizer_3`, such as `MIPS_parameterizer_3`, improves a given map. It runs coarse to
+///   fine, level by level, see `Nested_iteration_parameterizer_3`.
+/// - A model of `RebindableParameterizer_3` solves linear systems, as most of CGAL's parameterizers do. It runs once,
+///   on the finest level, and `Multigrid_solver_traits` replaces its solver. The map is the same as without this class.
+/// - In place of CGAL's `ARAP_parameterizer_3`, `As_rigid_as_possible_parameterizer_3` runs level by level. It
+///   minimizes the same energy.
 /// - CGAL's `Orbifold_Tutte_parameterizer_3` runs with the multigrid solver. It has a `parameterize()` of its own and
 ///   keeps its flips.
 ///
@@ -98,7 +98,8 @@ struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 ///
 /// \cgalModels `Parameterizer_3`
 ///
-/// \tparam Parameterizer a model of `RefinableParameterizer_3` or of `RebindableParameterizer_3`, or one of CGAL's classes
+/// \tparam Parameterizer a model of `RefinableParameterizer_3` or of `RebindableParameterizer_3`, or one of CGAL's
+/// classes
 ///         that are named above
 template <class Parameterizer>
 class Hierarchical_parameterizer_3
@@ -138,8 +139,8 @@ public:
   /// \name Constructor for a model of RebindableParameterizer_3 and for Orbifold_Tutte_parameterizer_3
   /// @{
 
-  /// takes the arguments of the constructor of `Parameterizer`, except the solver. Named parameters may follow as the last
-  /// argument.
+  /// takes the arguments of the constructor of `Parameterizer`, except the solver. Named parameters may follow as the
+  /// last argument.
   ///
   /// \param arguments copies of these arguments are passed to the constructor of `Parameterizer` on every run
   /// \param np
@@ -147,8 +148,8 @@ public:
   /// - `number_of_iterations`: the most iterations before a direct solver takes over; default 300
   /// - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see `Collapse_hierarchy_3`. For
   ///   `Barycentric_mapping_parameterizer_3`, whose weights do not depend on lengths, `unit_edges` is `true` by default
-  /// - `flip_policy`: a `Flip_policy`: the treatment of flips; default `FAIL`. If the repair has to move more than a tenth
-  ///   of the vertices of an LSCM map, the map of `MIPS_parameterizer_3` takes its place
+  /// - `flip_policy`: a `Flip_policy`: the treatment of flips; default `FAIL`. If the repair has to move more than a
+  ///   tenth of the vertices of an LSCM map, the map of `MIPS_parameterizer_3` takes its place
   /// - `fill_holes`: whether every border except the outer one is closed by a virtual vertex in its middle; default
   ///   `false`: the borders of holes are free. It works on a `Surface_mesh`, and on a `Polyhedron_3` if there are no
   ///   `arguments`; otherwise the result is `ERROR_WRONG_PARAMETER`
@@ -185,12 +186,13 @@ public:
   /// \name Operations
   /// @{
 
-  /// parameterizes the connected component of `mesh` that contains `bhd`. The free function `parameterize(mesh, parameterizer, bhd, uvmap)`
-  /// calls it with maps of its own for the last two.
+  /// parameterizes the connected component of `mesh` that contains `bhd`. The free function `parameterize(mesh,
+  /// parameterizer, bhd, uvmap)` calls it with maps of its own for the last two.
   ///
   /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex. It is only read
   /// \param bhd a halfedge on the outer border of `mesh`
-  /// \param uvmap a writable property map from vertices to points of the plane. A model of `RebindableParameterizer_3` also
+  /// \param uvmap a writable property map from vertices to points of the plane. A model of `RebindableParameterizer_3`
+  /// also
   ///        reads the places of the vertices for which `vpmap` is `true`. Untouched on an error
   /// \param vimap not used: vertices get indices of the package's own
   /// \param vpmap a readable and writable property map from vertices to `bool`: set for each vertex that got a place.
@@ -198,7 +200,8 @@ public:
   /// \param others what `Parameterizer::parameterize()` takes besides, as the number of iterations of
   ///        `Iterative_authalic_parameterizer_3`; none for a model of `RefinableParameterizer_3`
   ///
-  /// \return `OK`; an error of `Mesh_component` or of the parameterizer; `ERROR_NO_1_TO_1_MAPPING` if there are flips and
+  /// \return `OK`; an error of `Mesh_component` or of the parameterizer; `ERROR_NO_1_TO_1_MAPPING` if there are flips
+  /// and
   ///         the `Flip_policy` is `FAIL`, if no map without flips was found, or if a visitor stopped the run
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap vimap, VertexParameterizedMap vpmap, Others&&... others);
@@ -221,9 +224,9 @@ public:
 
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
-/// parameterizes the connected component of `mesh` that contains `bhd`. It does what CGAL's `parameterize()` does, but has
-/// no preconditions: isolated vertices are allowed, and a rejected input, such as a closed mesh with a null halfedge, gets
-/// an error, whether assertions are checked or not.
+/// parameterizes the connected component of `mesh` that contains `bhd`. It does what CGAL's `parameterize()` does, but
+/// has no preconditions: isolated vertices are allowed, and a rejected input, such as a closed mesh with a null
+/// halfedge, gets an error, whether assertions are checked or not.
 ///
 /// \param mesh a triangulated surface; it is only read
 /// \param parameterizer the parameterizer; its class is documented at `Hierarchical_parameterizer_3`

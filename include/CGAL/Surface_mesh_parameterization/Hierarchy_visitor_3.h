@@ -16,8 +16,8 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
-/// A visitor that does nothing. It is a base class for visitors that need only one of the functions. Visitors are copied, so
-/// let a visitor hold references to what it collects. Each function returns whether the run may go on.
+/// A visitor that does nothing. It is a base class for visitors that need only one of the functions. Visitors are
+/// copied, so let a visitor hold references to what it collects. Each function returns whether the run may go on.
 ///
 /// \cgalModels `HierarchyVisitor_3`
 struct Hierarchy_visitor_3

@@ -19,14 +19,14 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationHierarchy
 ///
-/// One level of a hierarchy. A refinable method sees a level instead of a mesh. Vertices and faces are numbered by rank, so
-/// an array of values by vertex keeps its order on all finer levels.
+/// One level of a hierarchy. A refinable method sees a level instead of a mesh. Vertices and faces are numbered by
+/// rank, so an array of values by vertex keeps its order on all finer levels.
 ///
 /// A level owns its triangles and one-rings, and refers to the hierarchy, which must outlive it. It can become another
 /// level of the same hierarchy by `go_to()`.
 ///
-/// The point types are those of `CGAL::Simple_cartesian<double>`, whose predicates are not exact. A method that decides by
-/// orientations converts the points to a kernel with exact predicates.
+/// The point types are those of `CGAL::Simple_cartesian<double>`, whose predicates are not exact. A method that decides
+/// by orientations converts the points to a kernel with exact predicates.
 class Level
 {
 public:
@@ -36,6 +36,11 @@ public:
   typedef internal::Point_2                  Point_2;    ///< `CGAL::Simple_cartesian<double>::Point_2`
   typedef std::vector<Point_2>               Uv;         ///< the places of the vertices in the plane, by rank
   typedef internal::One_rings::Ring          Ring;       ///< a range of vertices
+
+  /// A triangle's shape in space, seen from its corner V over the opposite edge AB. In lengths of AB, the height from V
+  /// meets AB at `foot` (0 at A, 1 at B) and is `height` long; `inverse_area` is 1 by the area, in the units of
+  /// `point()`
+  typedef internal::Rest_corner              Rest_corner;
 
   /// makes the level with the given index. The hierarchy is kept by reference.
   /// \pre `index < hierarchy.number_of_levels()`
@@ -87,19 +92,30 @@ public:
   /// \pre `is_fixed(v)`
   const Point_2& fixed_place(Index v) const { return hierarchy().fixed_place(v); }
 
-  /// the exponent `k` for which a length on the level, in space or in the plane, is `2^k` times the length in the user's units
+  /// the exponent `k` for which a length on the level, in space or in the plane, is `2^k` times the length in the
+  /// user's units
   int scale_exponent() const { return hierarchy().scale_exponent(); }
 
-  /// the neighbors of `v`, counter-clockwise. With `v`, any two consecutive ones form a triangle; so do the last and the first one unless `v`
-  /// lies on the border: then these are its neighbors on the border, of which the first one comes next when the surface lies to the left.
+  /// the neighbors of `v`, counter-clockwise. With `v`, any two consecutive ones form a triangle; so do the last and
+  /// the first one unless `v` lies on the border: then these are its neighbors on the border, of which the first one
+  /// comes next when the surface lies to the left.
   Ring one_ring(Index v) const { return m_rings[v]; }
+
+  /// number of triangles around `v`
+  std::size_t number_of_triangles(Index v) const { return m_rings.number_of_triangles(v); }
+
+  /// the shapes in space of the triangles around `v`, seen from `v`: an array of `number_of_triangles(v)`, in the order
+  /// of `one_ring(v)`
+  const Rest_corner* rest_corners(Index v) const { return m_rest_corners.data() + m_rings.first_slot(v); }
+
+  /// calls `f(v)` for every vertex, by the threads that the run may use. What one call writes no other call may read or
+  /// write.
+  template <class Function>
+  void for_each_vertex(const Function& f) const { m_loops.for_each(0, Index(number_of_vertices()), f); }
 
   /// \cond SKIP_IN_MANUAL
   const internal::One_rings& rings() const { return m_rings; }
   const internal::Loops& loops() const { return m_loops; }
-
-  // The rest shapes of the triangles around v, seen from v, in the order of its ring.
-  const internal::Rest_corner* rest_corners(Index v) const { return m_rest_corners.data() + m_rings.first_slot(v); }
   /// \endcond
 
 private:

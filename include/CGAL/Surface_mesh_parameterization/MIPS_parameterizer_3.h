@@ -14,11 +14,11 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
 /// The *most isometric parameterization* of Hormann and Greiner. It minimizes the MIPS energy with a free border: by
-/// default the plain sum of `s1/s2 + s2/s1` over all triangles. It preserves angles as far as the triangulation permits. See
-/// `Distortion_parameterizer_3` for guarantees and options.
+/// default the plain sum of `s1/s2 + s2/s1` over all triangles. It preserves angles as far as the triangulation
+/// permits. See `Distortion_parameterizer_3` for guarantees and options.
 ///
-/// Use it as `Hierarchical_parameterizer_3<MIPS_parameterizer_3<Mesh>>`. With `optimizer(Optimizer::RANDOM_VERTICES)` it
-/// relaxes random vertices, as the method of the paper does.
+/// Use it as `Hierarchical_parameterizer_3<MIPS_parameterizer_3<Mesh>>`. With `optimizer(Optimizer::RANDOM_VERTICES)`
+/// it relaxes random vertices, as the method of the paper does.
 ///
 /// Source: Hormann and Greiner, *MIPS: An efficient global parametrization method*, 1999.
 ///

@@ -31,11 +31,11 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationHierarchy
 ///
-/// The connected component of a mesh that contains a given border halfedge, as flat arrays, and checked. A hierarchy is built
-/// from it. The mesh is only read.
+/// The connected component of a mesh that contains a given border halfedge, as flat arrays, and checked. A hierarchy is
+/// built from it. The mesh is only read.
 ///
-/// Vertices and faces are numbered breadth first from `bhd`, which is good for the cache in any order of the mesh. The points
-/// are moved so that the center of their box is the origin, and scaled by a power of two
+/// Vertices and faces are numbered breadth first from `bhd`, which is good for the cache in any order of the mesh. The
+/// points are moved so that the center of their box is the origin, and scaled by a power of two
 /// (`Triangulated_surface_3::scale_exponent`), so that no later product of lengths over- or underflows.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` with an internal vertex point map
@@ -51,7 +51,8 @@ public:
 
   /// reads and checks the component of `mesh` that contains the border halfedge `bhd`. The result is in `error()`.
   ///
-  /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`: whether the checks
+  /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`: whether
+  /// the checks
   ///         may use several threads
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   Mesh_component(const TriangleMesh& mesh, halfedge_descriptor bhd, ConcurrencyTag = ConcurrencyTag())
@@ -68,8 +69,8 @@ public:
   /// - `ERROR_EMPTY_MESH`: the mesh has no face;
   /// - `ERROR_WRONG_PARAMETER`: `bhd` is not a border halfedge, or a point has a coordinate that is not finite;
   /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
-  /// - `ERROR_NO_TOPOLOGICAL_DISC`: two fans of triangles meet at a vertex, possibly of another component, or the surface has
-  ///   a handle.
+  /// - `ERROR_NO_TOPOLOGICAL_DISC`: two fans of triangles meet at a vertex, possibly of another component, or the
+  ///   surface has a handle.
   const Parameterization_error& error() const { return m_error; }
 
   /// the vertices of the component; the position of a vertex in this array is its index in `surface()`
@@ -113,7 +114,8 @@ private:
     return true;
   }
 
-  // Breadth first from one face, with the vertices in the order in which the faces meet them. Adds the halfedges on all borders to `border`.
+  // Breadth first from one face, with the vertices in the order in which the faces meet them. Adds the halfedges on all
+  // borders to `border`.
   template <class VertexIndexMap>
   bool read_faces(const TriangleMesh& mesh, face_descriptor start, const VertexIndexMap& index_of, std::vector<halfedge_descriptor>& border)
   {

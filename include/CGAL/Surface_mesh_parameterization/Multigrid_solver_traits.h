@@ -30,15 +30,16 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// Solves sparse linear systems whose unknowns belong to the vertices of a mesh, by a multigrid method on the hierarchy of
-/// the mesh. It replaces CGAL's solver traits wherever CGAL assembles such a system: as the third template argument of its
-/// parameterizers, or as the solver of functions of `Polygon_mesh_processing`. The solution is the same, and time and
-/// memory grow in proportion to the mesh.
+/// Solves sparse linear systems whose unknowns belong to the vertices of a mesh, by a multigrid method on the hierarchy
+/// of the mesh. It replaces CGAL's solver traits wherever CGAL assembles such a system: as the third template argument
+/// of its parameterizers, or as the solver of functions of `Polygon_mesh_processing`. The solution is the same, and
+/// time and memory grow in proportion to the mesh.
 ///
-/// The solver uses conjugate gradients if the matrix is symmetric, and BiCGSTAB otherwise. The preconditioner is a V-cycle
-/// with an incomplete factorization as smoother, and full multigrid gives the first guess. A row with only a diagonal entry
-/// holds a given value, and its unknown is eliminated. If the residual does not become small enough, a sparse LU
-/// factorization takes over. If that fails, too, the functions return `false` and leave the solution unchanged.
+/// The solver uses conjugate gradients if the matrix is symmetric, and BiCGSTAB otherwise. The preconditioner is a
+/// V-cycle with an incomplete factorization as smoother, and full multigrid gives the first guess. A row with only a
+/// diagonal entry holds a given value, and its unknown is eliminated. If the residual does not become small enough, a
+/// sparse LU factorization takes over. If that fails, too, the functions return `false` and leave the solution
+/// unchanged.
 ///
 /// An object knows the hierarchy and the vertex of each unknown:
 /// \code
@@ -62,7 +63,8 @@ public:
   typedef internal::Sparse_matrix   Matrix;     ///< a matrix of the package's own, a model of `SparseLinearAlgebraTraits_d::Matrix`
   typedef internal::Solver_vector   Vector;     ///< a vector of the package's own, a model of `SparseLinearAlgebraTraits_d::Vector`
 
-  /// Until a scope ends, objects that this thread makes by the default constructor share its solver. Scopes may be nested.
+  /// Until a scope ends, objects that this thread makes by the default constructor share its solver. Scopes may be
+  /// nested.
   class Scope
   {
   public:
@@ -96,15 +98,16 @@ public:
   ///
   /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
   /// \param bhd a halfedge on the outer border of `mesh`
-  /// \param vimap a readable property map from vertices to integers: the order of the vertices in the linear system. With k
+  /// \param vimap a readable property map from vertices to integers: the order of the vertices in the linear system.
+  /// With k
   ///        unknowns at each vertex, the vertex with the i-th smallest index, from 0, has the unknowns from k i to
   ///        k i + k - 1. A vertex with a negative index is not in the system
   /// \param np
   /// - `tolerance`: greatest relative residual, rows scaled to unit diagonal; default 1e-10
   /// - `number_of_iterations`: the most iterations before the direct solver takes over; default 300
   /// - `coarsest_size`, `random_seed`: of the hierarchy, see `Collapse_hierarchy_3`
-  /// - `unit_edges`: of the hierarchy. For a matrix of uniform weights, as in `Barycentric_mapping_parameterizer_3`, `true`
-  ///   saves iterations on stretched triangles
+  /// - `unit_edges`: of the hierarchy. For a matrix of uniform weights, as in `Barycentric_mapping_parameterizer_3`,
+  ///   `true` saves iterations on stretched triangles
   ///
   /// If the mesh is rejected, `error()` says why, and the object cannot solve anything.
   template <class TriangleMesh, class VertexIndexMap, class NamedParameters = parameters::Default_named_parameters>

@@ -23,13 +23,13 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// The hierarchical parametrization of Hormann, Greiner and Campagna (1999). It builds a hierarchy of collapse groups and
-/// lets a method parameterize the coarsest level. For each finer level it inserts the new vertices, and the method refines
-/// the map from there.
+/// The hierarchical parametrization of Hormann, Greiner and Campagna (1999). It builds a hierarchy of collapse groups
+/// and lets a method parameterize the coarsest level. For each finer level it inserts the new vertices, and the method
+/// refines the map from there.
 ///
-/// If the method is flip-free, insertion creates no flips: a vertex goes to its stored barycentric place or into the kernel
-/// of its star polygon, tested by exact predicates. If not, a vertex goes to its stored place, as in the paper, or to the
-/// place at which the method has fixed it. The same input, options and seed give the same result.
+/// If the method is flip-free, insertion creates no flips: a vertex goes to its stored barycentric place or into the
+/// kernel of its star polygon, tested by exact predicates. If not, a vertex goes to its stored place, as in the paper,
+/// or to the place at which the method has fixed it. The same input, options and seed give the same result.
 ///
 /// \cgalModels `Parameterizer_3`
 ///
@@ -47,14 +47,15 @@ public:
 
   /// \param method the method that parameterizes every level
   /// \param np
-  /// - `coarsest_size`: the coarsest level has at most that many vertices, if the mesh allows it; default 100. The coarsest
-  ///   level gets smaller if a flip-free method fails to map it without a flip
+  /// - `coarsest_size`: the coarsest level has at most that many vertices, if the mesh allows it; default 100. The
+  ///   coarsest level gets smaller if a flip-free method fails to map it without a flip
   /// - `random_seed`, `unit_edges`: of the hierarchy, see `Collapse_hierarchy_3`; default 0 and `false`
   /// - `visitor`: a model of `HierarchyVisitor_3`; default: none
-  /// - `fill_holes`: whether every border except the outer one is closed by a virtual vertex in its middle, so that a hole
-  ///   is mapped like a part of the surface; default `false`
+  /// - `fill_holes`: whether every border except the outer one is closed by a virtual vertex in its middle, so that a
+  ///   hole is mapped like a part of the surface; default `false`
   /// - `flip_policy`: a `Flip_policy`: the treatment of flips; default `FAIL`
-  /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as long as the parameterizer runs
+  /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as
+  ///   long as the parameterizer runs
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Nested_iteration_parameterizer_3(const Method& method = Method(), const NamedParameters& np = parameters::default_values())
     : m_method(method), m_visitor(internal::hierarchy_visitor_of(np)), m_summary(internal::summary_of(np)), m_options(internal::nested_iteration_options_of(np))
@@ -69,12 +70,14 @@ public:
   /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
   /// \param bhd a halfedge on the outer border of `mesh`
   /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
-  /// \param vpmap a writable property map from vertices to `bool`: set for each vertex that got a place; untouched on an error
+  /// \param vpmap a writable property map from vertices to `bool`: set for each vertex that got a place; untouched on
+  /// an error
   ///
-  /// \return `OK`; an error of `Mesh_component` or of the method; `ERROR_WRONG_PARAMETER` if the method fixed a vertex at a
-  ///         place that is not finite; `ERROR_NO_1_TO_1_MAPPING` if a vertex could not be inserted without a flip, because
-  ///         its neighbors lie too close together for doubles, if there are flips and the `Flip_policy` is `FAIL`, or if
-  ///         the visitor stopped the run
+  /// \return `OK`; an error of `Mesh_component` or of the method; `ERROR_WRONG_PARAMETER` if the method fixed a vertex
+  /// at a
+  ///         place that is not finite; `ERROR_NO_1_TO_1_MAPPING` if a vertex could not be inserted without a flip,
+  ///         because its neighbors lie too close together for doubles, if there are flips and the `Flip_policy` is
+  ///         `FAIL`, or if the visitor stopped the run
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap, VertexParameterizedMap vpmap)
   {

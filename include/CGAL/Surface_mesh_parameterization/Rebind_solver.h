@@ -16,18 +16,18 @@ template <class, class> class Orbifold_Tutte_parameterizer_3;
 ///
 /// The member `type` is the same parameterizer with the solver `SolverTraits`.
 ///
-/// It is defined for all parameterizers with the template parameters of CGAL's: a mesh, a border parameterizer and solver
-/// traits. For any other model of `RebindableParameterizer_3`, specialize it, and `Hierarchical_parameterizer_3` takes the
-/// parameterizer. Such a parameterizer solves linear systems with the same number of unknowns at each vertex, numbered by
-/// the vertex index map of the call:
+/// It is defined for all parameterizers with the template parameters of CGAL's: a mesh, a border parameterizer and
+/// solver traits. For any other model of `RebindableParameterizer_3`, specialize it, and `Hierarchical_parameterizer_3`
+/// takes the parameterizer. Such a parameterizer solves linear systems with the same number of unknowns at each vertex,
+/// numbered by the vertex index map of the call:
 /// \code
 ///   namespace CGAL::Surface_mesh_parameterization {
 ///   template <class Mesh, class Solver, class NewSolver>
 ///   struct Rebind_solver<My_parameterizer_3<Mesh, Solver>, NewSolver> { typedef My_parameterizer_3<Mesh, NewSolver> type; };
 ///   }
 /// \endcode
-/// Such a parameterizer makes its solver by the default constructor, for example as the default of an argument of its own
-/// constructor.
+/// Such a parameterizer makes its solver by the default constructor, for example as the default of an argument of its
+/// own constructor.
 template <class Parameterizer, class SolverTraits>
 struct Rebind_solver { };
 

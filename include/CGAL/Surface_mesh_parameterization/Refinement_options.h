@@ -31,16 +31,17 @@ struct Refinement_options
   /// named parameter `optimizer`
   Optimizer optimizer = Optimizer::NEWTON;
 
-  /// named parameter `tolerance`: a level has converged when an iteration lowers the energy by less than this part of its
-  /// excess over the minimum. With Newton's method, levels below the finest use 5e-3 instead: they only need to give a good
-  /// first guess
+  /// named parameter `tolerance`: a level has converged when an iteration lowers the energy by less than this part of
+  /// its excess over the minimum. With Newton's method, levels below the finest use 5e-3 instead: they only need to
+  /// give a good first guess
   double tolerance = 1e-6;
 
-  /// named parameter `number_of_iterations`: the most iterations on a level: Newton steps, or sweeps (of as many visits as there are vertices)
+  /// named parameter `number_of_iterations`: the most iterations on a level: Newton steps, or sweeps (of as many visits
+  /// as there are vertices)
   std::size_t number_of_iterations = 200;
 
-  /// named parameter `number_of_local_steps`: if it is not 0, every level gets exactly this number of random vertex visits,
-  /// and the parameters above have no effect: the experiment of the paper
+  /// named parameter `number_of_local_steps`: if it is not 0, every level gets exactly this number of random vertex
+  /// visits, and the parameters above have no effect: the experiment of the paper
   std::size_t number_of_local_steps = 0;
 
   /// named parameter `triangle_weight`

@@ -14,9 +14,9 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationHierarchy
 ///
-/// A surface with borders, as flat arrays. A hierarchy is built from it. The surface must be connected and have no handles,
-/// and one fan of triangles around each vertex. `Mesh_component` makes it from any mesh and checks this. The points are of
-/// `CGAL::Simple_cartesian<double>`.
+/// A surface with borders, as flat arrays. A hierarchy is built from it. The surface must be connected and have no
+/// handles, and one fan of triangles around each vertex. `Mesh_component` makes it from any mesh and checks this. The
+/// points are of `CGAL::Simple_cartesian<double>`.
 struct Triangulated_surface_3
 {
   /// the vertices, scaled so that the size of the surface is about 1

@@ -15,8 +15,8 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
-/// describes an error in words: the cause in this package, and the vertex or face. Do not use CGAL's `get_error_message()`
-/// for errors of this package: it lacks an entry.
+/// describes an error in words: the cause in this package, and the vertex or face. Do not use CGAL's
+/// `get_error_message()` for errors of this package: it lacks an entry.
 inline std::string error_message(const Parameterization_error& error)
 {
   const bool is_at_vertex = error.place == Parameterization_error::VERTEX;

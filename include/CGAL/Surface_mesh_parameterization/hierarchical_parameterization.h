@@ -30,8 +30,8 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   if (!result.is_ok())
 ///     std::cerr << SMP::error_message(result.error) << '\n';
 /// \endcode
-/// The outer border is the longest border of `mesh`, by the lengths of its edges. Of several components, the one with the
-/// outer border is parameterized.
+/// The outer border is the longest border of `mesh`, by the lengths of its edges. Of several components, the one with
+/// the outer border is parameterized.
 ///
 /// \tparam Method a class template of parameterizers. Its first argument is the mesh, and the others have defaults.
 ///         `Hierarchical_parameterizer_3` must take `Method<TriangleMesh>`
@@ -40,7 +40,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
 /// \param np the named parameters of `Method<TriangleMesh>` and of `Hierarchical_parameterizer_3`
 ///
-/// \return what the run did: the error if there was one, whether the map converged, its energy, the levels, seconds. The
+/// \return what the run did: the error if there was one, whether the map converged, its energy, the levels, seconds.
+/// The
 ///         error of a closed surface is `ERROR_NO_TOPOLOGICAL_DISC`
 template <template <class...> class Method = MIPS_parameterizer_3, class TriangleMesh, class VertexUVMap, class NamedParameters = parameters::Default_named_parameters>
 Parameterization_summary hierarchical_parameterization(TriangleMesh& mesh, VertexUVMap uvmap, const NamedParameters& np = parameters::default_values())

@@ -135,7 +135,8 @@ public:
   }
 };
 
-// The number of pairs of faces that overlap in the plane. Where there is no flip the borders tell mostly that there is none.
+// The number of pairs of faces that overlap in the plane. Where there is no flip the borders tell mostly that there is
+// none.
 template <class TriangleMesh, class FaceRange, class VertexUVMap>
 std::size_t number_of_overlapping_faces(const TriangleMesh& mesh, const FaceRange& face_range, VertexUVMap uvmap, bool has_flips)
 {

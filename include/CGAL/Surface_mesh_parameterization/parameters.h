@@ -12,9 +12,10 @@
 #include <type_traits>
 
 /// \file parameters.h
-/// The named parameters of this package that CGAL does not have: `coarsest_size`, `unit_edges`, `tolerance`, `triangle_weight`, `number_of_local_steps`,
-/// `optimizer`, `lambda`, `globally_injective`, `flip_policy`, `fill_holes` and `summary`. In a chain they come first, and
-/// CGAL's own (`random_seed`, `number_of_iterations`, `visitor`, `vertex_is_constrained_map`) follow:
+/// The named parameters of this package that CGAL does not have: `coarsest_size`, `unit_edges`, `tolerance`,
+/// `triangle_weight`, `number_of_local_steps`, `optimizer`, `lambda`, `globally_injective`, `flip_policy`, `fill_holes`
+/// and `summary`. In a chain they come first, and CGAL's own (`random_seed`, `number_of_iterations`, `visitor`,
+/// `vertex_is_constrained_map`) follow:
 /// \code
 ///   CGAL::parameters::coarsest_size(50).tolerance(1e-8).random_seed(7)
 /// \endcode

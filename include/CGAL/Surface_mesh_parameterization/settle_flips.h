@@ -28,18 +28,20 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// finds the flips of a map from any parameterizer, by exact predicates, and treats them as `policy` says.
 ///
-/// A repair moves only vertices that cannot stay where they are, and tries to move few of them. It goes to the finest level
-/// of a hierarchy on which the map has no flip, and inserts the vertices again from there. Each vertex goes to its old place
-/// if its triangles are positive then, and otherwise near it.
+/// A repair moves only vertices that cannot stay where they are, and tries to move few of them. It goes to the finest
+/// level of a hierarchy on which the map has no flip, and inserts the vertices again from there. Each vertex goes to
+/// its old place if its triangles are positive then, and otherwise near it.
 ///
 /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
 /// \param bhd a halfedge on the outer border of the component that has the map
 /// \param uvmap a read-write property map from vertices to points of the plane; untouched on an error
 /// \param policy the treatment of flips
 /// \param np
-/// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives the error, the number of flips and that of the vertices that were moved
+/// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives the error, the number of flips and
+///   that of the vertices that were moved
 ///
-/// \return `OK`; an error of `Mesh_component`; `ERROR_NO_1_TO_1_MAPPING` if there are flips and the policy is `FAIL`, or if they could not be repaired
+/// \return `OK`; an error of `Mesh_component`; `ERROR_NO_1_TO_1_MAPPING` if there are flips and the policy is `FAIL`,
+/// or if they could not be repaired
 template <class TriangleMesh, class VertexUVMap, class NamedParameters = parameters::Default_named_parameters>
 Error_code settle_flips(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap, Flip_policy policy,
                         const NamedParameters& np = parameters::default_values())

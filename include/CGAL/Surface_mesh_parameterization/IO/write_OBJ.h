@@ -17,8 +17,8 @@ namespace CGAL::Surface_mesh_parameterization::IO {
 
 /// \ingroup PkgHierarchicalParameterizationIO
 ///
-/// writes a mesh with its parameterization as Wavefront OBJ: `v` and `vt` lines in the order of `vertices(mesh)`, faces in the order of
-/// `faces(mesh)`. Coordinates have all digits.
+/// writes a mesh with its parameterization as Wavefront OBJ: `v` and `vt` lines in the order of `vertices(mesh)`, faces
+/// in the order of `faces(mesh)`. Coordinates have all digits.
 ///
 /// \param os the stream; its state tells whether writing succeeded
 /// \param mesh a model of `FaceListGraph` with an internal vertex point map

@@ -19,8 +19,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Keeps the borders of a map from running into themselves or each other: an energy (Smith and Schaefer 2015) that grows beyond all bounds where a border
-// vertex V comes near a border edge AB, and vanishes where the two are farther apart than a gap, a small part of the border edges there:
+// Keeps the borders of a map from running into themselves or each other: an energy (Smith and Schaefer 2015) that grows
+// beyond all bounds where a border vertex V comes near a border edge AB, and vanishes where the two are farther apart
+// than a gap, a small part of the border edges there:
 //
 //       V            distance d = |V - Q|, energy (gap / d - 1)^2 if d < gap
 //       |
@@ -59,8 +60,8 @@ public:
     return sum;
   }
 
-  // Calls add(v, gradient, block) for the parts of the gradient, and of a block diagonal matrix that is at least the Hessian: in a square of a sum of
-  // multiples of moves, the mixed products are bounded by the squares.
+  // Calls add(v, gradient, block) for the parts of the gradient, and of a block diagonal matrix that is at least the
+  // Hessian: in a square of a sum of multiples of moves, the mixed products are bounded by the squares.
   template <class Add>
   void derivatives(const Level::Uv& uv, const Add& add) const
   {
@@ -97,8 +98,8 @@ public:
     return longest;
   }
 
-  // Sets how far each border vertex may go without help of the barrier: such that no vertex and edge come nearer than their gap, wherever the others go. A vertex
-  // that goes on its way has to be charged for it.
+  // Sets how far each border vertex may go without help of the barrier: such that no vertex and edge come nearer than
+  // their gap, wherever the others go. A vertex that goes on its way has to be charged for it.
   void set_reach(const Level::Uv& uv)
   {
     constexpr double part_of_way = 0.45;      // two may approach each other
@@ -144,8 +145,8 @@ private:
       f(e.source, shortest[e.source]);
   }
 
-  // Calls f for all pairs of a border vertex and an edge that does not end there, and is not nearest at a neighbor, at least for those no farther apart than
-  // the range of the vertex and the greater one of the edge's ends together.
+  // Calls f for all pairs of a border vertex and an edge that does not end there, and is not nearest at a neighbor, at
+  // least for those no farther apart than the range of the vertex and the greater one of the edge's ends together.
   template <class Function>
   void for_each_close_pair(const Level::Uv& uv, const std::vector<double>& range, const Function& f) const
   {

@@ -17,7 +17,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Sees to it that a step of a whole map leaves the angles at border vertices, of which the energy knows nothing, below a full turn.
+// Sees to it that a step of a whole map leaves the angles at border vertices, of which the energy knows nothing, below
+// a full turn.
 class Border_guard
 {
 public:
@@ -32,7 +33,8 @@ public:
     return false;
   }
 
-  // What the angles at a border vertex lack of a full turn, as a linear function of where the vertex and its two border neighbors go.
+  // What the angles at a border vertex lack of a full turn, as a linear function of where the vertex and its two border
+  // neighbors go.
   struct Gap
   {
     std::array<Index, 3> vertices;
@@ -58,7 +60,8 @@ public:
   }
 
 private:
-  // Whether the angles at a border vertex reach a full turn in the trial, or come so close that there is no room left that was there before.
+  // Whether the angles at a border vertex reach a full turn in the trial, or come so close that there is no room left
+  // that was there before.
   bool turns_too_far_at(Index v, const Level::Uv& uv, const Level::Uv& trial) const
   {
     const One_rings& rings = m_level.rings();

@@ -16,12 +16,14 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 typedef std::array<Point_2, 3>   Triangle_2;
 
-// The number of pairs of triangles whose interiors meet. Triangles that lie on a line have no interior; flipped ones count like others.
-// After `most_tests` pairs that are near each other counting ends. Precondition: no coordinate is infinite or no number.
+// The number of pairs of triangles whose interiors meet. Triangles that lie on a line have no interior; flipped ones
+// count like others. After `most_tests` pairs that are near each other counting ends. Precondition: no coordinate is
+// infinite or no number.
 std::size_t number_of_overlapping_pairs(const std::vector<Triangle_2>& triangles, std::size_t most_tests = 100'000'000);
 
-// Whether the borders of a map of positive triangles show that it is one-to-one: no two edges cross, and of the closed curves just one turns left. Then it winds
-// at most once around a point of the plane, and as often as it winds around it, so many triangles lie over it.
+// Whether the borders of a map of positive triangles show that it is one-to-one: no two edges cross, and of the closed
+// curves just one turns left. Then it winds at most once around a point of the plane, and as often as it winds around
+// it, so many triangles lie over it.
 bool are_borders_one_to_one(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

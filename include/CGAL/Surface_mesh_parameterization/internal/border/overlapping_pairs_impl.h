@@ -15,7 +15,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Whether the interiors of two positive triangles have a point in common: unless an edge of one of them has the other one on its outer side.
+// Whether the interiors of two positive triangles have a point in common: unless an edge of one of them has the other
+// one on its outer side.
 inline bool do_interiors_meet(const Triangle_2& s, const Triangle_2& t)
 {
   const auto separates = [](const Triangle_2& a, const Triangle_2& b) {

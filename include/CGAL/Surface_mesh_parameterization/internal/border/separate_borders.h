@@ -9,10 +9,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Moves new border vertices of a level until no two border edges cross. Precondition: the map is valid, and without the new vertices no two cross.
+// Moves new border vertices of a level until no two border edges cross. Precondition: the map is valid, and without the
+// new vertices no two cross.
 //
-// A new vertex V goes toward the vertex that it collapsed onto, which lies on the closure of the kernel of V's star, so that no triangle flips on the way; and its two edges
-// approach the coarse border edge. Returns whether that was enough.
+// A new vertex V goes toward the vertex that it collapsed onto, which lies on the closure of the kernel of V's star, so
+// that no triangle flips on the way; and its two edges approach the coarse border edge. Returns whether that was
+// enough.
 bool separate_borders(const Level& level, Level::Uv& uv);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

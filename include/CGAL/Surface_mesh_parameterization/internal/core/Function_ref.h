@@ -8,7 +8,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A reference to a function object of any type. Unlike std::function it owns nothing and costs next to nothing to compile; the object has to outlive it.
+// A reference to a function object of any type. Unlike std::function it owns nothing and costs next to nothing to
+// compile; the object has to outlive it.
 template <class Signature>
 class Function_ref;
 

@@ -18,8 +18,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Loops over ranges of indices, run block by block, by several threads if that is wished. Blocks are of one size whatever the number of threads, and what
-// they return is combined in their order: so the results are the same bytes for every number of threads.
+// Loops over ranges of indices, run block by block, by several threads if that is wished. Blocks are of one size
+// whatever the number of threads, and what they return is combined in their order: so the results are the same bytes
+// for every number of threads.
 class Loops
 {
 public:

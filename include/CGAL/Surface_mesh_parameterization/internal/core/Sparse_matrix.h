@@ -16,8 +16,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A sparse matrix of doubles that is assembled entry by entry, a model of `SparseLinearAlgebraTraits_d::Matrix`. Entries are collected and, whenever as many
-// wait as there are, merged into the rows: so a sum over the faces takes little more memory than its result.
+// A sparse matrix of doubles that is assembled entry by entry, a model of `SparseLinearAlgebraTraits_d::Matrix`.
+// Entries are collected and, whenever as many wait as there are, merged into the rows: so a sum over the faces takes
+// little more memory than its result.
 class Sparse_matrix
 {
 public:
@@ -42,7 +43,8 @@ public:
     return k == not_found ? 0 : m_rows->values[k];
   }
 
-  // a_ij := value; `is_new`: the caller knows that a_ij has not been set before, which saves time while the matrix is filled
+  // a_ij := value; `is_new`: the caller knows that a_ij has not been set before, which saves time while the matrix is
+  // filled
   void set_coef(std::size_t i, std::size_t j, double value, bool is_new = false)
   {
     const bool was_merged = !m_rows->values.empty();
@@ -57,7 +59,8 @@ public:
       append(i, j, value, false);
   }
 
-  // The rows, their columns ascending. They stay as they are while somebody holds them, whatever becomes of the matrix; so one pointer means equal values.
+  // The rows, their columns ascending. They stay as they are while somebody holds them, whatever becomes of the matrix;
+  // so one pointer means equal values.
   std::shared_ptr<const Rows> rows() const
   {
     merge();

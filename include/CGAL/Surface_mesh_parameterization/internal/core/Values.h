@@ -10,8 +10,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The numbers of several right sides or solutions at one unknown. Systems with one matrix are solved side by side: its entries are fetched once for all.
-// Arithmetic is element by element.
+// The numbers of several right sides or solutions at one unknown. Systems with one matrix are solved side by side: its
+// entries are fetched once for all. Arithmetic is element by element.
 template <class Real_, int columns>
 struct Values
 {

@@ -17,7 +17,8 @@ Orientation unfiltered_orientation(const Point_2& a, const Point_2& b, const Poi
 // The side of c, seen from a in the direction of b, exactly.
 inline Orientation exact_orientation(const Point_2& a, const Point_2& b, const Point_2& c)
 {
-  // A determinant of rounded differences is off by less than 4 * 2^-53 times the sum of its two products, unless these underflow.
+  // A determinant of rounded differences is off by less than 4 * 2^-53 times the sum of its two products, unless these
+  // underflow.
   constexpr double relative_error = 1e-15, least_determinant = 1e-290;
   const double plus = (b.x() - a.x()) * (c.y() - a.y()), minus = (b.y() - a.y()) * (c.x() - a.x()), determinant = plus - minus;
   const double bound = relative_error * (std::abs(plus) + std::abs(minus)) + least_determinant;

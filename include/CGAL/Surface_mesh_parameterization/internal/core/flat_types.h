@@ -13,8 +13,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// What the engine works on: flat arrays of doubles and of 32-bit indices, whatever mesh and kernel the user has. Predicates are those of exact_predicates.h: the
-// kernel's own ones are not exact.
+// What the engine works on: flat arrays of doubles and of 32-bit indices, whatever mesh and kernel the user has.
+// Predicates are those of exact_predicates.h: the kernel's own ones are not exact.
 typedef CGAL::Simple_cartesian<double>   Flat_kernel;
 typedef Flat_kernel::Point_2             Point_2;
 typedef Flat_kernel::Vector_2            Vector_2;

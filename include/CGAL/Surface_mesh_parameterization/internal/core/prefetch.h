@@ -12,8 +12,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Asks for the memory at an address that will be read soon. Does nothing where the compiler has no word for it. This and functions that do nothing else
-// must be inlined by force: gcc takes a call that changes nothing for superfluous.
+// Asks for the memory at an address that will be read soon. Does nothing where the compiler has no word for it. This
+// and functions that do nothing else must be inlined by force: gcc takes a call that changes nothing for superfluous.
 BOOST_FORCEINLINE void prefetch([[maybe_unused]] const void* address)
 {
 #ifdef __GNUC__       // clang, too
@@ -21,8 +21,8 @@ BOOST_FORCEINLINE void prefetch([[maybe_unused]] const void* address)
 #endif
 }
 
-// In a loop over a list of indices into an array, at place k: asks for the element that is needed some places later. Neighbors come from
-// many groups of ranks, of which the processor alone cannot see in advance where they lie.
+// In a loop over a list of indices into an array, at place k: asks for the element that is needed some places later.
+// Neighbors come from many groups of ranks, of which the processor alone cannot see in advance where they lie.
 template <class Array>
 BOOST_FORCEINLINE void prefetch_element_after(std::size_t k, const Index* indices, std::size_t number_of_indices, const Array& array)
 {

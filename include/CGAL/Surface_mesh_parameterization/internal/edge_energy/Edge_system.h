@@ -16,11 +16,13 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The linear system of an edge energy on one level: every vertex i that is not fixed lies at the weighted mean of its neighbors,
+// The linear system of an edge energy on one level: every vertex i that is not fixed lies at the weighted mean of its
+// neighbors,
 //
 //     sum_j c_ij (p_j - p_i) = 0.
 //
-// Rows are scaled so that their weights sum to 1. Residuals are therefore vectors in the plane: from a vertex to the mean of its neighbors.
+// Rows are scaled so that their weights sum to 1. Residuals are therefore vectors in the plane: from a vertex to the
+// mean of its neighbors.
 class Edge_system
 {
 public:
@@ -52,8 +54,9 @@ public:
   // The norm of all residuals, relative to those of the map that has every vertex that is not fixed in one point.
   double relative_residual(const Level::Uv& uv) const;
 
-  // One Gauss-Seidel sweep, group by group, with steps of `relaxation_factor` times the residual, as in successive over-relaxation. The vertices of a group
-  // share no edge, but those of level 0 may. Returns the relative norm of the residuals as they were found.
+  // One Gauss-Seidel sweep, group by group, with steps of `relaxation_factor` times the residual, as in successive
+  // over-relaxation. The vertices of a group share no edge, but those of level 0 may. Returns the relative norm of the
+  // residuals as they were found.
   double sweep(Level::Uv& uv, double relaxation_factor) const;
 
   // 1/2 sum c_ij |p_i - p_j|^2 over the edges, in the user's units in the plane; c_ij is the mean of both directions.

@@ -13,12 +13,14 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The factor w of successive over-relaxation, learned while sweeps go on.
 //
-// On n unknowns the best factor is about 2 / (1 + s / sqrt(n)). The number s is pi on a square grid; it depends on the shape of the domain and on the weights,
-// but little on n, so it is kept from one level to the next. Young's relation tells it from the rate r by which a sweep with w lowers the residual: the
-// plain Jacobi step then has the rate m with (r + w - 1)^2 = r w^2 m^2, and 1 - m^2 = s^2 / n.
+// On n unknowns the best factor is about 2 / (1 + s / sqrt(n)). The number s is pi on a square grid; it depends on the
+// shape of the domain and on the weights, but little on n, so it is kept from one level to the next. Young's relation
+// tells it from the rate r by which a sweep with w lowers the residual: the plain Jacobi step then has the rate m with
+// (r + w - 1)^2 = r w^2 m^2, and 1 - m^2 = s^2 / n.
 //
-// With a positive definite matrix, sweeps converge for every factor below 2, if not without detours. If the matrix is not symmetric, a large factor may make them
-// diverge: then s is raised, and kept above what it was raised to, on the next level above a part of that.
+// With a positive definite matrix, sweeps converge for every factor below 2, if not without detours. If the matrix is
+// not symmetric, a large factor may make them diverge: then s is raised, and kept above what it was raised to, on the
+// next level above a part of that.
 class Relaxation_factor
 {
 public:
@@ -54,7 +56,8 @@ public:
   }
 
 private:
-  // With a factor above the best one the rate is w - 1, whatever s: then s is raised a little. Where the residual has not fallen, nothing is known.
+  // With a factor above the best one the rate is w - 1, whatever s: then s is raised a little. Where the residual has
+  // not fallen, nothing is known.
   void learn_rate(double rate)
   {
     const double w = value(), jacobi = (rate + w - 1) * (rate + w - 1) / (rate * w * w);

@@ -15,14 +15,15 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Solves an edge system by factorization. Returns `OK`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if it is singular: for one, because no vertex is fixed.
+// Solves an edge system by factorization. Returns `OK`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if it is singular: for
+// one, because no vertex is fixed.
 //
 // A template for the sake of who uses the package header-only: only one of the two factorizations is compiled.
 template <bool is_symmetric>
 Error_code solve_directly(const Edge_system& system, Level::Uv& uv);
 
-// Solves it by Gauss-Seidel sweeps with over-relaxation until the relative residual is small enough, or after `most_sweeps`, and tells of them.
-// Returns `OK`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the sweeps diverged.
+// Solves it by Gauss-Seidel sweeps with over-relaxation until the relative residual is small enough, or after
+// `most_sweeps`, and tells of them. Returns `OK`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the sweeps diverged.
 Error_code solve_by_sweeps(const Edge_system& system, Relaxation_factor& factor, double tolerance, std::size_t most_sweeps, Level::Uv& uv, Level_summary& summary);
 
 #ifdef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE

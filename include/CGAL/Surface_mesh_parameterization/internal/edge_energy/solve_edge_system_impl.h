@@ -66,7 +66,8 @@ Error_code solve_directly(const Edge_system& system, Level::Uv& uv)
   return OK;
 }
 
-// The residuals that a sweep meets are about those that it leaves; only when they are small enough the true ones are computed.
+// The residuals that a sweep meets are about those that it leaves; only when they are small enough the true ones are
+// computed.
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code solve_by_sweeps(const Edge_system& system, Relaxation_factor& factor, double tolerance, std::size_t most_sweeps, Level::Uv& uv, Level_summary& summary)
 {

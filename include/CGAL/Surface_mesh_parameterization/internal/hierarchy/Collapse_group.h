@@ -25,9 +25,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// One collapse group (Hormann, Greiner, Campagna 1999, section 3): unlock all vertices; while one is unlocked, take one at random,
-// collapse it, lock its one-ring. No two removed vertices share an edge, so each star is that of the mesh before the group. Only the
-// link condition has to know the edges that the group itself adds.
+// One collapse group (Hormann, Greiner, Campagna 1999, section 3): unlock all vertices; while one is unlocked, take one
+// at random, collapse it, lock its one-ring. No two removed vertices share an edge, so each star is that of the mesh
+// before the group. Only the link condition has to know the edges that the group itself adds.
 class Collapse_group
 {
 public:
@@ -73,7 +73,8 @@ public:
   const std::vector<Collapse>& collapses() const { return m_collapses; }
 
 private:
-  // In random order block by block, so that most of what the vertices of a block need stays in the cache. std::shuffle is not the same everywhere.
+  // In random order block by block, so that most of what the vertices of a block need stays in the cache. std::shuffle
+  // is not the same everywhere.
   template <class RandomGenerator>
   void shuffle_vertices(std::size_t n, RandomGenerator& random)
   {
@@ -85,7 +86,8 @@ private:
         std::swap(m_order[begin + i - 1], m_order[begin + std::size_t((std::uint64_t(random()) * i) >> 32)]);
   }
 
-  // In random order, nearly everything about a vertex would have to be waited for: that is asked for step by step while the vertices before it are examined.
+  // In random order, nearly everything about a vertex would have to be waited for: that is asked for step by step while
+  // the vertices before it are examined.
   BOOST_FORCEINLINE void prefetch_vertices_after(const Mesh& mesh, std::size_t i) const
   {
     constexpr std::size_t vertex_ahead = 12, ring_ahead = 6, ring_points_ahead = 3;
@@ -114,8 +116,9 @@ private:
     std::vector<unsigned char> is_forbidden;      // by the link condition, to collapse onto this neighbor
   };
 
-  // Finds the best collapses of the vertices from `begin` to `end` in the random order before it is their turn: that is nearly all there is to compute, and can be
-  // done by several threads. Few vertices are examined in vain, because others of their batch lock them.
+  // Finds the best collapses of the vertices from `begin` to `end` in the random order before it is their turn: that is
+  // nearly all there is to compute, and can be done by several threads. Few vertices are examined in vain, because
+  // others of their batch lock them.
   void examine_batch(const Mesh& mesh, Index begin, Index end, const Loops& loops)
   {
     m_prospects.resize((std::max)(m_prospects.size(), std::size_t(end - begin)));
@@ -130,7 +133,8 @@ private:
 
   static constexpr Collapse no_collapse = { no_index, {}, {} };
 
-  // The collapse of V, onto the neighbor whose fan has the best worst triangle, that the link condition allows after the collapses so far.
+  // The collapse of V, onto the neighbor whose fan has the best worst triangle, that the link condition allows after
+  // the collapses so far.
   Collapse best_collapse(const Mesh& mesh, Index v, Scratch& scratch) const
   {
     // The choice of W0 is quadratic in the valence; a hub becomes cheaper as its neighbors go.
@@ -173,8 +177,8 @@ private:
     return best;
   }
 
-  // The collapse keeps the mesh a manifold if V and W0 have no common neighbor besides the ones beside W0 in the ring; an ear
-  // additionally needs a triangle on the other side of its base.
+  // The collapse keeps the mesh a manifold if V and W0 have no common neighbor besides the ones beside W0 in the ring;
+  // an ear additionally needs a triangle on the other side of its base.
   bool satisfies_link_condition(const Mesh& mesh, Index v, Index w0_slot) const
   {
     const Ring_mesh::Ring ring = mesh.rings[v], kept_ring = mesh.rings[ring[w0_slot]];
@@ -203,7 +207,8 @@ private:
     return false;
   }
 
-  // Performs a collapse that was found before others of its batch were performed, or the next best one if these have forbidden it.
+  // Performs a collapse that was found before others of its batch were performed, or the next best one if these have
+  // forbidden it.
   void try_collapse(const Mesh& mesh, Collapse c)
   {
     if (c.removed_vertex == no_index)

@@ -14,7 +14,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// What becomes of the triangles on the way down a hierarchy. Faces get ranks as vertices do: first those of level 0, then those that vanish with each split.
+// What becomes of the triangles on the way down a hierarchy. Faces get ranks as vertices do: first those of level 0,
+// then those that vanish with each split.
 struct Face_hierarchy
 {
   std::vector<Index_triangle> last_triangle;      // by rank: as they were just before they vanished, or on level 0
@@ -55,7 +56,8 @@ struct Face_hierarchy
 private:
   struct Last_state { Index_triangle triangle; Index place; };
 
-  // A triangle's corner of the greatest rank is the next to be removed: either W0 takes it over, or W0 is a corner already, and the triangle vanishes.
+  // A triangle's corner of the greatest rank is the next to be removed: either W0 takes it over, or W0 is a corner
+  // already, and the triangle vanishes.
   template <class Function>
   static Last_state walk_down(const Vertex_hierarchy& vertices, Index_triangle t, const Function& be_taken_over)
   {

@@ -32,7 +32,8 @@ struct Parent_triangle
   std::array<double, 2> coordinates;       // with respect to Wi and Wi+1: sigma and tau; rho = 1 - sigma - tau
 };
 
-// The quality of a triangle in the plane: its signed area by its longest squared edge; at most sqrt(3)/4, negative for a flipped one.
+// The quality of a triangle in the plane: its signed area by its longest squared edge; at most sqrt(3)/4, negative for
+// a flipped one.
 inline double shape_quality(const Vector_2& a, const Vector_2& b, const Vector_2& c)
 {
   const Vector_2 ab = b - a, ac = c - a, bc = c - b;
@@ -40,8 +41,9 @@ inline double shape_quality(const Vector_2& a, const Vector_2& b, const Vector_2
   return longest > 0 ? 0.5 * cross(ab, ac) / longest : 0;
 }
 
-// The quality of the worst triangle that a collapse onto ring position w0, an end of an open ring, leaves, with the flattened ring; of an ear's, that leaves
-// none, 1. It stops at the first triangle that is not better than `bound`, and returns what it has found then.
+// The quality of the worst triangle that a collapse onto ring position w0, an end of an open ring, leaves, with the
+// flattened ring; of an ear's, that leaves none, 1. It stops at the first triangle that is not better than `bound`, and
+// returns what it has found then.
 inline double worst_quality_after_collapse(const std::vector<Vector_2>& flat_ring, std::size_t w0, double bound = -(std::numeric_limits<double>::infinity)())
 {
   const std::size_t size = flat_ring.size();
@@ -56,8 +58,8 @@ inline double worst_quality_after_collapse(const std::vector<Vector_2>& flat_rin
   return worst;
 }
 
-// Where V, the origin, lies in the fan of ring position w0: the triangle in which its least barycentric coordinate is greatest.
-// Precondition: an interior vertex; the triangles of the fan are positive.
+// Where V, the origin, lies in the fan of ring position w0: the triangle in which its least barycentric coordinate is
+// greatest. Precondition: an interior vertex; the triangles of the fan are positive.
 inline Parent_triangle find_parent_triangle(const std::vector<Vector_2>& flat_ring, std::size_t w0)
 {
   const std::size_t size = flat_ring.size();
@@ -81,8 +83,9 @@ inline Parent_triangle find_parent_triangle(const std::vector<Vector_2>& flat_ri
   return best;
 }
 
-// Where a border vertex V that collapses onto one end W0 of its open ring lies on the coarse border edge from W0 to the other end Wn,
-// by arc length. V may lie outside the coarse fan, so its third coordinate is 0. An ear leaves no fan: its parent is the edge, Wn twice.
+// Where a border vertex V that collapses onto one end W0 of its open ring lies on the coarse border edge from W0 to the
+// other end Wn, by arc length. V may lie outside the coarse fan, so its third coordinate is 0. An ear leaves no fan:
+// its parent is the edge, Wn twice.
 inline Parent_triangle find_parent_border_edge(const std::vector<Vector_2>& flat_ring, std::size_t w0)
 {
   const std::size_t last = flat_ring.size() - 1, other = w0 == 0 ? last : 0;

@@ -20,7 +20,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Builds a hierarchy group by group, on a mesh that is compacted after every group, so that coarse levels stay in the cache.
+// Builds a hierarchy group by group, on a mesh that is compacted after every group, so that coarse levels stay in the
+// cache.
 class Hierarchy_builder
 {
 public:
@@ -86,7 +87,8 @@ private:
       m_number[c.removed_vertex] = m_number[c.parent[0]];
   }
 
-  // Turns the splits, finest group first, into those of the hierarchy, coarsest group first; inside a group the order stays.
+  // Turns the splits, finest group first, into those of the hierarchy, coarsest group first; inside a group the order
+  // stays.
   Vertex_hierarchy number_by_removal(const Loops& loops)
   {
     Vertex_hierarchy result;

@@ -18,8 +18,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// What a linear solver needs of a hierarchy: how its vertices are interpolated, and how many each level has. It takes a fifth of the memory, so that a
-// hierarchy that nobody else needs can go before the matrix comes.
+// What a linear solver needs of a hierarchy: how its vertices are interpolated, and how many each level has. It takes a
+// fifth of the memory, so that a hierarchy that nobody else needs can go before the matrix comes.
 class Hierarchy_interpolation
 {
 public:

@@ -17,8 +17,8 @@ void Level::go_to(std::size_t index)
 {
   m_index = index;
   m_mesh.walk_to_level(index);
-  // On the way up the arrays grow into memory that is reserved but not yet used: where they were allocated anew for every level, the system would have to
-  // clear that memory again and again.
+  // On the way up the arrays grow into memory that is reserved but not yet used: where they were allocated anew for
+  // every level, the system would have to clear that memory again and again.
   m_rings.reserve(hierarchy().number_of_vertices(), hierarchy().number_of_faces(), m_loops);
   m_rest_corners.reserve(3 * hierarchy().number_of_faces() + hierarchy().number_of_vertices());
   m_rings.build(m_mesh.number_of_vertices(), m_mesh.triangles(), m_loops);

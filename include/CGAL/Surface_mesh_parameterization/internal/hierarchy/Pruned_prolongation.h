@@ -15,8 +15,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The prolongation over several collapse groups, each row pruned to its three greatest weights, whose sum is made 1 again: that keeps coarse
-// operators sparse. The first rows, those of the coarse vertices, are the identity's.
+// The prolongation over several collapse groups, each row pruned to its three greatest weights, whose sum is made 1
+// again: that keeps coarse operators sparse. The first rows, those of the coarse vertices, are the identity's.
 class Pruned_prolongation
 {
 public:

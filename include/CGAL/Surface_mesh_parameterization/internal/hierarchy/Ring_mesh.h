@@ -15,8 +15,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A mesh as the one-rings of its vertices. Collapses of vertices that share no edge turn it into the next coarser mesh, each ring by
-// itself: no triangle is looked at, and nothing has to be sorted.
+// A mesh as the one-rings of its vertices. Collapses of vertices that share no edge turn it into the next coarser mesh,
+// each ring by itself: no triangle is looked at, and nothing has to be sorted.
 class Ring_mesh
 {
 public:

@@ -17,9 +17,10 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The metric in which the edges of a mesh are as equally long as one metric for each vertex can make them. In it, and not in space, the matrix of uniform weights
-// is a Laplacian: sum_j (u_i - u_j)^2 = grad u . D grad u with D = sum_j e_ij e_ij^T, and the metric is the inverse of that diffusion tensor D. Coarse
-// triangles that are round in it keep the coarse matrices isotropic, as the smoother needs them.
+// The metric in which the edges of a mesh are as equally long as one metric for each vertex can make them. In it, and
+// not in space, the matrix of uniform weights is a Laplacian: sum_j (u_i - u_j)^2 = grad u . D grad u with D = sum_j
+// e_ij e_ij^T, and the metric is the inverse of that diffusion tensor D. Coarse triangles that are round in it keep the
+// coarse matrices isotropic, as the smoother needs them.
 class Unit_edge_metric
 {
 public:
@@ -35,7 +36,8 @@ public:
 
   BOOST_FORCEINLINE void prefetch_vertex(Index v) const { prefetch(&m_tensors[v]); }
 
-  // Turns the ring of V, laid flat around the origin, from the metric of space into this one, up to a scale. A star without width stays as it is.
+  // Turns the ring of V, laid flat around the origin, from the metric of space into this one, up to a scale. A star
+  // without width stays as it is.
   void transform(Index v, const Point_3& point, const std::vector<Point_3>& ring_points, std::vector<Vector_2>& flat_ring) const
   {
     // The vectors in space that the axes of the plane stand for, by least squares.

@@ -19,7 +19,8 @@ struct Vertex_split
   std::array<double, 2> coordinates;     // with respect to Wi and Wi+1
 };
 
-// The vertices of a hierarchy: what there is to know of it, since the triangles of its levels follow from those of the input.
+// The vertices of a hierarchy: what there is to know of it, since the triangles of its levels follow from those of the
+// input.
 struct Vertex_hierarchy
 {
   std::vector<std::size_t> level_vertices;    // the levels' numbers of vertices, coarsest first

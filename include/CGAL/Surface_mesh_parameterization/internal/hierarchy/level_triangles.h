@@ -11,7 +11,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Calls f(a, b, corner) for the triangles vab of which v is the least vertex: so a loop over the vertices meets every triangle once.
+// Calls f(a, b, corner) for the triangles vab of which v is the least vertex: so a loop over the vertices meets every
+// triangle once.
 template <class Function>
 void for_each_triangle_of_least_vertex(const Level& level, Index v, const Function& f)
 {

@@ -14,8 +14,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Pins the vertices of given places that no coarse level can do without. One that lies on the border between two others may go: what is left of the border
-// still lies in its place.
+// Pins the vertices of given places that no coarse level can do without. One that lies on the border between two others
+// may go: what is left of the border still lies in its place.
 inline void pin_fixed_vertices(const Triangulated_surface_3& surface, std::vector<bool>& is_pinned)
 {
   std::vector<bool> is_fixed(surface.points.size(), false);

@@ -31,9 +31,10 @@ struct Map_repair_options
   double least_relative_length = 1e-9;                  // of the edges at a vertex: where they are shorter, the map has collapsed
 };
 
-// Turns a map with flips into one without that is the same wherever it can be. The hierarchy leads there: flips are local, so that a level that is coarse
-// enough has none; from there vertices come back, each to its place in the given map if its star is valid then, or into the kernel of its star.
-// Those that are not at their place are relaxed, and try again after every sweep. A map that is mirrored as a whole stays so.
+// Turns a map with flips into one without that is the same wherever it can be. The hierarchy leads there: flips are
+// local, so that a level that is coarse enough has none; from there vertices come back, each to its place in the given
+// map if its star is valid then, or into the kernel of its star. Those that are not at their place are relaxed, and try
+// again after every sweep. A map that is mirrored as a whole stays so.
 class Map_repair
 {
 public:
@@ -67,7 +68,8 @@ public:
   }
 
 private:
-  // Units in which the map has about the area of the surface and is not mirrored: powers of two, so that no digit is lost.
+  // Units in which the map has about the area of the surface and is not mirrored: powers of two, so that no digit is
+  // lost.
   void set_units()
   {
     double doubled_area = 0, doubled_image_area = 0;
@@ -83,7 +85,8 @@ private:
     m_exponent = std::isfinite(scale) && scale > 0 ? std::ilogb(scale) : 0;
   }
 
-  // Where a map has collapsed to almost a point, so that doubles have no room for vertices in between, no place is wanted.
+  // Where a map has collapsed to almost a point, so that doubles have no room for vertices in between, no place is
+  // wanted.
   void give_up_collapsed_places()
   {
     double greatest = 0;
@@ -109,7 +112,8 @@ private:
   Point_2 from_own_units(const Point_2& p) const { return scaled(p, -m_exponent); }
   Point_2 scaled(const Point_2& p, int exponent) const { return Point_2(std::ldexp(m_is_mirrored ? -p.x() : p.x(), exponent), std::ldexp(p.y(), exponent)); }
 
-  // The finest level on which the wanted places are valid; if there is none, Tutte's map of the coarsest, as near to the wanted one as a similarity brings it.
+  // The finest level on which the wanted places are valid; if there is none, Tutte's map of the coarsest, as near to
+  // the wanted one as a similarity brings it.
   Error_code start(Level::Uv& uv)
   {
     std::size_t level = m_hierarchy.number_of_levels();
@@ -183,7 +187,8 @@ private:
     advance(uv);
   }
 
-  // Moves all displaced vertices to their wanted places at once, and those back, with their neighbors, whose stars are not valid then: until all are.
+  // Moves all displaced vertices to their wanted places at once, and those back, with their neighbors, whose stars are
+  // not valid then: until all are.
   void advance(Level::Uv& uv)
   {
     const auto is_displaced = [&](Index v) { return uv[v] != m_wanted[v]; };

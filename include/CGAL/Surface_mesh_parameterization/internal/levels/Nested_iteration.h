@@ -62,14 +62,16 @@ Nested_iteration_options nested_iteration_options_of(const NamedParameters& np, 
   return options;
 }
 
-// The hierarchical parametrization of Hormann, Greiner and Campagna (1999) of a surface, and what is tried when doubles leave no room for a map without flips.
+// The hierarchical parametrization of Hormann, Greiner and Campagna (1999) of a surface, and what is tried when doubles
+// leave no room for a map without flips.
 class Nested_iteration
 {
 public:
   // The method may be changed by leave_room().
   Nested_iteration(Refinable_method& method, const Nested_iteration_options& options, Any_hierarchy_visitor& visitor, Parameterization_summary& summary);
 
-  // Writes the places of the surface's vertices, in their order, if all went well. The timer runs since the surface began to be read.
+  // Writes the places of the surface's vertices, in their order, if all went well. The timer runs since the surface
+  // began to be read.
   Error_code run(Triangulated_surface_3 surface, CGAL::Real_timer& timer, std::vector<Point_2>& uv);
 
 private:
@@ -80,8 +82,8 @@ private:
   Error_code finish(const Level& level, Level::Uv& uv);
   Error_code stop();
 
-  // A coarsest level that the method cannot lay out without a flip is coarsened further: the vertices come back by insertion. Where doubles leave no
-  // room for one of them, another hierarchy may, and at last a more careful method.
+  // A coarsest level that the method cannot lay out without a flip is coarsened further: the vertices come back by
+  // insertion. Where doubles leave no room for one of them, another hierarchy may, and at last a more careful method.
   bool can_try_another_way(const Collapse_hierarchy_3& hierarchy);
 
   Refinable_method& m_method;

@@ -45,8 +45,8 @@ Error_code Nested_iteration::run(Triangulated_surface_3 surface, CGAL::Real_time
   }
 }
 
-// The algorithm of the paper, section 3: with the levels built, parameterizes the coarsest one; then, for each finer level, inserts the vertices that it has in
-// addition and lets the method refine the map from there.
+// The algorithm of the paper, section 3: with the levels built, parameterizes the coarsest one; then, for each finer
+// level, inserts the vertices that it has in addition and lets the method refine the map from there.
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::parameterize(const Collapse_hierarchy_3& hierarchy, Level::Uv& uv)
 {

@@ -27,7 +27,8 @@ inline double space_border_length(const Level& level, const std::vector<Index>& 
   return length;
 }
 
-// An edge that is much shorter than the others, or has no length at all, is taken for a longer one: the polygon must be strictly convex.
+// An edge that is much shorter than the others, or has no length at all, is taken for a longer one: the polygon must be
+// strictly convex.
 inline void place_on_circle(const Level& level, const std::vector<Index>& border, Level::Uv& uv)
 {
   constexpr double shortest_edge = 0.1;      // of the mean one

@@ -10,13 +10,13 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Inserts the new vertices of a level (Hormann, Greiner, Campagna 1999, step 2b) into a flip-free map of the next coarser level and keeps
-// it flip-free. A vertex goes to its place in `wanted`, if that is given and there is no flip then.
-// Returns the first vertex for which no place was found, `no_index` if there is none.
+// Inserts the new vertices of a level (Hormann, Greiner, Campagna 1999, step 2b) into a flip-free map of the next
+// coarser level and keeps it flip-free. A vertex goes to its place in `wanted`, if that is given and there is no flip
+// then. Returns the first vertex for which no place was found, `no_index` if there is none.
 Index insert_new_vertices(const Level& level, Level::Uv& uv, const Level::Uv* wanted = nullptr);
 
-// Puts the new vertices of a level, flips or not, where they are fixed or where their stored coordinates have them in the map of the next coarser level: an
-// ear between its two neighbors.
+// Puts the new vertices of a level, flips or not, where they are fixed or where their stored coordinates have them in
+// the map of the next coarser level: an ear between its two neighbors.
 void insert_at_stored_places(const Level& level, Level::Uv& uv);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -23,7 +23,8 @@ Index insert_new_vertices(const Level& level, Level::Uv& uv, const Level::Uv* wa
   for (Index v = first_new; v < end; ++v)
     uv[v] = uv[hierarchy.kept_vertex(v)];
 
-  // The vertices are independent of each other but on the border, where the angles involve two neighbors: it comes last, one by one.
+  // The vertices are independent of each other but on the border, where the angles involve two neighbors: it comes
+  // last, one by one.
   std::vector<bool> is_placed(end, true);
   for (Index v = first_new; v < end; ++v)
     is_placed[v] = !level.is_border(v);

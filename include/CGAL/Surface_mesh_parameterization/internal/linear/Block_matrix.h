@@ -15,13 +15,15 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A symmetric sparse matrix of 2x2 blocks, by rows, scaled so that every diagonal block has the trace 2. In double precision: an almost conformal map
-// can be changed into another one at a cost of 1e-9 of the diagonal, which single precision does not see, and Newton's method stalls.
+// A symmetric sparse matrix of 2x2 blocks, by rows, scaled so that every diagonal block has the trace 2. In double
+// precision: an almost conformal map can be changed into another one at a cost of 1e-9 of the diagonal, which single
+// precision does not see, and Newton's method stalls.
 //
 // The unscaled matrix is S^-1 A S^-1, with one factor `scale[i]` for each block row in S.
 struct Block_matrix
 {
-  // The pattern: the columns of row i, but for the diagonal, are columns[first[i]] .. columns[first[i+1] - 1]. Kept by whoever made it.
+  // The pattern: the columns of row i, but for the diagonal, are columns[first[i]] .. columns[first[i+1] - 1]. Kept by
+  // whoever made it.
   const Index* first = nullptr;
   const Index* columns = nullptr;
 
@@ -90,7 +92,8 @@ struct Block_matrix
   }
 
 private:
-  // What x[i] has to be to satisfy row i. A diagonal block that is hardly definite is shifted by a small multiple of its trace.
+  // What x[i] has to be to satisfy row i. A diagonal block that is hardly definite is shifted by a small multiple of
+  // its trace.
   Block_vector relaxed_row(Index i, const Block_vectors& b, const Block_vectors& x) const
   {
     constexpr double least_determinant = 1e-4, shift = 1e-2;

@@ -28,8 +28,9 @@ struct Block_multigrid_options
   double shift = 1e-10;                   // of the coarsest matrix, that is singular: the energies do not change when the plane is moved
 };
 
-// V-cycles for a block matrix on a level, as preconditioner of conjugate gradients: Galerkin operators over every fifth collapse group, block Gauss-Seidel sweeps
-// as smoother, a direct solution at the bottom. On a hierarchy of one level there is only that one.
+// V-cycles for a block matrix on a level, as preconditioner of conjugate gradients: Galerkin operators over every fifth
+// collapse group, block Gauss-Seidel sweeps as smoother, a direct solution at the bottom. On a hierarchy of one level
+// there is only that one.
 class Block_multigrid
 {
 public:
@@ -53,8 +54,8 @@ public:
     return groups_above % options.groups_per_grid == 0 || level.index() == 0;
   }
 
-  // The matrix of the finest grid, to be filled in but for the scaling of its blocks. Then it is made ready by setup(), or, while it has changed so little that
-  // the coarse grids may stay as they are, by scale().
+  // The matrix of the finest grid, to be filled in but for the scaling of its blocks. Then it is made ready by setup(),
+  // or, while it has changed so little that the coarse grids may stay as they are, by scale().
   Block_matrix& matrix() { return m_grids.front().matrix; }
   const Block_matrix& matrix() const { return m_grids.front().matrix; }
 
@@ -165,8 +166,9 @@ private:
     order.erase(std::remove_if(order.begin(), order.end(), [size](Index v) { return v >= size; }), order.end());
   }
 
-  // A sweep goes from group to group, and over a group at once: its vertices share no edge. On coarse grids a few of them are joined by the Galerkin
-  // operator; a step on these is one of Jacobi's. What is left of the mesh when all groups are gone is densely joined and goes row by row.
+  // A sweep goes from group to group, and over a group at once: its vertices share no edge. On coarse grids a few of
+  // them are joined by the Galerkin operator; a step on these is one of Jacobi's. What is left of the mesh when all
+  // groups are gone is densely joined and goes row by row.
   void relax_forward(Grid& grid, const Block_vectors& b, Block_vectors& x)
   {
     grid.matrix.relax_forward(0, m_group_ends[0], b, x);

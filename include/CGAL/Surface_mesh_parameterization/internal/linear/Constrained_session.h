@@ -18,8 +18,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Solves systems of Orbifold_Tutte_parameterizer_3: u and v of every vertex, and then a Lagrange multiplier for each constraint. Multigrid needs a
-// definite matrix whose unknowns sit at the vertices, so it gets what Constraint_elimination leaves.
+// Solves systems of Orbifold_Tutte_parameterizer_3: u and v of every vertex, and then a Lagrange multiplier for each
+// constraint. Multigrid needs a definite matrix whose unknowns sit at the vertices, so it gets what
+// Constraint_elimination leaves.
 class Constrained_session : public Multigrid_session
 {
 public:

@@ -14,9 +14,10 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Constrained_session::solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution)
 {
-  // Of two vertices that face each other across the seam the one that lives on coarser levels stays an unknown. The other one is none, but if it is there on
-  // a coarse grid it may become one: were functions 0 there, the iterations would grow with the mesh. Coarse functions on the two sides are independent
-  // but for the fine edges, whose energy ties them.
+  // Of two vertices that face each other across the seam the one that lives on coarser levels stays an unknown. The
+  // other one is none, but if it is there on a coarse grid it may become one: were functions 0 there, the iterations
+  // would grow with the mesh. Coarse functions on the two sides are independent but for the fine edges, whose energy
+  // ties them.
   const Constraint_elimination elimination(*matrix.rows(), right_side.values(), m_ranks);
   if (!elimination.is_complete())
     return false;

@@ -21,9 +21,10 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 //     ( L  A' ) ( x )   ( c )
 //     ( A  0  ) ( l ) = ( d )
 //
-// where x holds two coordinates of each point of the plane and -L is a Laplacian matrix. Each two rows of A give the value of one linear combination
-// of points with complex coefficients: a point has its place, or a point of the seam is another one turned about a third.
-// Solved for one point each, the constraints say x = Z y + x_0, where y holds the points that stay free, and what is left of the system is
+// where x holds two coordinates of each point of the plane and -L is a Laplacian matrix. Each two rows of A give the
+// value of one linear combination of points with complex coefficients: a point has its place, or a point of the seam is
+// another one turned about a third. Solved for one point each, the constraints say x = Z y + x_0, where y holds the
+// points that stay free, and what is left of the system is
 //
 //     -Z' L Z y = Z' (L x_0 - c),
 //
@@ -34,8 +35,8 @@ public:
   typedef Sparse_rows<double>   Rows;
   typedef std::vector<double>   Vector;
 
-  // `rows` and `right_side` must live as long as this object; there are as many points as `ranks`. Of two points that are tied to each other the one of
-  // lower rank stays free.
+  // `rows` and `right_side` must live as long as this object; there are as many points as `ranks`. Of two points that
+  // are tied to each other the one of lower rank stays free.
   Constraint_elimination(const Rows& rows, const Vector& right_side, const std::vector<Index>& ranks)
     : m_rows(rows), m_right_side(right_side), m_ranks(ranks), m_coordinates(Index(2 * ranks.size()))
   {
@@ -102,7 +103,8 @@ private:
 
   static constexpr double negligible = 1e-12;       // next to coefficients of a rotation
 
-  // A point is `factor` times the point `to`, plus `offset`. A free point is tied to itself, and one whose place is known to none.
+  // A point is `factor` times the point `to`, plus `offset`. A free point is tied to itself, and one whose place is
+  // known to none.
   struct Tie
   {
     Index to;
@@ -120,7 +122,8 @@ private:
     return result;
   }
 
-  // Solves the constraint in two rows for one point. Returns false if it has none, or more than two, that are still free.
+  // Solves the constraint in two rows for one point. Returns false if it has none, or more than two, that are still
+  // free.
   bool eliminate(Index row)
   {
     std::vector<std::pair<Index, Complex>> terms;

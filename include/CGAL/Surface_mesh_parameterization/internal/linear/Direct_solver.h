@@ -52,13 +52,15 @@ public:
   }
 };
 
-// The factorization L D L^T of a symmetric matrix of dimension n, of which the lower triangle is read; null if it breaks down.
+// The factorization L D L^T of a symmetric matrix of dimension n, of which the lower triangle is read; null if it
+// breaks down.
 template <class Real = double>
 std::unique_ptr<Direct_solver> factorize_symmetric(Index n, const std::vector<Matrix_entry>& entries);
 
 // The factorization L U of any regular matrix of dimension n; null if it is singular.
 //
-// Both are templates for the sake of who uses the package header-only: what is not called is not compiled, and this one takes long.
+// Both are templates for the sake of who uses the package header-only: what is not called is not compiled, and this one
+// takes long.
 template <class Real = double>
 std::unique_ptr<Direct_solver> factorize(Index n, const std::vector<Matrix_entry>& entries);
 

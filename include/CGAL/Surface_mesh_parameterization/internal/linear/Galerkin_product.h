@@ -16,11 +16,13 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The Galerkin operator P^T A P of a block matrix. What is fixed by its pattern is found once; then it is computed for any values of A.
+// The Galerkin operator P^T A P of a block matrix. What is fixed by its pattern is found once; then it is computed for
+// any values of A.
 class Galerkin_product
 {
 public:
-  // `order` holds the coarse rows in an order in which neighbors are close to each other: they share what is fetched into the cache.
+  // `order` holds the coarse rows in an order in which neighbors are close to each other: they share what is fetched
+  // into the cache.
   Galerkin_product(const Block_matrix& fine, const Pruned_prolongation& prolongation, std::vector<Index> order, const Loops& loops)
     : m_prolongation(prolongation), m_order(std::move(order))
   {
@@ -33,7 +35,8 @@ public:
 
   Galerkin_product(const Galerkin_product&) = delete;
 
-  // Makes `coarse` the product, with this object's pattern, which must outlive it. Both matrices: the blocks beside the diagonal not yet scaled.
+  // Makes `coarse` the product, with this object's pattern, which must outlive it. Both matrices: the blocks beside the
+  // diagonal not yet scaled.
   void compute(const Block_matrix& fine, Block_matrix& coarse, const Loops& loops)
   {
     coarse.set_pattern(m_order.size(), m_first.data(), m_columns.data());

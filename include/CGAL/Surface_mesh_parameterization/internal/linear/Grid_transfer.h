@@ -16,13 +16,15 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The prolongation P from the unknowns of a coarse grid to those of the next finer one: each component of a vertex comes from the same component of
-// vertices of the coarse level. What is no unknown of the coarse grid, since its value is known, is 0 there.
+// The prolongation P from the unknowns of a coarse grid to those of the next finer one: each component of a vertex
+// comes from the same component of vertices of the coarse level. What is no unknown of the coarse grid, since its value
+// is known, is 0 there.
 class Grid_transfer
 {
 public:
-  // The coarse unknowns are those of the `fine_unknowns` that sit at coarse vertices, in the same order, and then those of some `tied_vertices`: these, though
-  // coarse vertices, have no fine unknowns, since the values of others give theirs.
+  // The coarse unknowns are those of the `fine_unknowns` that sit at coarse vertices, in the same order, and then those
+  // of some `tied_vertices`: these, though coarse vertices, have no fine unknowns, since the values of others give
+  // theirs.
   Grid_transfer(const Pruned_prolongation& prolongation, const std::vector<Mesh_unknown>& fine_unknowns, const std::vector<Index>& tied_vertices = {})
   {
     std::size_t components = 1;
@@ -123,7 +125,8 @@ public:
 private:
   typedef Pruned_prolongation::Row   Row;
 
-  // The unknowns at tied vertices that get most of the weight in the row of a fine unknown. With these only, the columns of P are linearly independent.
+  // The unknowns at tied vertices that get most of the weight in the row of a fine unknown. With these only, the
+  // columns of P are linearly independent.
   static std::vector<Mesh_unknown> needed_unknowns(const Pruned_prolongation& prolongation, const std::vector<Mesh_unknown>& fine_unknowns,
                                                    const std::vector<Index>& tied_vertices)
   {

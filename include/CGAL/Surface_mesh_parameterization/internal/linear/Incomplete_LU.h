@@ -13,9 +13,10 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A sparse matrix A with its incomplete factorization L U ~ A without fill-in (ILU(0)), the smoother of a multigrid method. It smooths
-// also where Gauss-Seidel does not: where the coupling is much stronger in one direction than in the other, as uniform weights are on triangles that are
-// long in space. Of a symmetric matrix, the factorization is symmetric.
+// A sparse matrix A with its incomplete factorization L U ~ A without fill-in (ILU(0)), the smoother of a multigrid
+// method. It smooths also where Gauss-Seidel does not: where the coupling is much stronger in one direction than in the
+// other, as uniform weights are on triangles that are long in space. Of a symmetric matrix, the factorization is
+// symmetric.
 template <class Real>
 class Incomplete_LU
 {

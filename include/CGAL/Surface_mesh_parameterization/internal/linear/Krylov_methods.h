@@ -16,14 +16,16 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Preconditioned Krylov methods, for unknowns that are blocks, or the values of several right sides side by side. The system has
+// Preconditioned Krylov methods, for unknowns that are blocks, or the values of several right sides side by side. The
+// system has
 //   number_of_rows(), loops(),
 //   row_times(i, x)             row i of A x
 //   precondition(r)             M^-1 r, in a vector that the caller may overwrite; it is valid until the next call
 //   squared_size(i, r)          what the residual r of row i contributes to the squared norm
 //   is_finished(squared_norm)   whether to stop: the residual is small enough for each right side, or there is no progress any more
-// Products are numbers, or one number for each right side. The methods start from `x` and its residual `r`, change both, and stop where is_finished(), after
-// `most_iterations`, or where a right side breaks down; they return the number of iterations.
+// Products are numbers, or one number for each right side. The methods start from `x` and its residual `r`, change
+// both, and stop where is_finished(), after `most_iterations`, or where a right side breaks down; they return the
+// number of iterations.
 
 inline double quotient(double a, double b) { return b != 0 ? a / b : 0; }
 inline double quotient_by_positive(double a, double b) { return b > 0 ? a / b : 0; }
@@ -79,7 +81,8 @@ Product_of<Vector> go_along(const System& system, const Product_of<Vector>& alph
   });
 }
 
-// Conjugate gradients; A and M must be symmetric and positive definite. Where rounding makes M indefinite, they begin anew. `p` is scratch of the size of x.
+// Conjugate gradients; A and M must be symmetric and positive definite. Where rounding makes M indefinite, they begin
+// anew. `p` is scratch of the size of x.
 template <class System, class Vector>
 std::size_t conjugate_gradients(System& system, Vector& x, Vector& r, Vector& p, std::size_t most_iterations)
 {
@@ -102,7 +105,8 @@ std::size_t conjugate_gradients(System& system, Vector& x, Vector& r, Vector& p,
   return iterations;
 }
 
-// The stabilized bi-conjugate gradients of van der Vorst (1992), preconditioned from the right: an iteration takes M and A twice.
+// The stabilized bi-conjugate gradients of van der Vorst (1992), preconditioned from the right: an iteration takes M
+// and A twice.
 template <class System, class Vector>
 std::size_t stabilized_biconjugate_gradients(System& system, Vector& x, Vector& r, std::size_t most_iterations)
 {

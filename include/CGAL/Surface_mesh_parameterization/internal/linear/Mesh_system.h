@@ -19,12 +19,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A square linear system whose unknowns sit at the vertices of a hierarchy, made ready for an iteration. Its functions take right sides as anything whose
-// operator[](i) tells what they have in row i.
+// A square linear system whose unknowns sit at the vertices of a hierarchy, made ready for an iteration. Its functions
+// take right sides as anything whose operator[](i) tells what they have in row i.
 //
-// An unknown whose row holds nothing but the diagonal is *fixed*: its value is known at once, and the free ones only are unknowns of the grids, where such a
-// row would spoil the Galerkin operators. The rows of a matrix that is not symmetric are scaled to unit diagonal: those of mean value weights, for
-// instance, grow like one over the edge length.
+// An unknown whose row holds nothing but the diagonal is *fixed*: its value is known at once, and the free ones only
+// are unknowns of the grids, where such a row would spoil the Galerkin operators. The rows of a matrix that is not
+// symmetric are scaled to unit diagonal: those of mean value weights, for instance, grow like one over the edge length.
 class Mesh_system
 {
 public:
@@ -51,8 +51,8 @@ public:
   // The free unknowns, in the order of the hierarchy's input, which suits the cache.
   const std::vector<Index>& free_unknowns() const { return m_free; }
 
-  // The rows and columns of the free unknowns in that order, times free_part_scale(), which makes them about as large as 1. Entries that are mere rounding
-  // are left out.
+  // The rows and columns of the free unknowns in that order, times free_part_scale(), which makes them about as large
+  // as 1. Entries that are mere rounding are left out.
   template <class Real>
   Sparse_rows<Real> free_part() const
   {

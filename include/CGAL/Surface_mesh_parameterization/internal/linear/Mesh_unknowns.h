@@ -20,12 +20,13 @@ struct Mesh_unknown
   Index component;
 };
 
-// What the unknowns of a system are, whose numbering CGAL keeps to itself: those of a vertex are consecutive, and the vertices come in the order of
-// their indices, but for the vertices that are locked when the system is solved.
+// What the unknowns of a system are, whose numbering CGAL keeps to itself: those of a vertex are consecutive, and the
+// vertices come in the order of their indices, but for the vertices that are locked when the system is solved.
 class Mesh_unknowns
 {
 public:
-  // `ranks` holds the ranks of the vertices in the order of their indices; `is_locked(i)` tells whether the i-th of them is no unknown.
+  // `ranks` holds the ranks of the vertices in the order of their indices; `is_locked(i)` tells whether the i-th of
+  // them is no unknown.
   explicit Mesh_unknowns(std::vector<Index> ranks, std::function<bool(std::size_t)> is_locked = {})
     : m_ranks(std::move(ranks)), m_is_locked(std::move(is_locked))
   { }

@@ -24,10 +24,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Solves a linear system whose unknowns sit at the vertices of a hierarchy, for any number of right sides: conjugate gradients if it is symmetric,
-// stabilized bi-conjugate gradients if not, preconditioned by V-cycles, from the first guess of full multigrid. Where these do not arrive, it solves directly.
+// Solves a linear system whose unknowns sit at the vertices of a hierarchy, for any number of right sides: conjugate
+// gradients if it is symmetric, stabilized bi-conjugate gradients if not, preconditioned by V-cycles, from the first
+// guess of full multigrid. Where these do not arrive, it solves directly.
 //
-// `Real` is the type of the grids' numbers: with single precision they take half the memory, and are exact enough for a preconditioner.
+// `Real` is the type of the grids' numbers: with single precision they take half the memory, and are exact enough for a
+// preconditioner.
 template <class Real>
 class Multigrid_linear_solver final
   : public Linear_solver

@@ -25,8 +25,8 @@ class Multigrid_session
 public:
   typedef Solver_vector   Vector;
 
-  // `defers`: a first solution with a matrix is put off until it is read, or until the next right side comes: two of them are solved side by side in little more
-  // than the time of one. Whether that succeeds is told by finish() only.
+  // `defers`: a first solution with a matrix is put off until it is read, or until the next right side comes: two of
+  // them are solved side by side in little more than the time of one. Whether that succeeds is told by finish() only.
   Multigrid_session(std::shared_ptr<const Hierarchy_interpolation> interpolation, Mesh_unknowns unknowns, const Linear_solver_options& options,
                     Make_linear_solver make_solver, bool defers = false);
 
@@ -36,7 +36,8 @@ public:
 
   const Linear_solver_summary& summary() const { return m_summary; }
 
-  // Sets up the solver for a matrix, unless it is the one of the last time; `tied_vertices` as for make_multigrid_linear_solver().
+  // Sets up the solver for a matrix, unless it is the one of the last time; `tied_vertices` as for
+  // make_multigrid_linear_solver().
   bool set_up(const Sparse_matrix& matrix, const std::vector<Index>& tied_vertices = {});
 
   // Solves with a matrix for one right side.

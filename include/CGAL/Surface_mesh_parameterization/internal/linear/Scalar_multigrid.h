@@ -26,19 +26,21 @@ struct Scalar_multigrid_options
 {
   std::size_t groups_per_grid = 4;        // collapse groups from one grid to the next
   std::size_t coarsest_size = 500;        // a grid of so many unknowns is solved directly
-  // Where angles are obtuse, cotangent weights are negative, and incomplete factors need not exist: a diagonal that is a little greater helps. Much more costs
-  // cycles, 10 % a third. Where all entries beside the diagonal are negative, as those of uniform or mean value weights are, it would cost some for nothing.
+  // Where angles are obtuse, cotangent weights are negative, and incomplete factors need not exist: a diagonal that is
+  // a little greater helps. Much more costs cycles, 10 % a third. Where all entries beside the diagonal are negative,
+  // as those of uniform or mean value weights are, it would cost some for nothing.
   double enlargement_of_diagonal = 1.02;
 };
 
-// V-cycles for a matrix whose unknowns sit at the vertices of a hierarchy: Galerkin operators over every fourth collapse group, incomplete LU
-// as the smoother before and after, a direct solution at the bottom. With a symmetric matrix the cycle is symmetric, too.
+// V-cycles for a matrix whose unknowns sit at the vertices of a hierarchy: Galerkin operators over every fourth
+// collapse group, incomplete LU as the smoother before and after, a direct solution at the bottom. With a symmetric
+// matrix the cycle is symmetric, too.
 template <class Real>
 class Scalar_multigrid
 {
 public:
-  // `matrix` has a row, with ascending columns, for each of `unknowns`. These are best in the order of the hierarchy's input, for the cache.
-  // `tied_vertices` have none, but may have some on coarser grids, see Grid_transfer.
+  // `matrix` has a row, with ascending columns, for each of `unknowns`. These are best in the order of the hierarchy's
+  // input, for the cache. `tied_vertices` have none, but may have some on coarser grids, see Grid_transfer.
   Scalar_multigrid(const Hierarchy_interpolation& hierarchy, const std::vector<Mesh_unknown>& unknowns, Sparse_rows<Real> matrix,
                    const std::vector<Index>& tied_vertices = {}, const Scalar_multigrid_options& options = Scalar_multigrid_options())
   {
@@ -58,7 +60,8 @@ public:
   // Whether the direct solver at the bottom could factorize its matrix.
   bool is_ready() const { return m_direct_solver != nullptr; }
 
-  // The vectors that cycles for so many right sides work on, one of each kind for every grid, and the parts of a cycle, see v_cycle().
+  // The vectors that cycles for so many right sides work on, one of each kind for every grid, and the parts of a cycle,
+  // see v_cycle().
   template <int columns>
   class Space
   {
@@ -96,7 +99,8 @@ public:
   template <int columns>
   void cycle(Space<columns>& space, std::size_t g = 0) const { v_cycle(space, g, space.right_side(g), space.solution(g)); }
 
-  // Full multigrid: the solution of every grid starts from that of the next coarser one, and is improved by a cycle. Changes `space.right_side(0)`.
+  // Full multigrid: the solution of every grid starts from that of the next coarser one, and is improved by a cycle.
+  // Changes `space.right_side(0)`.
   template <int columns>
   void full_cycle(Space<columns>& space) const
   {

@@ -18,7 +18,8 @@ public:
   virtual void solve_now() = 0;
 };
 
-// A vector of doubles, a model of `SparseLinearAlgebraTraits_d::Vector`. A solver may put off to find its numbers: they are found when one of them is read.
+// A vector of doubles, a model of `SparseLinearAlgebraTraits_d::Vector`. A solver may put off to find its numbers: they
+// are found when one of them is read.
 class Solver_vector
 {
 public:

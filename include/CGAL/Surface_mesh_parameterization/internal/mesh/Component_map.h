@@ -10,7 +10,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A property map of the vertices of a component, on an array in their order. It gives references, since Iterative_authalic_parameterizer_3 keeps addresses.
+// A property map of the vertices of a component, on an array in their order. It gives references, since
+// Iterative_authalic_parameterizer_3 keeps addresses.
 template <class VertexIndexMap, class Value>
 struct Component_map
 {

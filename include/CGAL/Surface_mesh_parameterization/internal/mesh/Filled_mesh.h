@@ -29,7 +29,8 @@ template <class TriangleMesh>
 struct Is_fillable<TriangleMesh, std::void_t<decltype(add_vertex(std::declval<TriangleMesh&>())), decltype(add_face(std::declval<TriangleMesh&>()))>>
   : std::is_copy_constructible<TriangleMesh> { };
 
-// A copy of a mesh in which every border of the component of `bhd`, but the outer one, is closed by a vertex in the middle of it.
+// A copy of a mesh in which every border of the component of `bhd`, but the outer one, is closed by a vertex in the
+// middle of it.
 template <class TriangleMesh>
 class Filled_mesh
 {
@@ -39,7 +40,8 @@ class Filled_mesh
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<vertex_descriptor>>::const_type   Original_map;
 
 public:
-  // A property map of the original as one of the copy: the vertices in the middle of holes have the value `Value()`, and cannot be given another one.
+  // A property map of the original as one of the copy: the vertices in the middle of holes have the value `Value()`,
+  // and cannot be given another one.
   template <class Map>
   struct Map_of_copy
   {

@@ -50,7 +50,8 @@ struct Map_invariants
   double determinant;     // s1 s2
   double area;            // of the triangle in space
 
-  // Triangle and image are scaled by one power of two first, which changes nothing but keeps products of lengths representable.
+  // Triangle and image are scaled by one power of two first, which changes nothing but keeps products of lengths
+  // representable.
   explicit Map_invariants(const Mapped_triangle& t)
   {
     const Vector_3 p = t.points[1] - t.points[0], q = t.points[2] - t.points[0];

@@ -24,8 +24,8 @@ struct Longest_border
   std::size_t number_of_borders = 0;
 };
 
-// The longest of the borders whose halfedges are wanted; a null halfedge if there is none. Unlike that of Polygon_mesh_processing, it also finds a border whose
-// squared lengths overflow, or are all zero.
+// The longest of the borders whose halfedges are wanted; a null halfedge if there is none. Unlike that of
+// Polygon_mesh_processing, it also finds a border whose squared lengths overflow, or are all zero.
 template <class TriangleMesh, class Is_wanted>
 Longest_border<TriangleMesh> longest_border(const TriangleMesh& mesh, const Is_wanted& is_wanted)
 {

@@ -22,7 +22,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// What a border parameterizer writes to and reads from, of its own for each run. Vertices are numbered as in the component.
+// What a border parameterizer writes to and reads from, of its own for each run. Vertices are numbered as in the
+// component.
 template <class TriangleMesh>
 class Border_maps
 {

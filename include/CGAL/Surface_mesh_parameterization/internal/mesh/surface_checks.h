@@ -11,7 +11,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Whether a connected surface is a disk with holes, and if not, the first vertex where several umbrellas meet, `no_index` if there is none.
+// Whether a connected surface is a disk with holes, and if not, the first vertex where several umbrellas meet,
+// `no_index` if there is none.
 struct Disk_check
 {
   bool is_disk_with_holes;

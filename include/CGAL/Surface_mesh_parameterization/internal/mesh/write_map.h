@@ -15,8 +15,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Writes a finished map, in the order of the component's vertices and in the units of its surface, into the user's property maps. Virtual vertices come last, and
-// are left out.
+// Writes a finished map, in the order of the component's vertices and in the units of its surface, into the user's
+// property maps. Virtual vertices come last, and are left out.
 template <class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
 void write_map(const Mesh_component<TriangleMesh>& component, int scale_exponent, const std::vector<Point_2>& uv, VertexUVMap uvmap, VertexParameterizedMap vpmap)
 {

@@ -15,8 +15,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Minimizes the as-rigid-as-possible energy with lambda = 0, that of least squares conformal maps, on one level. It is quadratic, and 0 for a map to one
-// point: two vertices stay where they are.
+// Minimizes the as-rigid-as-possible energy with lambda = 0, that of least squares conformal maps, on one level. It is
+// quadratic, and 0 for a map to one point: two vertices stay where they are.
 class Conformal_refiner
 {
 public:

@@ -21,12 +21,13 @@ class Vertex_relaxer
 public:
   virtual ~Vertex_relaxer() = default;
 
-  // One step for v, of `relaxation_factor` times Newton's, but no longer than `reach`. Returns by how much the energy fell.
+  // One step for v, of `relaxation_factor` times Newton's, but no longer than `reach`. Returns by how much the energy
+  // fell.
   virtual double relax(Index v, double relaxation_factor, double reach, Level::Uv& uv) = 0;
 };
 
-// The weighted sum of the energies of a level's triangles, as a function of the map: all that optimization has to know of an energy, whatever its type.
-// Level_energy_of derives it from a model of DistortionEnergy_2.
+// The weighted sum of the energies of a level's triangles, as a function of the map: all that optimization has to know
+// of an energy, whatever its type. Level_energy_of derives it from a model of DistortionEnergy_2.
 class Level_energy
 {
 public:
@@ -47,7 +48,8 @@ public:
   // Infinite if a triangle is not positive and the energy keeps them so.
   double operator()(const Level::Uv& uv) const;
 
-  // Writes the gradient, and the rows of a Hessian that is made positive semidefinite but for a part `negative_twist`, see Jacobian_hessian.
+  // Writes the gradient, and the rows of a Hessian that is made positive semidefinite but for a part `negative_twist`,
+  // see Jacobian_hessian.
   void assemble(const Level::Uv& uv, double negative_twist, Block_vectors& gradient, Block_matrix& hessian) const;
 
   virtual std::unique_ptr<Vertex_relaxer> make_vertex_relaxer() const = 0;

@@ -23,18 +23,22 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 struct Level_refiner_options
 {
-  // The steps of sweeps, in Newton steps of a vertex: as in successive over-relaxation this cuts the number of sweeps by a multiple.
+  // The steps of sweeps, in Newton steps of a vertex: as in successive over-relaxation this cuts the number of sweeps
+  // by a multiple.
   double over_relaxation = 1.8;
   int sweeps_of_new_vertices = 3;       // so that they find their places among their neighbors, before these move
-  // The coarsest of several levels gets as many sweeps as it needs: they cost nothing, and what it lacks no finer level can make good.
+  // The coarsest of several levels gets as many sweeps as it needs: they cost nothing, and what it lacks no finer level
+  // can make good.
   std::size_t most_sweeps_on_coarsest_level = 2000;
   // Sweeps before Newton's method go on while one lowers the excess energy by that part.
   std::size_t most_first_sweeps = 6;
   double least_decrease_of_first_sweeps = 0.05;
-  // Levels below the finest only have to hand on a good start: they have converged when a Newton step lowers the excess energy by less than this part.
+  // Levels below the finest only have to hand on a good start: they have converged when a Newton step lowers the excess
+  // energy by less than this part.
   double decrease_on_coarse_levels = 5e-3;
-  // A few triangles that are about to vanish can hold up a step of the whole map, or are where its quadratic model fails: these are for a sweep, after steps
-  // that are shorter than that, or lower the excess energy by more than that part.
+  // A few triangles that are about to vanish can hold up a step of the whole map, or are where its quadratic model
+  // fails: these are for a sweep, after steps that are shorter than that, or lower the excess energy by more than that
+  // part.
   double short_step = 0.3, great_decrease = 0.01;
   double barrier_stiffness = 0.1;       // relative to the mean weight of a triangle
   double rounding = 1e-12;              // of the energy, relative to the weight: on a surface that lies in the plane without distortion the excess is no more
@@ -74,7 +78,8 @@ private:
   std::size_t size() const { return m_level.number_of_vertices(); }
   double excess() const { return m_current - m_energy.minimum() * m_total_weight; }
 
-  // Subtracts what an iteration gained. After a deep fall, from a triangle that was almost degenerate, the difference means nothing.
+  // Subtracts what an iteration gained. After a deep fall, from a triangle that was almost degenerate, the difference
+  // means nothing.
   void lower_by(double decrease)
   {
     m_current -= decrease;

@@ -22,7 +22,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Newton's method for the energy of a level, with a line search that keeps the map valid, if the energy keeps triangles positive.
+// Newton's method for the energy of a level, with a line search that keeps the map valid, if the energy keeps triangles
+// positive.
 class Newton_method
 {
 public:
@@ -110,8 +111,9 @@ private:
     });
   }
 
-  // Goes along the direction as far as the energy falls and the map stays valid. Where the angles at a border vertex would reach a full turn, of which the
-  // energy knows nothing, the direction is corrected so that they do not, and at last cut off: the rest of the map need not wait for them.
+  // Goes along the direction as far as the energy falls and the map stays valid. Where the angles at a border vertex
+  // would reach a full turn, of which the energy knows nothing, the direction is corrected so that they do not, and at
+  // last cut off: the rest of the map need not wait for them.
   void search_line(Level::Uv& uv, double energy, double slope, Step& result)
   {
     for (int i = 0; i < m_options.most_rounds && slope < 0; ++i) {
@@ -129,8 +131,8 @@ private:
     }
   }
 
-  // Changes the direction as little as is needed, in the norm of the Hessian, for no gap to lose too much, to first order: so the neighbors go along.
-  // Returns the number of V-cycles.
+  // Changes the direction as little as is needed, in the norm of the Hessian, for no gap to lose too much, to first
+  // order: so the neighbors go along. Returns the number of V-cycles.
   std::size_t correct_direction(const std::vector<Border_guard::Gap>& gaps)
   {
     std::vector<Newton_system::Force> forces;

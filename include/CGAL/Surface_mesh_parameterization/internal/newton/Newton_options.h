@@ -11,19 +11,23 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // What Newton's method takes for granted unless it is told otherwise.
 struct Newton_options
 {
-  // The linear system. Conjugate gradients stop when the residual has fallen by the factor `residual_reduction`, or after so many V-cycles.
+  // The linear system. Conjugate gradients stop when the residual has fallen by the factor `residual_reduction`, or
+  // after so many V-cycles.
   double residual_reduction = 0.07;
   std::size_t most_cycles = 10;
-  // The coarse grids of an earlier map serve as long as they need no more cycles than these: to make them costs as much as three.
+  // The coarse grids of an earlier map serve as long as they need no more cycles than these: to make them costs as much
+  // as three.
   std::size_t most_cycles_without_setup = 8;
   // The part of the flip's curvature up to which a negative twist is kept, where it is kept.
   double negative_twist = 0.95;
   // Of a spring that holds a fixed vertex, relative to its triangles.
   double stiffness_of_fixed_vertex = 1e12;
-  // Where the step and the one before span less of the plane than this, relative to their lengths, they are not combined.
+  // Where the step and the one before span less of the plane than this, relative to their lengths, they are not
+  // combined.
   double least_relative_determinant = 1e-10;
 
-  // The line search. A step ends at this part of the way to the first triangle that vanishes, and must lower the energy by that part of what the slope promises.
+  // The line search. A step ends at this part of the way to the first triangle that vanishes, and must lower the energy
+  // by that part of what the slope promises.
   double part_of_longest_step = 0.9, sufficient_decrease = 1e-4;
   int most_halvings = 12;
   // A direction that closes gaps between border edges is corrected so often, then cut off at those gaps.

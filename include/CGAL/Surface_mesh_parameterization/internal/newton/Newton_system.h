@@ -18,8 +18,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The quadratic model of a level's energy at a map: the exact gradient, and a Hessian that is made positive semidefinite. Its linear systems are solved by
-// conjugate gradients that are preconditioned by a V-cycle. Patterns are made once, for all maps.
+// The quadratic model of a level's energy at a map: the exact gradient, and a Hessian that is made positive
+// semidefinite. Its linear systems are solved by conjugate gradients that are preconditioned by a V-cycle. Patterns are
+// made once, for all maps.
 class Newton_system
 {
 public:
@@ -32,11 +33,13 @@ public:
       vectors->resize(rings.number_of_vertices());
   }
 
-  // Lets no solution move the given vertices. They have to be vertices of the coarsest level, so that all grids have them.
+  // Lets no solution move the given vertices. They have to be vertices of the coarsest level, so that all grids have
+  // them.
   void fix_vertices(std::vector<Index> vertices) { m_fixed = std::move(vertices); }
 
-  // Whether the next Hessians keep a part of their negative twist, see Jacobian_hessian. An energy that lets triangles flip has one wherever they are compressed,
-  // and without it Newton's method creeps: on a camel's head it takes six times as many steps. But the Hessian may be indefinite then.
+  // Whether the next Hessians keep a part of their negative twist, see Jacobian_hessian. An energy that lets triangles
+  // flip has one wherever they are compressed, and without it Newton's method creeps: on a camel's head it takes six
+  // times as many steps. But the Hessian may be indefinite then.
   bool keeps_negative_twist() const { return m_negative_twist > 0; }
 
   void keep_negative_twist(bool keeps)
@@ -86,7 +89,8 @@ public:
     Block_vector force;
   };
 
-  // Finds the moves that forces cause: of all with their work, those that the Hessian resists least. Returns the number of V-cycles.
+  // Finds the moves that forces cause: of all with their work, those that the Hessian resists least. Returns the number
+  // of V-cycles.
   std::size_t solve(const std::vector<Force>& forces)
   {
     m_residual.assign(m_gradient.size(), Block_vector(0, 0));
@@ -98,8 +102,9 @@ public:
   // Where the last solution moves a vertex.
   Block_vector move(Index v) const { return m_multigrid.matrix().scale[v] * m_solution[v]; }
 
-  // Makes the last solution that of solve() the best for the model among all combinations of it and the step that led from `previous` to `uv`, as nonlinear
-  // conjugate gradients do: where the V-cycle is weak, in almost conformal changes of an almost conformal map, this saves more than half of the steps.
+  // Makes the last solution that of solve() the best for the model among all combinations of it and the step that led
+  // from `previous` to `uv`, as nonlinear conjugate gradients do: where the V-cycle is weak, in almost conformal
+  // changes of an almost conformal map, this saves more than half of the steps.
   void add_previous_step(const Level::Uv& previous, const Level::Uv& uv)
   {
     const Block_matrix& a = m_multigrid.matrix();

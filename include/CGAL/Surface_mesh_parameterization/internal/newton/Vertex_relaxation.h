@@ -21,7 +21,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Vertex_relaxation
 {
 public:
-  // Steps are `relaxation_factor` times Newton's, as in successive over-relaxation; between 0 and 2. `barrier`, if there is one, keeps the borders apart.
+  // Steps are `relaxation_factor` times Newton's, as in successive over-relaxation; between 0 and 2. `barrier`, if
+  // there is one, keeps the borders apart.
   Vertex_relaxation(const Level_energy& energy, double relaxation_factor, Border_barrier* barrier = nullptr)
     : m_energy(energy), m_level(energy.level()), m_relaxation_factor(relaxation_factor), m_barrier(barrier)
   { }
@@ -36,8 +37,9 @@ public:
     std::vector<Index> active_vertices;     // those whose own step lowered the energy by more than was asked
   };
 
-  // A sweep, and then steps for the vertices that lower the energy by more than `least_decrease` each, and for their neighbors, as long as they do so. Vertices that
-  // were inserted into a bad place, a handful of them, can hold most of the excess energy of a large map, and need many more steps than all the others.
+  // A sweep, and then steps for the vertices that lower the energy by more than `least_decrease` each, and for their
+  // neighbors, as long as they do so. Vertices that were inserted into a bad place, a handful of them, can hold most of
+  // the excess energy of a large map, and need many more steps than all the others.
   Effect sweep_and_follow_up(Level::Uv& uv, double least_decrease) const
   {
     Effect effect = sweep_once(uv, least_decrease);
@@ -45,8 +47,8 @@ public:
     return effect;
   }
 
-  // Relaxes the vertices that the level `group` has in addition to the next coarser one. They share no edge, so that only those on the border, where the
-  // angles involve two neighbors, have to go one by one. So have all of level 0.
+  // Relaxes the vertices that the level `group` has in addition to the next coarser one. They share no edge, so that
+  // only those on the border, where the angles involve two neighbors, have to go one by one. So have all of level 0.
   Effect sweep_group(std::size_t group, Level::Uv& uv, double least_decrease = infinity) const
   {
     const Collapse_hierarchy_3& hierarchy = m_level.hierarchy();
@@ -75,7 +77,8 @@ public:
     return effect;
   }
 
-  // Relaxes vertices that are chosen at random by a generator of 32-bit numbers, as the paper does; returns by how much the energy fell.
+  // Relaxes vertices that are chosen at random by a generator of 32-bit numbers, as the paper does; returns by how much
+  // the energy fell.
   template <class RandomGenerator>
   double random_steps(Level::Uv& uv, std::size_t number_of_steps, RandomGenerator& random) const
   {
@@ -107,8 +110,8 @@ private:
     return effect;
   }
 
-  // At most a quarter of a sweep. Border vertices are left to the sweeps: it is the interior that new vertices distort, and a border that a few local steps
-  // have driven to the bound of its angles hardly leaves it again.
+  // At most a quarter of a sweep. Border vertices are left to the sweeps: it is the interior that new vertices distort,
+  // and a border that a few local steps have driven to the bound of its angles hardly leaves it again.
   void follow_up(Level::Uv& uv, double least_decrease, Effect& effect) const
   {
     const std::size_t most_visits = effect.visits + effect.visits / 4;

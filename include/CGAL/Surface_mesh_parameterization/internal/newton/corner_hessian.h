@@ -16,19 +16,21 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Gradient and Hessian of the energy of one triangle VAB, as far as they concern its corner V: a row of 2x2 blocks, of which the one for A is minus the
-// sum of the other two, for the energy does not change when the triangle is moved.
+// Gradient and Hessian of the energy of one triangle VAB, as far as they concern its corner V: a row of 2x2 blocks, of
+// which the one for A is minus the sum of the other two, for the energy does not change when the triangle is moved.
 struct Corner_hessian
 {
   Block_vector gradient;
   Block to_v, to_b;
 };
 
-// The Hessian of an energy in the space of Jacobians, made positive semidefinite but for a part of the negative twist, and its gradient.
+// The Hessian of an energy in the space of Jacobians, made positive semidefinite but for a part of the negative twist,
+// and its gradient.
 //
-// As complex numbers, with P the images of the corners and G the gradients of their hat functions on the rest shape, the map's conformal and
-// anticonformal parts are z = sum P conj(G) / 2 and w = sum P G / 2. Its singular values are |z| + |w| and |z| - |w|, so its squared Frobenius norm is
-// 2 (|z|^2 + |w|^2) and its determinant |z|^2 - |w|^2. With an energy taken as e(|z|^2, |w|^2), nothing is singular where w vanishes.
+// As complex numbers, with P the images of the corners and G the gradients of their hat functions on the rest shape,
+// the map's conformal and anticonformal parts are z = sum P conj(G) / 2 and w = sum P G / 2. Its singular values are
+// |z| + |w| and |z| - |w|, so its squared Frobenius norm is 2 (|z|^2 + |w|^2) and its determinant |z|^2 - |w|^2. With
+// an energy taken as e(|z|^2, |w|^2), nothing is singular where w vanishes.
 struct Jacobian_hessian
 {
   std::array<double, 4> gradient;                   // in the coordinates Re z, Im z, Re w, Im w
@@ -65,9 +67,10 @@ struct Jacobian_hessian
   }
 
 private:
-  // The Gauss-Newton Hessian in the Beltrami coefficient mu = w / z, of which every scale-invariant energy is a function f(|mu|^2), with the derivatives
-  // f1 and f2. A conformal map of the plane moves z at random but hardly changes mu, and costs hardly any energy; the projected Hessian
-  // makes such moves twice as stiff as they are on average, this one does not, and Newton's method needs a fraction of the steps.
+  // The Gauss-Newton Hessian in the Beltrami coefficient mu = w / z, of which every scale-invariant energy is a
+  // function f(|mu|^2), with the derivatives f1 and f2. A conformal map of the plane moves z at random but hardly
+  // changes mu, and costs hardly any energy; the projected Hessian makes such moves twice as stiff as they are on
+  // average, this one does not, and Newton's method needs a fraction of the steps.
   void set_gauss_newton(double f1, double f2, double zx, double zy, double wx, double wy)
   {
     const double inverse = 1 / (zx * zx + zy * zy);
@@ -84,12 +87,14 @@ private:
     }
   }
 
-  // The Hessian with its negative eigenvalues replaced by 0. They are known in closed form (Smith, De Goes, Kim 2019, in other variables): 2 e_a
-  // across z (the twist), 2 e_b across w (the flip), and those of a 2x2 block along z and w (the stretch).
+  // The Hessian with its negative eigenvalues replaced by 0. They are known in closed form (Smith, De Goes, Kim 2019,
+  // in other variables): 2 e_a across z (the twist), 2 e_b across w (the flip), and those of a 2x2 block along z and w
+  // (the stretch).
   //
-  // The integral of the determinant depends on the border only, so a move of the interior changes |z|^2 and |w|^2 by the same amount in the sum over all
-  // triangles: where the twist is negative the flip makes up for it, and the sum stays positive as long as the flip is the greater one of the two. So
-  // a negative twist is kept up to the part `negative_twist` of the flip. Where the two vary from triangle to triangle this is no proof.
+  // The integral of the determinant depends on the border only, so a move of the interior changes |z|^2 and |w|^2 by
+  // the same amount in the sum over all triangles: where the twist is negative the flip makes up for it, and the sum
+  // stays positive as long as the flip is the greater one of the two. So a negative twist is kept up to the part
+  // `negative_twist` of the flip. Where the two vary from triangle to triangle this is no proof.
   void set_projected(const Distortion_derivatives_2& e, double a, double b, double zx, double zy, double wx, double wy, double negative_twist)
   {
     const double abs_z = std::sqrt(a), abs_w = std::sqrt(b);
@@ -128,7 +133,8 @@ private:
 template <class Energy>
 Corner_hessian corner_hessian(const Energy& energy, const Rest_corner& corner, double weight, const Vector_2& va, const Vector_2& vb, double negative_twist = 0)
 {
-  // Gradients of the hat functions with V over the edge AB, which lies on the axis: V's is (0, g), B's is (bx, by), A's minus their sum.
+  // Gradients of the hat functions with V over the edge AB, which lies on the axis: V's is (0, g), B's is (bx, by), A's
+  // minus their sum.
   const double inverse_base = std::sqrt(0.5 * corner.height * corner.inverse_area);
   const double g = inverse_base / corner.height, bx = inverse_base, by = -corner.foot * g, ax = -bx, ay = -by - g;
 
@@ -137,7 +143,8 @@ Corner_hessian corner_hessian(const Energy& energy, const Rest_corner& corner, d
   const double determinant = 0.5 * corner.inverse_area * cross(va, vb);
   const Jacobian_hessian h = Jacobian_hessian::of(energy, zx, zy, wx, wy, determinant, negative_twist);
 
-  // A move (x, y) of V changes z and w by g (y, -x) / 2 and g (-y, x) / 2; one of B by conj(G) (x + iy) / 2 and G (x + iy) / 2.
+  // A move (x, y) of V changes z and w by g (y, -x) / 2 and g (-y, x) / 2; one of B by conj(G) (x + iy) / 2 and G (x +
+  // iy) / 2.
   const double scale = 0.5 * g * weight;
   Corner_hessian result;
   result.gradient = { scale * (h.gradient[3] - h.gradient[1]), scale * (h.gradient[0] - h.gradient[2]) };

@@ -21,8 +21,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The neighbors of every vertex, counter-clockwise, in one flat array.
 //
-// An interior vertex has as many triangles as neighbors: (v, ring[i], ring[i+1]), cyclically. A border vertex has one triangle
-// less: its ring starts and ends at its two border neighbors.
+// An interior vertex has as many triangles as neighbors: (v, ring[i], ring[i+1]), cyclically. A border vertex has one
+// triangle less: its ring starts and ends at its two border neighbors.
 class One_rings
 {
   typedef std::pair<Index, Index>   Directed_edge;   // opposite to v in a triangle (v, first, second)

@@ -90,7 +90,8 @@ void One_rings::collect_opposite_edges(std::size_t number_of_vertices, const std
       m_edges[next[t[i]]++] = { t[(i + 1) % 3], t[(i + 2) % 3] };
   });
 
-  // A closed fan leaves every neighbor once and enters it once; so in an open one the neighbors entered and left differ in sum.
+  // A closed fan leaves every neighbor once and enters it once; so in an open one the neighbors entered and left differ
+  // in sum.
   m_is_border.resize(number_of_vertices);
   loops.for_each(0, Index(number_of_vertices), [&](Index v) {
     Index balance = 0;

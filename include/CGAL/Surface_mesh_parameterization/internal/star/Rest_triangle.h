@@ -12,7 +12,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The rest shape of a triangle (its shape in space, before it is mapped), seen from its corner V over the opposite edge AB:
+// The rest shape of a triangle (its shape in space, before it is mapped), seen from its corner V over the opposite edge
+// AB:
 //
 //              V
 //             /|\           foot    where the height from V meets AB, in lengths of AB: 0 at A, 1 at B
@@ -20,7 +21,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 //           /  |  \         inverse_area  1 / area, of the triangle in space
 //          A---+---B
 //
-// With a, b, v the images in the plane, the squared Frobenius norm of the map is quadratic and its determinant linear in v:
+// With a, b, v the images in the plane, the squared Frobenius norm of the map is quadratic and its determinant linear
+// in v:
 //
 //     area (s1^2 + s2^2) = |v - (a + foot ab)|^2 / (2 height) + height |ab|^2 / 2,       area s1 s2 = cross(ab, v - a) / 2.
 struct Rest_corner
@@ -44,8 +46,8 @@ struct Rest_corner
   double length_to_b() const { return base() * std::sqrt((1 - foot) * (1 - foot) + height * height); }
 };
 
-// The lowest height of a rest shape, in lengths of its longest edge: a triangle that is lower is raised to it, one without an edge is taken for an
-// equilateral one. So distortion is always measured against a shape that exists.
+// The lowest height of a rest shape, in lengths of its longest edge: a triangle that is lower is raised to it, one
+// without an edge is taken for an equilateral one. So distortion is always measured against a shape that exists.
 constexpr double lowest_rest_height = 1e-6;
 
 // The corners of the rest shape of any triangle pqr; entry i looks from corner i over the edge from corner i+1 to i+2.

@@ -9,9 +9,10 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A scale-invariant energy and a small part of the symmetric Dirichlet energy. The former alone lets the scale vary without bounds: a tube that is closed at
-// one end and 60 times as long as it is wide shrinks by a factor of e^120 on its way to the plane, and doubles cannot tell the vertices at its end apart. The
-// part that is added matters where scales vary by more than 1 to 1 / part, and hardly below.
+// A scale-invariant energy and a small part of the symmetric Dirichlet energy. The former alone lets the scale vary
+// without bounds: a tube that is closed at one end and 60 times as long as it is wide shrinks by a factor of e^120 on
+// its way to the plane, and doubles cannot tell the vertices at its end apart. The part that is added matters where
+// scales vary by more than 1 to 1 / part, and hardly below.
 template <class Energy>
 struct Scale_bounded_energy_2
 {

@@ -18,8 +18,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The triangles around one vertex V with their opposite edges in the plane, and the sum of their energies as a function of the place of V.
-// All is computed from differences to a triangle's own corner, so a small star far from the origin loses nothing.
+// The triangles around one vertex V with their opposite edges in the plane, and the sum of their energies as a function
+// of the place of V. All is computed from differences to a triangle's own corner, so a small star far from the origin
+// loses nothing.
 template <class Energy>
 class Star
 {
@@ -58,7 +59,8 @@ public:
   // The energy with V at p, and a filter that spares the exact predicates, except for stars that are almost flat.
   Filtered_energy filtered_energy(const Point_2& p) const
   {
-    // A determinant of rounded differences is off by at most 4 * 2^-53 times the sum of its two products, unless these underflow.
+    // A determinant of rounded differences is off by at most 4 * 2^-53 times the sum of its two products, unless these
+    // underflow.
     constexpr double relative_error = 1e-14, least_determinant = 1e-280;
     double sum = 0, least_margin = 1;
     for (const Triangle& t : m_triangles) {
@@ -82,7 +84,8 @@ public:
       const Vector_2 x = p - t.a, u = x - t.foot;
       const Distortion_derivatives_2 e = t.derivatives(t.frobenius_scale * u.squared_length() + t.least_frobenius,
                                                        t.determinant_scale * cross(t.ab, x));
-      // Gradients of the two invariants: f of the squared Frobenius norm, whose Hessian is a multiple of the identity, d of the determinant.
+      // Gradients of the two invariants: f of the squared Frobenius norm, whose Hessian is a multiple of the identity,
+      // d of the determinant.
       const double fx = 2 * t.frobenius_scale * u.x(), fy = 2 * t.frobenius_scale * u.y();
       const double dx = -t.determinant_scale * t.ab.y(), dy = t.determinant_scale * t.ab.x();
       sum.value += t.weight * e.value;
@@ -95,7 +98,8 @@ public:
     return sum;
   }
 
-  // The length of the step from p, in multiples of `direction`, at which the first triangle vanishes; infinite if none does.
+  // The length of the step from p, in multiples of `direction`, at which the first triangle vanishes; infinite if none
+  // does.
   double longest_step(const Point_2& p, const Vector_2& direction) const
   {
     double longest = (std::numeric_limits<double>::infinity)();

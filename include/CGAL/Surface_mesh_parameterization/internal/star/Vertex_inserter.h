@@ -20,22 +20,26 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Puts a vertex V back into a map whose neighbors are placed, so that no triangle flips.
 //
-// Before V came, its star polygon was filled by a fan of positive triangles around W0, so W0 sees all of the polygon, and V fits
-// into the kernel of the polygon near W0, if nowhere else. Candidates are
-//   (a) the barycentric combination that was stored when V was removed (Hormann, Greiner, Campagna 1999, section 3); for an
+// Before V came, its star polygon was filled by a fan of positive triangles around W0, so W0 sees all of the polygon,
+// and V fits into the kernel of the polygon near W0, if nowhere else. Candidates are
+//   (a) the barycentric combination that was stored when V was removed (Hormann, Greiner, Campagna 1999, section 3);
+//   for an
 //       ear the place that makes its one triangle similar to the one in space,
 //   (b) the centroid of the kernel,
-//   (c) if neither is valid, points that approach W0, from the centroid and from a direction in which the kernel lies; an ear's approach the middle
+//   (c) if neither is valid, points that approach W0, from the centroid and from a direction in which the kernel lies;
+//   an ear's approach the middle
 //       of its base.
-// Border vertices come one by one, and the angles at a border neighbor W of V may involve another one, U, that has no place yet. W then sees U
-// where it sees the coarse mesh: along the border at U's other border neighbor, across the surface at the vertex that U collapsed onto. So
-// there is always room left for U.
+// Border vertices come one by one, and the angles at a border neighbor W of V may involve another one, U, that has no
+// place yet. W then sees U where it sees the coarse mesh: along the border at U's other border neighbor, across the
+// surface at the vertex that U collapsed onto. So there is always room left for U.
 //
-// What is valid is decided by exact predicates; of several valid ones the one with the least energy (MIPS: it knows no scale) is taken.
+// What is valid is decided by exact predicates; of several valid ones the one with the least energy (MIPS: it knows no
+// scale) is taken.
 class Vertex_inserter
 {
 public:
-  // `is_placed` tells of a vertex whether it has its place; one without stands on the vertex that it collapsed onto. Both are kept by reference.
+  // `is_placed` tells of a vertex whether it has its place; one without stands on the vertex that it collapsed onto.
+  // Both are kept by reference.
   Vertex_inserter(const One_rings& rings, std::vector<Point_2>& uv, const std::vector<bool>& is_placed)
     : m_rings(rings), m_uv(uv), m_is_placed(is_placed)
   { }
@@ -118,9 +122,9 @@ private:
     return m_kernel.is_empty() ? origin : m_kernel.centroid();
   }
 
-  // A vector from W0 into the kernel: along the bisector of the corner that the fan of W0 filled, as far as the shorter edge there. Where V lies on the
-  // border, the two ends of its ring are joined by the coarse border edge, so that the corner is the same; along its bisector neither the
-  // angles at W0 grow nor do those at V reach a turn.
+  // A vector from W0 into the kernel: along the bisector of the corner that the fan of W0 filled, as far as the shorter
+  // edge there. Where V lies on the border, the two ends of its ring are joined by the coarse border edge, so that the
+  // corner is the same; along its bisector neither the angles at W0 grow nor do those at V reach a turn.
   Vector_2 direction_into_kernel(Index v, Index kept) const
   {
     const One_rings::Ring ring = m_rings[v];

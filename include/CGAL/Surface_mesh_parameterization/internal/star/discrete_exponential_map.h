@@ -15,9 +15,10 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The discrete exponential map (Hormann, Greiner, Campagna 1999, section 1): lays the ring W0..Wn of V around the origin, at the
-// lengths |Wi - V|, with the angles between consecutive edges scaled to one full turn. An open ring, that of a border vertex, keeps
-// its angles unless they exceed a turn. A ring without any angle (all of it lies on V or on one ray) is spread evenly.
+// The discrete exponential map (Hormann, Greiner, Campagna 1999, section 1): lays the ring W0..Wn of V around the
+// origin, at the lengths |Wi - V|, with the angles between consecutive edges scaled to one full turn. An open ring,
+// that of a border vertex, keeps its angles unless they exceed a turn. A ring without any angle (all of it lies on V or
+// on one ray) is spread evenly.
 inline void discrete_exponential_map(const Point_3& v, const std::vector<Point_3>& ring, bool is_closed, std::vector<Vector_2>& flat_ring)
 {
   constexpr double full_turn = 2 * CGAL_PI, most_of_a_turn = 0.95 * full_turn;

@@ -37,9 +37,10 @@ inline bool has_room(const One_rings& rings, const std::vector<Point_2>& uv, Ind
   return !leaves_no_room(rings, uv, v) && !leaves_no_room(rings, uv, rings[v].front()) && !leaves_no_room(rings, uv, rings[v].back());
 }
 
-// One step of vertex relaxation (Hormann and Greiner 1999): moves v by a safeguarded Newton step inside the kernel of its star and returns
-// by how much the energy fell, 0 if v stayed. The step is `relaxation_factor` times Newton's; it is halved until the energy falls and the invariant holds by exact predicates.
-// It is no longer than `reach`. Precondition: `star` is gathered from v, and the invariant holds.
+// One step of vertex relaxation (Hormann and Greiner 1999): moves v by a safeguarded Newton step inside the kernel of
+// its star and returns by how much the energy fell, 0 if v stayed. The step is `relaxation_factor` times Newton's; it
+// is halved until the energy falls and the invariant holds by exact predicates. It is no longer than `reach`.
+// Precondition: `star` is gathered from v, and the invariant holds.
 template <class Energy>
 double relax_vertex(const Star<Energy>& star, const One_rings& rings, Index v, double relaxation_factor, std::vector<Point_2>& uv,
                     double reach = (std::numeric_limits<double>::infinity)())

@@ -17,9 +17,10 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The invariant of every level, by exact predicates: all triangles are positive, the angles around an interior vertex sum to one
-// turn, and those at a border vertex to less than one turn. While triangles stay positive and vertices move on straight lines, the turn
-// around an interior vertex cannot change; the turn at a border vertex changes only when it or a border neighbor of it moves.
+// The invariant of every level, by exact predicates: all triangles are positive, the angles around an interior vertex
+// sum to one turn, and those at a border vertex to less than one turn. While triangles stay positive and vertices move
+// on straight lines, the turn around an interior vertex cannot change; the turn at a border vertex changes only when it
+// or a border neighbor of it moves.
 
 // Whether all triangles at v are positive.
 inline bool is_star_positive(const One_rings& rings, const std::vector<Point_2>& uv, Index v)
@@ -39,8 +40,8 @@ struct Place_of_vertex
   const Point_2& operator()(Index w, Index /*v*/) const { return uv[w]; }
 };
 
-// Whether the angles around an interior vertex sum to more than one turn. On each turn to the left the direction to the neighbors passes once from below to
-// above, by less than half a turn, so that comparing coordinates is exact.
+// Whether the angles around an interior vertex sum to more than one turn. On each turn to the left the direction to the
+// neighbors passes once from below to above, by less than half a turn, so that comparing coordinates is exact.
 // Precondition: the star of v is positive.
 template <class Place>
 bool turns_more_than_once(const One_rings::Ring& ring, const Place& place, Index v)
@@ -56,8 +57,8 @@ bool turns_more_than_once(const One_rings::Ring& ring, const Place& place, Index
   return turns > 1;
 }
 
-// Whether the angles at a border vertex sum to at least one turn: whether the directions from v to its neighbors, that turn left by less than half a turn each,
-// come back to the first one before the last one.
+// Whether the angles at a border vertex sum to at least one turn: whether the directions from v to its neighbors, that
+// turn left by less than half a turn each, come back to the first one before the last one.
 // Precondition: the star of v is positive.
 template <class Place>
 bool turns_back_to_start(const One_rings::Ring& ring, const Place& place, Index v)
@@ -81,8 +82,9 @@ bool turns_too_far(const One_rings& rings, const Place& place, Index v)
   return rings.is_border(v) ? turns_back_to_start(rings[v], place, v) : turns_more_than_once(rings[v], place, v);
 }
 
-// Whether the angles at a border vertex leave less than a small part of a turn. An energy can drive them there; but then a finer level has no room
-// for another vertex. To be asked of vertices that do not turn too far; in doubles, for it is only about good sense.
+// Whether the angles at a border vertex leave less than a small part of a turn. An energy can drive them there; but
+// then a finer level has no room for another vertex. To be asked of vertices that do not turn too far; in doubles, for
+// it is only about good sense.
 inline bool leaves_no_room(const One_rings& rings, const std::vector<Point_2>& uv, Index v)
 {
   constexpr double least_angle = 1e-3;

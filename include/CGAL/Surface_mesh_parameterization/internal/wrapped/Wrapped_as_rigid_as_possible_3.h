@@ -15,8 +15,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Runs, in the place of CGAL's ARAP_parameterizer_3, the refinable method with the same energy: that one makes its first map and repairs flips with
-// solvers of its own, which cannot be exchanged.
+// Runs, in the place of CGAL's ARAP_parameterizer_3, the refinable method with the same energy: that one makes its
+// first map and repairs flips with solvers of its own, which cannot be exchanged.
 template <class TriangleMesh_, class BorderParameterizer>
 class Wrapped_as_rigid_as_possible_3
   : public Nested_iteration_parameterizer_3<As_rigid_as_possible_parameterizer_3<TriangleMesh_>>
@@ -28,8 +28,9 @@ class Wrapped_as_rigid_as_possible_3
 public:
   typedef typename Default::Get<BorderParameterizer, Two_vertices_parameterizer_3<TriangleMesh_>>::type   Border_parameterizer;
 
-  // The arguments are those of ARAP_parameterizer_3's constructors, less the solver; named parameters, of the method and of the hierarchy, may follow them. The
-  // border parameterizer is not needed: the border is free, and what it pins does not change the energy.
+  // The arguments are those of ARAP_parameterizer_3's constructors, less the solver; named parameters, of the method
+  // and of the hierarchy, may follow them. The border parameterizer is not needed: the border is free, and what it pins
+  // does not change the energy.
   template <class NamedParameters = Default_parameters, class = std::enable_if_t<is_named_parameters<NamedParameters>>>
   explicit Wrapped_as_rigid_as_possible_3(const NamedParameters& np = parameters::default_values())
     : Base(Method(np), np)

@@ -28,8 +28,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Runs a parameterizer that solves linear systems with the multigrid solver in place of its own. Vertices are numbered breadth first, and the
-// parameterizer writes to private maps, which are copied to the user's if all went well.
+// Runs a parameterizer that solves linear systems with the multigrid solver in place of its own. Vertices are numbered
+// breadth first, and the parameterizer writes to private maps, which are copied to the user's if all went well.
 template <class Parameterizer>
 class Wrapped_parameterizer_3
   : public Wrapped_parameterizer_base_3<Parameterizer>

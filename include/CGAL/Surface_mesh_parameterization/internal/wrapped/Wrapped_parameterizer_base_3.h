@@ -21,13 +21,15 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The constructor and the options of a class that runs a parameterizer with the multigrid solver in place of the parameterizer's own.
+// The constructor and the options of a class that runs a parameterizer with the multigrid solver in place of the
+// parameterizer's own.
 template <class Parameterizer>
 class Wrapped_parameterizer_base_3
 {
 public:
   // The arguments are those of `Parameterizer`'s constructor, less the solver; named parameters may follow them:
-  // - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see Collapse_hierarchy_3; `unit_edges` is the default for a parameterizer with uniform weights
+  // - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see Collapse_hierarchy_3; `unit_edges` is the
+  //   default for a parameterizer with uniform weights
   // - `tolerance`, `number_of_iterations`: of the solver, see Multigrid_solver_traits
   // - `flip_policy`: what becomes of a map with flips
   // - `fill_holes`: whether every further border is closed by a virtual vertex
@@ -58,7 +60,8 @@ protected:
 
   const Wrapped_options& options() const { return m_options; }
 
-  // Whether the parameterizer is made of something that the caller gave, such as corners, which are vertices of the caller's mesh.
+  // Whether the parameterizer is made of something that the caller gave, such as corners, which are vertices of the
+  // caller's mesh.
   bool has_arguments() const { return m_has_arguments; }
 
   // Ends a run before it started.

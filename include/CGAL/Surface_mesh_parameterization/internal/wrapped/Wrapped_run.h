@@ -33,7 +33,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// One run of a parameterizer that solves with the multigrid solver: the component that it works on, its hierarchy, and what is told of the run.
+// One run of a parameterizer that solves with the multigrid solver: the component that it works on, its hierarchy, and
+// what is told of the run.
 template <class TriangleMesh>
 class Wrapped_run
 {
