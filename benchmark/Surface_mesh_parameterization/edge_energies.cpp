@@ -36,7 +36,8 @@ class Flat_problem
 
 public:
   explicit Flat_problem(const Mesh& mesh)
-    : m_component(mesh, outer_border(mesh)), m_hierarchy(surface_with_border(mesh, m_component), CGAL::parameters::coarsest_size(mesh.number_of_vertices())),
+    : m_component(mesh, outer_border(mesh)),
+      m_hierarchy(surface_with_border(mesh, m_component), CGAL::parameters::coarsest_size(mesh.number_of_vertices())),
       m_level(m_hierarchy), m_system(m_level, EdgeWeights())
   { }
 
@@ -89,7 +90,8 @@ private:
 // ---- solvers: each returns the number of its iterations ----
 
 template <bool is_symmetric>
-std::size_t sweep(const SMP::internal::Edge_system& system, const Limits& limits, bool is_over_relaxed, SMP::Level::Uv& uv)
+std::size_t sweep(const SMP::internal::Edge_system& system, const Limits& limits, bool is_over_relaxed,
+                  SMP::Level::Uv& uv)
 {
   SMP::internal::Relaxation_factor factor(is_symmetric);
   factor.start(system.size());
@@ -130,7 +132,8 @@ struct Edge_matrix
         if (const SMP::Level::Index j = ring[k]; unknown[j] >= 0)
           entries.emplace_back(row, unknown[j], -system.weight(i, k));
         else
-          right_side.row(row) += system.weight(i, k) * Eigen::RowVector2d(level.fixed_place(j).x(), level.fixed_place(j).y());
+          right_side.row(row) +=
+              system.weight(i, k) * Eigen::RowVector2d(level.fixed_place(j).x(), level.fixed_place(j).y());
     }
     matrix.setFromTriplets(entries.begin(), entries.end());
   }
@@ -139,7 +142,8 @@ struct Edge_matrix
 // Conjugate gradients, or BiCGSTAB where the matrix is not symmetric, with Jacobi's preconditioner, which is what Eigen
 // takes unless told otherwise.
 template <bool is_symmetric>
-std::size_t solve_by_Krylov_method(const SMP::internal::Edge_system& system, const Limits& limits, const SMP::Level::Point_2& middle, SMP::Level::Uv& uv)
+std::size_t solve_by_Krylov_method(const SMP::internal::Edge_system& system, const Limits& limits,
+                                   const SMP::Level::Point_2& middle, SMP::Level::Uv& uv)
 {
   typedef Eigen::SparseMatrix<double, Eigen::RowMajor>   Matrix;
   typedef std::conditional_t<is_symmetric, Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper>, Eigen::BiCGSTAB<Matrix>>   Solver;
@@ -156,7 +160,8 @@ std::size_t solve_by_Krylov_method(const SMP::internal::Edge_system& system, con
     iterations = (std::max)(iterations, std::size_t(solver.iterations()));
     for (std::size_t row = 0; row < a.vertices.size(); ++row) {
       const SMP::Level::Point_2 p = uv[a.vertices[row]];
-      uv[a.vertices[row]] = coordinate == 0 ? SMP::Level::Point_2(solution[Eigen::Index(row)], p.y()) : SMP::Level::Point_2(p.x(), solution[Eigen::Index(row)]);
+      uv[a.vertices[row]] = coordinate == 0 ? SMP::Level::Point_2(solution[Eigen::Index(row)], p.y())
+                                            : SMP::Level::Point_2(p.x(), solution[Eigen::Index(row)]);
     }
   }
   return iterations;
@@ -164,9 +169,21 @@ std::size_t solve_by_Krylov_method(const SMP::internal::Edge_system& system, con
 
 // CGAL's parameterizer with the same weights.
 template <class EdgeWeights> struct CGAL_parameterizer;
-template <> struct CGAL_parameterizer<SMP::Uniform_edge_weights_3> { typedef SMP::Barycentric_mapping_parameterizer_3<Mesh> type; };
-template <> struct CGAL_parameterizer<SMP::Harmonic_edge_weights_3> { typedef SMP::Discrete_conformal_map_parameterizer_3<Mesh> type; };
-template <> struct CGAL_parameterizer<SMP::Mean_value_edge_weights_3> { typedef SMP::Mean_value_coordinates_parameterizer_3<Mesh> type; };
+template <>
+struct CGAL_parameterizer<SMP::Uniform_edge_weights_3>
+{
+  typedef SMP::Barycentric_mapping_parameterizer_3<Mesh> type;
+};
+template <>
+struct CGAL_parameterizer<SMP::Harmonic_edge_weights_3>
+{
+  typedef SMP::Discrete_conformal_map_parameterizer_3<Mesh> type;
+};
+template <>
+struct CGAL_parameterizer<SMP::Mean_value_edge_weights_3>
+{
+  typedef SMP::Mean_value_coordinates_parameterizer_3<Mesh> type;
+};
 
 // ---- measuring ----
 
@@ -176,7 +193,9 @@ class Measurement
   typedef SMP::Edge_energy_parameterizer_3<Mesh, EdgeWeights>   Method;
 
 public:
-  Measurement(Mesh& mesh, const std::string& weights, const Limits& limits) : m_mesh(mesh), m_weights(weights), m_limits(limits), m_problem(mesh) { }
+  Measurement(Mesh& mesh, const std::string& weights, const Limits& limits)
+    : m_mesh(mesh), m_weights(weights), m_limits(limits), m_problem(mesh)
+  { }
 
   void run()
   {
@@ -185,8 +204,12 @@ public:
       m_solution = uv;
       return 0;
     });
-    measure("gauss-seidel", [&](SMP::Level::Uv& uv) { return sweep<EdgeWeights::is_symmetric>(m_problem.system(), m_limits, false, uv); });
-    measure("over-relaxation", [&](SMP::Level::Uv& uv) { return sweep<EdgeWeights::is_symmetric>(m_problem.system(), m_limits, true, uv); });
+    measure("gauss-seidel", [&](SMP::Level::Uv& uv) {
+      return sweep<EdgeWeights::is_symmetric>(m_problem.system(), m_limits, false, uv);
+    });
+    measure("over-relaxation", [&](SMP::Level::Uv& uv) {
+      return sweep<EdgeWeights::is_symmetric>(m_problem.system(), m_limits, true, uv);
+    });
     measure(EdgeWeights::is_symmetric ? "conjugate-gradients" : "bicgstab", [&](SMP::Level::Uv& uv) {
       return solve_by_Krylov_method<EdgeWeights::is_symmetric>(m_problem.system(), m_limits, m_problem.middle(), uv);
     });
@@ -212,8 +235,10 @@ private:
   {
     SMP::Parameterization_summary summary;
     const Method method({}, {}, CGAL::parameters::tolerance(m_limits.tolerance).number_of_iterations(sweeps));
-    parameterize(m_mesh, SMP::Hierarchical_parameterizer_3<Method>(method, CGAL::parameters::summary(std::ref(summary))));
-    print(solver, summary.levels.back().iterations, m_problem.read(m_mesh), summary.seconds_hierarchy + summary.seconds_parameterize);
+    parameterize(m_mesh,
+                 SMP::Hierarchical_parameterizer_3<Method>(method, CGAL::parameters::summary(std::ref(summary))));
+    print(solver, summary.levels.back().iterations, m_problem.read(m_mesh),
+          summary.seconds_hierarchy + summary.seconds_parameterize);
   }
 
   // All of it, too: also the assembly of the system by CGAL's parameterizer.
@@ -221,9 +246,12 @@ private:
   {
     typedef typename CGAL_parameterizer<EdgeWeights>::type   CGAL_method;
     SMP::Parameterization_summary summary;
-    const auto np = CGAL::parameters::tolerance(m_limits.tolerance).summary(std::ref(summary)).number_of_iterations(m_limits.iterations);
+    const auto np = CGAL::parameters::tolerance(m_limits.tolerance)
+                        .summary(std::ref(summary))
+                        .number_of_iterations(m_limits.iterations);
     parameterize(m_mesh, SMP::Hierarchical_parameterizer_3<CGAL_method>(np));
-    print("multigrid", summary.linear_solver.iterations, m_problem.read(m_mesh), summary.seconds_hierarchy + summary.seconds_parameterize);
+    print("multigrid", summary.linear_solver.iterations, m_problem.read(m_mesh),
+          summary.seconds_hierarchy + summary.seconds_parameterize);
   }
 
   void print(const std::string& solver, std::size_t iterations, const SMP::Level::Uv& uv, double seconds) const
@@ -231,8 +259,9 @@ private:
     double error = 0;
     for (std::size_t v = 0; v < uv.size(); ++v)
       error = (std::max)(error, CGAL::squared_distance(uv[v], m_solution[v]));
-    std::cout << m_weights << ',' << solver << ',' << m_mesh.number_of_faces() << ',' << m_mesh.number_of_vertices() << ',' << iterations << ','
-              << m_problem.system().relative_residual(uv) << ',' << std::ldexp(std::sqrt(error), -m_problem.level().scale_exponent()) << ',' << seconds << std::endl;
+    std::cout << m_weights << ',' << solver << ',' << m_mesh.number_of_faces() << ',' << m_mesh.number_of_vertices()
+              << ',' << iterations << ',' << m_problem.system().relative_residual(uv) << ','
+              << std::ldexp(std::sqrt(error), -m_problem.level().scale_exponent()) << ',' << seconds << std::endl;
   }
 
   Mesh& m_mesh;
@@ -249,7 +278,8 @@ void run(int argc, char* argv[])
     ("subdivide", po::value<int>()->default_value(3), "measure after 0, 1, ... so many Loop subdivisions")
     ("iterations", po::value<int>()->default_value(10000), "the most iterations of a solver")
     ("tolerance", po::value<double>()->default_value(1e-8), "the relative residual to be reached");
-  const po::variables_map values = parse(argc, argv, options, "edge_energies [MESH.off] [--subdivide K] [--iterations N] [--tolerance T]");
+  const po::variables_map values =
+      parse(argc, argv, options, "edge_energies [MESH.off] [--subdivide K] [--iterations N] [--tolerance T]");
   const std::size_t subdivisions = count_of(values, "subdivide", 0, 12);
   const Limits limits = { values["tolerance"].as<double>(), count_of(values, "iterations", 1, 100000000) };
   if (!(limits.tolerance > 0))

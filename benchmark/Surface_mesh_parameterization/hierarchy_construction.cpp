@@ -43,7 +43,8 @@ struct Measurement
 };
 
 // Reads the file and builds its hierarchy; prints the levels of the last repetition.
-Measurement measure(const std::string& file, std::size_t coarsest_size, std::optional<SMP::Collapse_hierarchy_3>& hierarchy)
+Measurement measure(const std::string& file, std::size_t coarsest_size,
+                    std::optional<SMP::Collapse_hierarchy_3>& hierarchy)
 {
   Measurement m;
   Mesh mesh;
@@ -55,7 +56,8 @@ Measurement measure(const std::string& file, std::size_t coarsest_size, std::opt
   std::optional<SMP::Mesh_component<Mesh>> component;
   m.component = seconds_of([&] { component.emplace(mesh, border); });
   check(component->error().code);
-  m.hierarchy = seconds_of([&] { hierarchy.emplace(std::move(component->surface()), CGAL::parameters::coarsest_size(coarsest_size)); });
+  m.hierarchy = seconds_of(
+      [&] { hierarchy.emplace(std::move(component->surface()), CGAL::parameters::coarsest_size(coarsest_size)); });
   m.peak_growth = memory.growth();
   return m;
 }
@@ -71,7 +73,8 @@ void print_levels(const SMP::Collapse_hierarchy_3& hierarchy)
   }
 }
 
-void measure_and_print(const std::string& name, const std::string& file, std::size_t coarsest_size, std::size_t repetitions)
+void measure_and_print(const std::string& name, const std::string& file, std::size_t coarsest_size,
+                       std::size_t repetitions)
 {
   std::optional<SMP::Collapse_hierarchy_3> hierarchy;
   std::vector<double> read, component, construction, ratio;
@@ -87,13 +90,14 @@ void measure_and_print(const std::string& name, const std::string& file, std::si
   }
 
   const double n = double(hierarchy->number_of_vertices());
-  std::cout << name << ": " << hierarchy->number_of_vertices() << " vertices, " << hierarchy->number_of_faces() << " triangles, median of " << repetitions << '\n'
-            << std::fixed << std::setprecision(4)
-            << "  read the OFF file    " << std::setw(8) << median(read) << " s\n"
+  std::cout << name << ": " << hierarchy->number_of_vertices() << " vertices, " << hierarchy->number_of_faces()
+            << " triangles, median of " << repetitions << '\n'
+            << std::fixed << std::setprecision(4) << "  read the OFF file    " << std::setw(8) << median(read) << " s\n"
             << "  take the component   " << std::setw(8) << median(component) << " s\n"
             << "  build the hierarchy  " << std::setw(8) << median(construction) << " s\n"
-            << std::setprecision(3) << "  (component + hierarchy) / read  " << median(ratio) << '\n' << std::setprecision(1)
-            << "  hierarchy holds      " << std::setw(8) << double(hierarchy->memory()) / n << " bytes per vertex\n"
+            << std::setprecision(3) << "  (component + hierarchy) / read  " << median(ratio) << '\n'
+            << std::setprecision(1) << "  hierarchy holds      " << std::setw(8) << double(hierarchy->memory()) / n
+            << " bytes per vertex\n"
             << "  peak of construction ";
   if (peak_growth)
     std::cout << std::setw(8) << *peak_growth / n << " bytes per vertex\n\n";
@@ -112,9 +116,11 @@ void run(int argc, char* argv[])
     ("repetitions", po::value<int>()->default_value(5), "runs to take the median of")
     ("coarsest-size", po::value<int>()->default_value(100), "vertices of the coarsest level at most");
   const po::variables_map values =
-    parse(argc, argv, options, "hierarchy_construction [MESH.off] [--subdivide K] [--repetitions N] [--coarsest-size N]");
+      parse(argc, argv, options,
+            "hierarchy_construction [MESH.off] [--subdivide K] [--repetitions N] [--coarsest-size N]");
   std::size_t subdivisions = count_of(values, "subdivide", 0, 12);
-  const std::size_t repetitions = count_of(values, "repetitions", 1, 1000), coarsest_size = count_of(values, "coarsest-size", 3, 1000000000);
+  const std::size_t repetitions = count_of(values, "repetitions", 1, 1000),
+                    coarsest_size = count_of(values, "coarsest-size", 3, 1000000000);
 
   std::optional<Temporary_OFF> subdivided_file;
   std::string name, file;

@@ -139,8 +139,11 @@ double relative_residual(const Problem& problem, const std::array<Vector, 2>& so
   double greatest = 0;
   for (const int coordinate : { 0, 1 }) {
     const Eigen::VectorXd& b = problem.system.right_sides[std::size_t(coordinate)].eigen_object();
-    const auto norm = [&](const Eigen::VectorXd& x) { return (b - problem.matrix() * x).cwiseQuotient(diagonal).norm(); };
-    greatest = (std::max)(greatest, norm(solutions[std::size_t(coordinate)].eigen_object()) / norm(border_values(b, is_border)));
+    const auto norm = [&](const Eigen::VectorXd& x) {
+      return (b - problem.matrix() * x).cwiseQuotient(diagonal).norm();
+    };
+    greatest = (std::max)(greatest,
+                          norm(solutions[std::size_t(coordinate)].eigen_object()) / norm(border_values(b, is_border)));
   }
   return greatest;
 }
@@ -154,7 +157,10 @@ struct Solution
   double seconds_setup = 0, seconds_solve = 0;
   std::optional<std::size_t> iterations;
 
-  double seconds() const { return seconds_component.value_or(0) + seconds_hierarchy.value_or(0) + seconds_setup + seconds_solve; }
+  double seconds() const
+  {
+    return seconds_component.value_or(0) + seconds_hierarchy.value_or(0) + seconds_setup + seconds_solve;
+  }
 };
 
 void require(bool is_solved)
@@ -182,13 +188,16 @@ Solution solve_by_multigrid(const Problem& problem)
   SMP::internal::Linear_solver_options solver_options;
   solver_options.tolerance = problem.tolerance;
   constexpr bool defers = true;
-  auto session = std::make_shared<SMP::internal::Multigrid_session>(hierarchy, SMP::internal::Mesh_unknowns(hierarchy->ranks()), solver_options,
-                                                                          &SMP::internal::make_multigrid_linear_solver<>, defers);
+  auto session =
+      std::make_shared<SMP::internal::Multigrid_session>(hierarchy, SMP::internal::Mesh_unknowns(hierarchy->ranks()),
+                                                         solver_options, &SMP::internal::make_multigrid_linear_solver<>,
+                                                         defers);
   SMP::Multigrid_solver_traits solver(session);
   double denominator;
   SMP::Multigrid_solver_traits::Vector solutions[2];
   for (const std::size_t coordinate : { 0, 1 })
-    require(solver.linear_solver(*problem.multigrid_system.matrix, problem.multigrid_system.right_sides[coordinate], solutions[coordinate], denominator));
+    require(solver.linear_solver(*problem.multigrid_system.matrix, problem.multigrid_system.right_sides[coordinate],
+                                 solutions[coordinate], denominator));
   require(session->finish());
   const SMP::Linear_solver_summary summary = solver.summary();
   solution.seconds_setup = summary.seconds_setup;
@@ -197,7 +206,8 @@ Solution solve_by_multigrid(const Problem& problem)
   solver = SMP::Multigrid_solver_traits();
   session.reset();
   for (const std::size_t coordinate : { 0, 1 })
-    solution.uv[coordinate] = Eigen::Map<const Eigen::VectorXd>(solutions[coordinate].values().data(), solutions[coordinate].dimension());
+    solution.uv[coordinate] =
+        Eigen::Map<const Eigen::VectorXd>(solutions[coordinate].values().data(), solutions[coordinate].dimension());
   return solution;
 }
 
@@ -213,7 +223,8 @@ Solution solve_as_CGAL(const Problem& problem, bool with_own_tolerance)
   double denominator;
   for (const std::size_t coordinate : { 0, 1 }) {
     solution.seconds_setup += seconds_of([&] { require(solver.factor(*problem.system.matrix, denominator)); });
-    solution.seconds_solve += seconds_of([&] { require(solver.linear_solver(problem.system.right_sides[coordinate], solution.uv[coordinate])); });
+    solution.seconds_solve += seconds_of(
+        [&] { require(solver.linear_solver(problem.system.right_sides[coordinate], solution.uv[coordinate])); });
     solution.iterations = (std::max)(*solution.iterations, std::size_t(solver.solver().iterations()));
   }
   return solution;
@@ -389,7 +400,8 @@ void compare_solvers(Named_mesh& input, const std::string& method, bool is_symme
       const std::optional<double> peak = megabytes(memory);
       const double residual = relative_residual(problem, solution.uv);
       const bool is_multigrid = solution.seconds_hierarchy.has_value();
-      std::cout << ',' << solution.seconds() << ',' << (is_multigrid ? problem.multigrid_system.timer : problem.system.timer).time();
+      std::cout << ',' << solution.seconds() << ','
+                << (is_multigrid ? problem.multigrid_system.timer : problem.system.timer).time();
       print_field(solution.seconds_component);
       print_field(solution.seconds_hierarchy);
       std::cout << ',' << solution.seconds_setup << ',' << solution.seconds_solve;
@@ -401,7 +413,8 @@ void compare_solvers(Named_mesh& input, const std::string& method, bool is_symme
 }
 
 template <class Flat, class Hierarchical>
-void compare_whole_calls(Named_mesh& input, const std::string& method, const Choice& choice, std::size_t most_flat_triangles)
+void compare_whole_calls(Named_mesh& input, const std::string& method, const Choice& choice,
+                         std::size_t most_flat_triangles)
 {
   if (!Choice::contains(choice.methods, method))
     return;
@@ -411,13 +424,16 @@ void compare_whole_calls(Named_mesh& input, const std::string& method, const Cho
     constexpr std::size_t fields = 3;
     print_row(row_name(input, method, run), fields, [&] {
       const Peak_memory memory;
-      const double seconds = seconds_of([&] { check(SMP::parameterize(input.mesh, make_parameterizer(), border, uv)); });
+      const double seconds =
+          seconds_of([&] { check(SMP::parameterize(input.mesh, make_parameterizer(), border, uv)); });
       std::cout << ',' << seconds;
       print_field(megabytes(memory));
       std::cout << ',' << SMP::parameterization_quality(input.mesh, uv).flips;
     });
   };
-  compare("hierarchical", [] { return SMP::Hierarchical_parameterizer_3<Hierarchical>(CGAL::parameters::flip_policy(SMP::Flip_policy::KEEP)); });
+  compare("hierarchical", [] {
+    return SMP::Hierarchical_parameterizer_3<Hierarchical>(CGAL::parameters::flip_policy(SMP::Flip_policy::KEEP));
+  });
   if (input.mesh.number_of_faces() <= most_flat_triangles)
     compare("flat", [] { return Flat(); });
 }
@@ -428,7 +444,8 @@ void compare_whole_calls(Named_mesh& input, const std::string& method, const Cho
   compare_whole_calls<Parameterizer, Parameterizer>(input, method, choice, (std::numeric_limits<std::size_t>::max)());
 }
 
-std::vector<std::string> names_of(const po::variables_map& values, const std::string& option, const std::vector<std::string>& known)
+std::vector<std::string> names_of(const po::variables_map& values, const std::string& option,
+                                  const std::vector<std::string>& known)
 {
   const std::vector<std::string> names = values[option].as<std::vector<std::string>>();
   for (const std::string& name : names)
@@ -440,14 +457,17 @@ std::vector<std::string> names_of(const po::variables_map& values, const std::st
 void run(int argc, char* argv[])
 {
   po::options_description options("Options");
-  options.add_options()
-    ("subdivide", po::value<int>()->default_value(3), "measure after 0, 1, ... so many Loop subdivisions")
-    ("finest", po::bool_switch(), "measure after the last subdivision only")
-    ("method", po::value<std::vector<std::string>>()->default_value({}, "all"), "barycentric, mean-value, conformal; with --whole also lscm, arap")
-    ("solver", po::value<std::vector<std::string>>()->default_value({}, "all"), "a solver, as the table names it")
-    ("tolerance", po::value<double>()->default_value(1e-8), "relative residual for the solvers that iterate, but for cgal-default")
-    ("whole", po::bool_switch(), "compare whole calls, each with its own defaults")
-    ("arap-triangles", po::value<int>()->default_value(30000), "the most triangles for CGAL's ARAP, which takes minutes");
+  options.add_options()("subdivide", po::value<int>()->default_value(3),
+                        "measure after 0, 1, ... so many Loop subdivisions")("finest", po::bool_switch(),
+                                                                             "measure after the last subdivision only")(
+      "method", po::value<std::vector<std::string>>()->default_value({}, "all"),
+      "barycentric, mean-value, conformal; with --whole also lscm, arap")(
+      "solver", po::value<std::vector<std::string>>()->default_value({}, "all"),
+      "a solver, as the table names it")("tolerance", po::value<double>()->default_value(1e-8),
+                                         "relative residual for the solvers that iterate, but for cgal-default")(
+      "whole", po::bool_switch(),
+      "compare whole calls, each with its own defaults")("arap-triangles", po::value<int>()->default_value(30000),
+                                                         "the most triangles for CGAL's ARAP, which takes minutes");
   const po::variables_map values = parse(argc, argv, options,
     "linear_solvers [MESH.off] [--subdivide K] [--finest] [--method M]... [--solver S]... [--tolerance T] [--whole] [--arap-triangles N]");
   const std::size_t subdivisions = count_of(values, "subdivide", 0, 12);
@@ -458,15 +478,18 @@ void run(int argc, char* argv[])
   std::vector<std::string> methods = { "barycentric", "mean-value", "conformal" };
   if (is_whole)
     methods.insert(methods.end(), { "lscm", "arap" });
-  const Choice choice = { names_of(values, "method", methods), names_of(values, "solver", solver_names), values["tolerance"].as<double>(),
+  const Choice choice = { names_of(values, "method", methods), names_of(values, "solver", solver_names),
+                          values["tolerance"].as<double>(),
                           count_of(values, "arap-triangles", 0, (std::numeric_limits<int>::max)()) };
   if (!(choice.tolerance > 0))
     throw Usage_error("--tolerance must be positive");
   Named_mesh input = only_mesh(values);
 
   std::cout << (is_whole ? "mesh,triangles,method,run,seconds,peak_megabytes,flips"
-                         : "mesh,triangles,method,solver,seconds,seconds_assembly,seconds_component,seconds_hierarchy,seconds_setup,seconds_solve,iterations,"
-                           "residual,peak_megabytes") << std::endl;
+                         : "mesh,triangles,method,solver,seconds,seconds_assembly,seconds_component,seconds_hierarchy,"
+                           "seconds_setup,seconds_solve,iterations,"
+                           "residual,peak_megabytes")
+            << std::endl;
   for (std::size_t k = 0; k <= subdivisions; ++k) {
     if (k > 0)
       subdivide(input.mesh, 1);
@@ -482,7 +505,8 @@ void run(int argc, char* argv[])
       compare_whole_calls<SMP::Mean_value_coordinates_parameterizer_3<Mesh>>(input, "mean-value", choice);
       compare_whole_calls<SMP::Discrete_conformal_map_parameterizer_3<Mesh>>(input, "conformal", choice);
       compare_whole_calls<SMP::LSCM_parameterizer_3<Mesh>>(input, "lscm", choice);
-      compare_whole_calls<SMP::ARAP_parameterizer_3<Mesh>, SMP::As_rigid_as_possible_parameterizer_3<Mesh>>(input, "arap", choice, choice.most_arap_triangles);
+      compare_whole_calls<SMP::ARAP_parameterizer_3<Mesh>, SMP::As_rigid_as_possible_parameterizer_3<Mesh>>(
+          input, "arap", choice, choice.most_arap_triangles);
     }
   }
 }

@@ -48,7 +48,8 @@ void draw_surface(const fs::path& file, const Mesh& mesh, const View& view)
 
   const auto corners = [&](Mesh::Face_index f) {
     const Mesh::Halfedge_index h = mesh.halfedge(f);
-    return std::array<Point_3, 3>{ mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))) };
+    return std::array<Point_3, 3>{ mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                   mesh.point(mesh.target(mesh.next(h))) };
   };
   std::vector<std::pair<double, Mesh::Face_index>> faces_by_depth;
   for (const Mesh::Face_index f : mesh.faces()) {
@@ -58,8 +59,9 @@ void draw_surface(const fs::path& file, const Mesh& mesh, const View& view)
   std::sort(faces_by_depth.begin(), faces_by_depth.end());
 
   std::ofstream stream = open(file);
-  stream << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << scale * (box.xmax() - box.xmin()) + 2 * margin << ' '
-         << scale * (box.ymax() - box.ymin()) + 2 * margin << "\" stroke=\"#222\" stroke-width=\"0.4\" stroke-linejoin=\"round\">\n";
+  stream << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << scale * (box.xmax() - box.xmin()) + 2 * margin
+         << ' ' << scale * (box.ymax() - box.ymin()) + 2 * margin
+         << "\" stroke=\"#222\" stroke-width=\"0.4\" stroke-linejoin=\"round\">\n";
   for (const auto& [depth, f] : faces_by_depth) {
     const auto [p, q, r] = corners(f);
     const Kernel::Vector_3 normal = CGAL::cross_product(q - p, r - p);
@@ -68,7 +70,8 @@ void draw_surface(const fs::path& file, const Mesh& mesh, const View& view)
     stream << "<path fill=\"rgb(" << gray << ',' << gray << ',' << gray << ")\" d=\"";
     char command = 'M';
     for (const Point_3& corner : { p, q, r }) {
-      stream << command << margin + scale * (view.right(corner) - box.xmin()) << ' ' << margin + scale * (box.ymax() - view.up(corner));
+      stream << command << margin + scale * (view.right(corner) - box.xmin()) << ' '
+             << margin + scale * (box.ymax() - view.up(corner));
       command = 'L';
     }
     stream << "Z\"/>\n";
@@ -137,7 +140,8 @@ public:
     const std::string name = "level_" + std::to_string(level.index());
     draw_surface(m_directory / (name + "_surface.svg"), mesh, m_view);
     draw_map(m_directory / (name + "_map.svg"), mesh, uv, m_view);
-    std::cout << name << ": " << summary.vertices << " vertices, " << summary.faces << " triangles, energy " << summary.energy_end << '\n';
+    std::cout << name << ": " << summary.vertices << " vertices, " << summary.faces << " triangles, energy "
+              << summary.energy_end << '\n';
     return true;
   }
 
@@ -149,8 +153,8 @@ private:
 
 // Figures 6 and 7: one map of the input.
 template <class Parameterizer>
-void draw_result(const std::string& name, const fs::path& directory, Mesh& mesh, const View& view, const Parameterizer& parameterizer,
-                 const SMP::Parameterization_summary& summary)
+void draw_result(const std::string& name, const fs::path& directory, Mesh& mesh, const View& view,
+                 const Parameterizer& parameterizer, const SMP::Parameterization_summary& summary)
 {
   parameterize(mesh, parameterizer);
   draw_map(directory / (name + "_map.svg"), mesh, add_uv_map(mesh), view);
@@ -171,7 +175,8 @@ void run(int argc, char* argv[])
     throw Usage_error("usage: " + usage);
   const View view = { axis[0] - 'x' };
   Mesh mesh = names.size() == 2 ? read_mesh(names[1]) : built_in_face();
-  const std::size_t chosen_steps = count_of(values, "steps", 0, 2000000000), steps = chosen_steps > 0 ? chosen_steps : paper_steps(mesh);
+  const std::size_t chosen_steps = count_of(values, "steps", 0, 2000000000),
+                    steps = chosen_steps > 0 ? chosen_steps : paper_steps(mesh);
   const fs::path directory = names[0];
   fs::create_directories(directory);
 
@@ -179,12 +184,17 @@ void run(int argc, char* argv[])
   namespace np = CGAL::parameters;
   SMP::Parameterization_summary summary;
   const MIPS converging(np::optimizer(SMP::Optimizer::SWEEPS).tolerance(1e-9).number_of_iterations(most_sweeps));
-  draw_result("optimal", directory, mesh, view, Hierarchical_MIPS(converging, np::summary(std::ref(summary)).visitor(Level_drawer(directory, view))), summary);
+  draw_result("optimal", directory, mesh, view,
+              Hierarchical_MIPS(converging, np::summary(std::ref(summary)).visitor(Level_drawer(directory, view))),
+              summary);
 
-  const MIPS hierarchical(np::number_of_local_steps(steps / summary.levels.size()).optimizer(SMP::Optimizer::RANDOM_VERTICES));
-  draw_result("hierarchical", directory, mesh, view, Hierarchical_MIPS(hierarchical, np::summary(std::ref(summary))), summary);
+  const MIPS hierarchical(
+      np::number_of_local_steps(steps / summary.levels.size()).optimizer(SMP::Optimizer::RANDOM_VERTICES));
+  draw_result("hierarchical", directory, mesh, view, Hierarchical_MIPS(hierarchical, np::summary(std::ref(summary))),
+              summary);
 
-  const MIPS conventional(np::number_of_local_steps(steps).optimizer(SMP::Optimizer::RANDOM_VERTICES).summary(std::ref(summary)));
+  const MIPS conventional(
+      np::number_of_local_steps(steps).optimizer(SMP::Optimizer::RANDOM_VERTICES).summary(std::ref(summary)));
   draw_result("conventional", directory, mesh, view, conventional, summary);
 }
 

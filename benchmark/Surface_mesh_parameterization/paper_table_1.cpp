@@ -15,7 +15,9 @@ double converged_energy(Mesh& mesh, double tolerance)
 {
   constexpr int more_sweeps_than_needed = 10000000;
   SMP::Parameterization_summary summary;
-  const MIPS mips(CGAL::parameters::optimizer(SMP::Optimizer::SWEEPS).tolerance(tolerance).number_of_iterations(more_sweeps_than_needed));
+  const MIPS mips(CGAL::parameters::optimizer(SMP::Optimizer::SWEEPS)
+                      .tolerance(tolerance)
+                      .number_of_iterations(more_sweeps_than_needed));
   parameterize(mesh, Hierarchical_MIPS(mips, CGAL::parameters::summary(std::ref(summary))));
   return summary.energy;
 }
@@ -34,32 +36,46 @@ std::size_t number_of_levels(const Mesh& mesh, std::size_t coarsest_size, unsign
 {
   SMP::Mesh_component<Mesh> component(mesh, outer_border(mesh));
   check(component.error().code);
-  return SMP::Collapse_hierarchy_3(std::move(component.surface()), CGAL::parameters::coarsest_size(coarsest_size).random_seed(seed)).number_of_levels();
+  return SMP::Collapse_hierarchy_3(std::move(component.surface()),
+                                   CGAL::parameters::coarsest_size(coarsest_size).random_seed(seed))
+      .number_of_levels();
 }
 
 // The energy after the same number of random steps on each of `levels` levels.
-double hierarchical_energy(Mesh& mesh, std::size_t steps, std::size_t levels, std::size_t coarsest_size, unsigned int seed)
+double hierarchical_energy(Mesh& mesh, std::size_t steps, std::size_t levels, std::size_t coarsest_size,
+                           unsigned int seed)
 {
   SMP::Parameterization_summary summary;
-  const MIPS mips(CGAL::parameters::number_of_local_steps(steps / levels).optimizer(SMP::Optimizer::RANDOM_VERTICES).random_seed(seed));
-  parameterize(mesh, Hierarchical_MIPS(mips, CGAL::parameters::coarsest_size(coarsest_size).summary(std::ref(summary)).random_seed(seed)));
+  const MIPS mips(CGAL::parameters::number_of_local_steps(steps / levels)
+                      .optimizer(SMP::Optimizer::RANDOM_VERTICES)
+                      .random_seed(seed));
+  parameterize(mesh,
+               Hierarchical_MIPS(
+                   mips, CGAL::parameters::coarsest_size(coarsest_size).summary(std::ref(summary)).random_seed(seed)));
   return summary.energy;
 }
 
 double conventional_energy(Mesh& mesh, std::size_t steps, unsigned int seed)
 {
   SMP::Parameterization_summary summary;
-  parameterize(mesh, MIPS(CGAL::parameters::number_of_local_steps(steps).optimizer(SMP::Optimizer::RANDOM_VERTICES).summary(std::ref(summary)).random_seed(seed)));
+  parameterize(mesh, MIPS(CGAL::parameters::number_of_local_steps(steps)
+                              .optimizer(SMP::Optimizer::RANDOM_VERTICES)
+                              .summary(std::ref(summary))
+                              .random_seed(seed)));
   return summary.energy;
 }
 
-double mean(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.) / double(values.size()); }
+double mean(const std::vector<double>& values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.) / double(values.size());
+}
 
 void print_row(const std::string& name, const std::vector<double>& energies, double optimum)
 {
   const auto [least, greatest] = std::minmax_element(energies.begin(), energies.end());
-  std::cout << "  " << std::left << std::setw(14) << name << std::right << std::setw(12) << mean(energies) << std::setw(12) << mean(energies) - optimum
-            << std::setw(12) << *least - optimum << std::setw(12) << *greatest - optimum << '\n';
+  std::cout << "  " << std::left << std::setw(14) << name << std::right << std::setw(12) << mean(energies)
+            << std::setw(12) << mean(energies) - optimum << std::setw(12) << *least - optimum << std::setw(12)
+            << *greatest - optimum << '\n';
 }
 
 void print_table(Named_mesh input, std::size_t steps, std::size_t coarsest_size, std::size_t number_of_seeds)
@@ -76,29 +92,34 @@ void print_table(Named_mesh input, std::size_t steps, std::size_t coarsest_size,
     conventional.push_back(conventional_energy(mesh, steps, seed));
   }
 
-  std::cout << input.name << ": " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces() << " triangles, " << fewest_levels;
+  std::cout << input.name << ": " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces()
+            << " triangles, " << fewest_levels;
   if (most_levels > fewest_levels)
     std::cout << " to " << most_levels;
-  std::cout << " levels, " << steps << " steps, mean of " << number_of_seeds << " seeds\n" << std::fixed << std::setprecision(4)
+  std::cout << " levels, " << steps << " steps, mean of " << number_of_seeds << " seeds\n"
+            << std::fixed << std::setprecision(4)
             << "                      energy         gap         min         max\n";
   print_row("optimal", { optimum }, optimum);
   print_row("hierarchical", hierarchical, optimum);
   print_row("conventional", conventional, optimum);
-  std::cout << "  gap conventional / hierarchical: " << std::setprecision(1) << (mean(conventional) - optimum) / (mean(hierarchical) - optimum) << "\n\n";
+  std::cout << "  gap conventional / hierarchical: " << std::setprecision(1)
+            << (mean(conventional) - optimum) / (mean(hierarchical) - optimum) << "\n\n";
 }
 
 void run(int argc, char* argv[])
 {
   po::options_description options("Options");
-  options.add_options()
-    ("steps", po::value<std::vector<int>>()->default_value({}, "672 per vertex"), "local steps in total; once per mesh, in their order")
-    ("coarsest-size", po::value<int>()->default_value(100), "vertices of the coarsest level at most")
-    ("seeds", po::value<int>()->default_value(5), "runs to average");
-  const po::variables_map values = parse(argc, argv, options, "paper_table_1 [MESH.off ...] [--steps N]... [--coarsest-size N] [--seeds N]");
+  options.add_options()("steps", po::value<std::vector<int>>()->default_value({}, "672 per vertex"),
+                        "local steps in total; once per mesh, in their order")(
+      "coarsest-size", po::value<int>()->default_value(100),
+      "vertices of the coarsest level at most")("seeds", po::value<int>()->default_value(5), "runs to average");
+  const po::variables_map values =
+      parse(argc, argv, options, "paper_table_1 [MESH.off ...] [--steps N]... [--coarsest-size N] [--seeds N]");
   std::vector<std::size_t> steps;
   for (const int value : values["steps"].as<std::vector<int>>())
     steps.push_back(checked_count("steps", value, 1000, 2000000000));
-  const std::size_t coarsest_size = count_of(values, "coarsest-size", 3, 1000000), number_of_seeds = count_of(values, "seeds", 1, 1000);
+  const std::size_t coarsest_size = count_of(values, "coarsest-size", 3, 1000000),
+                    number_of_seeds = count_of(values, "seeds", 1, 1000);
 
   std::size_t i = 0;
   for (const Named_mesh& input : meshes_of(values)) {

@@ -34,15 +34,19 @@ Result run_flat(Mesh& mesh, std::size_t visits, SMP::Optimizer optimizer)
 {
   const std::size_t n = mesh.number_of_vertices(), sweeps = (visits + n - 1) / n;
   SMP::Parameterization_summary summary;
-  parameterize(mesh, MIPS(CGAL::parameters::tolerance(0.).optimizer(optimizer).summary(std::ref(summary)).number_of_iterations(sweeps)));
+  parameterize(mesh, MIPS(CGAL::parameters::tolerance(0.)
+                              .optimizer(optimizer)
+                              .summary(std::ref(summary))
+                              .number_of_iterations(sweeps)));
   return result_of(mesh, summary);
 }
 
 void print_row(const std::string& name, const Result& result, const Result& reference)
 {
-  std::cout << "  " << std::left << std::setw(30) << name << std::right << std::fixed << std::setprecision(3) << std::setw(14) << result.excess
-            << std::setprecision(2) << std::setw(10) << result.excess / reference.excess << std::setw(14) << result.visits
-            << std::setprecision(3) << std::setw(10) << result.seconds << std::endl;
+  std::cout << "  " << std::left << std::setw(30) << name << std::right << std::fixed << std::setprecision(3)
+            << std::setw(14) << result.excess << std::setprecision(2) << std::setw(10)
+            << result.excess / reference.excess << std::setw(14) << result.visits << std::setprecision(3)
+            << std::setw(10) << result.seconds << std::endl;
 }
 
 void run(int argc, char* argv[])
@@ -51,13 +55,16 @@ void run(int argc, char* argv[])
   options.add_options()
     ("subdivide", po::value<int>()->default_value(0), "Loop subdivisions of the mesh")
     ("sweeps", po::value<int>()->default_value(10), "sweeps on every level");
-  const po::variables_map values = parse(argc, argv, options, "sweeps_against_flat [MESH.off] [--subdivide K] [--sweeps N]");
-  const std::size_t subdivisions = count_of(values, "subdivide", 0, 12), sweeps = count_of(values, "sweeps", 1, 1000000);
+  const po::variables_map values =
+      parse(argc, argv, options, "sweeps_against_flat [MESH.off] [--subdivide K] [--sweeps N]");
+  const std::size_t subdivisions = count_of(values, "subdivide", 0, 12),
+                    sweeps = count_of(values, "sweeps", 1, 1000000);
   Named_mesh input = only_mesh(values);
   Mesh& mesh = input.mesh;
   subdivide(mesh, subdivisions);
 
-  std::cout << input.name << ": " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces() << " triangles, " << sweeps << " sweeps a level\n"
+  std::cout << input.name << ": " << mesh.number_of_vertices() << " vertices, " << mesh.number_of_faces()
+            << " triangles, " << sweeps << " sweeps a level\n"
             << "                                  excess energy     ratio        visits   seconds\n";
   const Result reference = run_hierarchical(mesh, sweeps, SMP::Optimizer::SWEEPS);
   print_row("hierarchical, sweeps", reference, reference);
@@ -65,7 +72,8 @@ void run(int argc, char* argv[])
   print_row("flat, sweeps", run_flat(mesh, reference.visits, SMP::Optimizer::SWEEPS), reference);
   print_row("flat, random order", run_flat(mesh, reference.visits, SMP::Optimizer::RANDOM_VERTICES), reference);
   print_row("flat, sweeps, 10 times", run_flat(mesh, 10 * reference.visits, SMP::Optimizer::SWEEPS), reference);
-  print_row("flat, random order, 10 times", run_flat(mesh, 10 * reference.visits, SMP::Optimizer::RANDOM_VERTICES), reference);
+  print_row("flat, random order, 10 times", run_flat(mesh, 10 * reference.visits, SMP::Optimizer::RANDOM_VERTICES),
+            reference);
 }
 
 int main(int argc, char* argv[])

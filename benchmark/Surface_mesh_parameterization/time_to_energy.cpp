@@ -90,7 +90,8 @@ SMP::Parameterization_summary run_method(Mesh& mesh, bool is_flat, double tolera
 
 void print_name(const Mesh& mesh, const Run& run)
 {
-  std::cout << run.method << ',' << (run.is_flat ? "flat" : "hierarchical") << ',' << run.threads << ',' << mesh.number_of_faces() << ',' << mesh.number_of_vertices() << ',';
+  std::cout << run.method << ',' << (run.is_flat ? "flat" : "hierarchical") << ',' << run.threads << ','
+            << mesh.number_of_faces() << ',' << mesh.number_of_vertices() << ',';
 }
 
 // Finds the optimum, then the greatest tolerance that comes close enough, and prints what that run took.
@@ -109,8 +110,9 @@ void measure(Mesh& mesh, const Run& run, double unit)
       continue;
     const double seconds = summary.seconds_hierarchy + summary.seconds_parameterize;
     print_name(mesh, run);
-    std::cout << summary.levels.back().iterations << ',' << summary.levels.back().cycles << ',' << summary.energy - run.minimum << ',' << optimum - run.minimum << ','
-              << summary.seconds_hierarchy << ',' << seconds << ',' << unit << ',' << seconds / unit << ','
+    std::cout << summary.levels.back().iterations << ',' << summary.levels.back().cycles << ','
+              << summary.energy - run.minimum << ',' << optimum - run.minimum << ',' << summary.seconds_hierarchy << ','
+              << seconds << ',' << unit << ',' << seconds / unit << ','
               << peak_memory() / double(mesh.number_of_vertices()) << std::endl;
     return;
   }
@@ -125,12 +127,15 @@ void run(int argc, char* argv[])
     ("subdivide", po::value<int>()->default_value(2), "measure after 0, 1, ... so many Loop subdivisions")
     ("threads", po::value<int>()->default_value(1), "the most threads to use, if built with TBB")
     ("flat", po::bool_switch(), "also without the hierarchy, with a direct solver");
-  const po::variables_map values = parse(argc, argv, options, "time_to_energy [MESH.off] [--subdivide K] [--threads N] [--flat]");
+  const po::variables_map values =
+      parse(argc, argv, options, "time_to_energy [MESH.off] [--subdivide K] [--threads N] [--flat]");
   const std::size_t subdivisions = count_of(values, "subdivide", 0, 12);
   Named_mesh input = only_mesh(values);
 
   const int threads = int(count_of(values, "threads", 1, 1024));
-  std::cout << "method,run,threads,triangles,vertices,steps,cycles,excess,optimal_excess,seconds_hierarchy,seconds,unit_seconds,units,peak_bytes_per_vertex" << std::endl;
+  std::cout << "method,run,threads,triangles,vertices,steps,cycles,excess,optimal_excess,seconds_hierarchy,seconds,"
+               "unit_seconds,units,peak_bytes_per_vertex"
+            << std::endl;
   for (std::size_t k = 0; k <= subdivisions; ++k) {
     if (k > 0)
       subdivide(input.mesh, 1);
@@ -139,7 +144,8 @@ void run(int argc, char* argv[])
     for (const bool is_flat : { false, true })
       if (!is_flat || values["flat"].as<bool>()) {
         measure<SMP::MIPS_parameterizer_3<Mesh, CGAL::Parallel_if_available_tag>>(
-          input.mesh, { "mips", SMP::MIPS_energy_2::minimum * double(input.mesh.number_of_faces()), is_flat, threads }, unit);
+            input.mesh,
+            { "mips", SMP::MIPS_energy_2::minimum * double(input.mesh.number_of_faces()), is_flat, threads }, unit);
         measure<SMP::Symmetric_Dirichlet_parameterizer_3<Mesh, CGAL::Parallel_if_available_tag>>(
           input.mesh, { "symmetric-dirichlet", SMP::Symmetric_Dirichlet_energy_2::minimum, is_flat, threads }, unit);
       }

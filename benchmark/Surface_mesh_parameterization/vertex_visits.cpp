@@ -18,16 +18,21 @@ struct Timings
 class Finest_level_timer : public SMP::Hierarchy_visitor_3
 {
 public:
-  Finest_level_timer(std::size_t number_of_sweeps, Timings& timings) : m_number_of_sweeps(number_of_sweeps), m_timings(timings) { }
+  Finest_level_timer(std::size_t number_of_sweeps, Timings& timings)
+    : m_number_of_sweeps(number_of_sweeps), m_timings(timings)
+  { }
 
   bool level_parameterized(const SMP::Level& level, const SMP::Level::Uv& uv, const SMP::Level_summary&)
   {
     if (!level.is_finest())
       return true;
     const double over_relaxation = SMP::internal::Level_refiner_options().over_relaxation;
-    m_timings.sweeps = time(level, uv, over_relaxation, [](Relaxation& relaxation, SMP::Level::Uv& map) { relaxation.sweep(map); });
+    m_timings.sweeps =
+        time(level, uv, over_relaxation, [](Relaxation& relaxation, SMP::Level::Uv& map) { relaxation.sweep(map); });
     std::mt19937 random;
-    m_timings.random_steps = time(level, uv, 1, [&](Relaxation& relaxation, SMP::Level::Uv& map) { relaxation.random_steps(map, map.size(), random); });
+    m_timings.random_steps = time(level, uv, 1, [&](Relaxation& relaxation, SMP::Level::Uv& map) {
+      relaxation.random_steps(map, map.size(), random);
+    });
     return true;
   }
 
@@ -35,7 +40,8 @@ private:
   typedef SMP::internal::Vertex_relaxation   Relaxation;
 
   template <class Sweep>
-  std::vector<double> time(const SMP::Level& level, SMP::Level::Uv uv, double relaxation_factor, const Sweep& sweep) const
+  std::vector<double> time(const SMP::Level& level, SMP::Level::Uv uv, double relaxation_factor,
+                           const Sweep& sweep) const
   {
     const SMP::internal::Level_energy_of<SMP::MIPS_energy_2> energy(level, SMP::Triangle_weight::ONE);
     Relaxation relaxation(energy, relaxation_factor);
@@ -52,7 +58,8 @@ private:
 void print_row(const std::string& name, const std::vector<double>& nanoseconds)
 {
   const auto [least, greatest] = std::minmax_element(nanoseconds.begin(), nanoseconds.end());
-  std::cout << "  " << std::left << std::setw(14) << name << std::right << std::setw(9) << median(nanoseconds) << std::setw(9) << *least << std::setw(9) << *greatest << '\n';
+  std::cout << "  " << std::left << std::setw(14) << name << std::right << std::setw(9) << median(nanoseconds)
+            << std::setw(9) << *least << std::setw(9) << *greatest << '\n';
 }
 
 void run(int argc, char* argv[])
@@ -62,7 +69,8 @@ void run(int argc, char* argv[])
     ("subdivide", po::value<int>()->default_value(0), "Loop subdivisions of the mesh")
     ("sweeps", po::value<int>()->default_value(20), "sweeps to take the median of");
   const po::variables_map values = parse(argc, argv, options, "vertex_visits [MESH.off] [--subdivide K] [--sweeps N]");
-  const std::size_t subdivisions = count_of(values, "subdivide", 0, 12), sweeps = count_of(values, "sweeps", 1, 1000000);
+  const std::size_t subdivisions = count_of(values, "subdivide", 0, 12),
+                    sweeps = count_of(values, "sweeps", 1, 1000000);
   Named_mesh input = only_mesh(values);
   subdivide(input.mesh, subdivisions);
 
@@ -71,8 +79,10 @@ void run(int argc, char* argv[])
   const MIPS mips(CGAL::parameters::optimizer(SMP::Optimizer::SWEEPS).number_of_iterations(sweeps_before));
   parameterize(input.mesh, Hierarchical_MIPS(mips, CGAL::parameters::visitor(Finest_level_timer(sweeps, timings))));
 
-  std::cout << input.name << ": " << input.mesh.number_of_vertices() << " vertices, " << sweeps << " sweeps; nanoseconds per vertex visit\n"
-            << "                   median      min      max\n" << std::fixed << std::setprecision(1);
+  std::cout << input.name << ": " << input.mesh.number_of_vertices() << " vertices, " << sweeps
+            << " sweeps; nanoseconds per vertex visit\n"
+            << "                   median      min      max\n"
+            << std::fixed << std::setprecision(1);
   print_row("sweeps", timings.sweeps);
   print_row("random steps", timings.random_steps);
 }

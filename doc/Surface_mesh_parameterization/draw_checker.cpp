@@ -43,7 +43,9 @@ struct Image
   std::size_t width, height;
   std::vector<Color> pixels;                 // row by row from the top
 
-  Image(std::size_t width, std::size_t height, const Color& color = { 1, 1, 1 }) : width(width), height(height), pixels(width * height, color) { }
+  Image(std::size_t width, std::size_t height, const Color& color = { 1, 1, 1 })
+    : width(width), height(height), pixels(width * height, color)
+  { }
 };
 
 // Triangles in space with a place of the board for each corner; edge i runs from corner i to the next one.
@@ -91,7 +93,8 @@ public:
     for (std::size_t y = 0; y < fine.height; ++y)
       for (std::size_t x = 0; x < fine.width; ++x)
         for (int i = 0; i < 3; ++i)
-          result.pixels[y / samples * m_width + x / samples][i] += fine.pixels[y * fine.width + x][i] / double(samples * samples);
+          result.pixels[y / samples * m_width + x / samples][i] +=
+              fine.pixels[y * fine.width + x][i] / double(samples * samples);
     return result;
   }
 
@@ -110,7 +113,8 @@ private:
   {
     const Vector_3 z = unit(view.direction), x = unit(CGAL::cross_product(view.up, z)), y = CGAL::cross_product(z, x);
     const CGAL::Bbox_3 box = CGAL::bbox_3(m_surface.points.begin(), m_surface.points.end());
-    const Point_3 center(0.5 * (box.xmin() + box.xmax()), 0.5 * (box.ymin() + box.ymax()), 0.5 * (box.zmin() + box.zmax()));
+    const Point_3 center(0.5 * (box.xmin() + box.xmax()), 0.5 * (box.ymin() + box.ymax()),
+                         0.5 * (box.zmin() + box.zmax()));
     double radius = (std::numeric_limits<double>::min)();
     for (const Point_3& p : m_surface.points)
       radius = (std::max)(radius, std::sqrt((p - center).squared_length()));
@@ -134,11 +138,13 @@ private:
     }
   }
 
-  void draw(const Drawn_surface::Triangle& t, const Checker_board& board, Image& image, std::vector<double>& nearness) const
+  void draw(const Drawn_surface::Triangle& t, const Checker_board& board, Image& image,
+            std::vector<double>& nearness) const
   {
     std::array<Point_2, 3> p;
     for (int i = 0; i < 3; ++i)
-      p[i] = Point_2(samples * margin + m_scale * (m_images[t.corners[i]].x() - m_box.xmin()), samples * margin + m_scale * (m_box.ymax() - m_images[t.corners[i]].y()));
+      p[i] = Point_2(samples * margin + m_scale * (m_images[t.corners[i]].x() - m_box.xmin()),
+                     samples * margin + m_scale * (m_box.ymax() - m_images[t.corners[i]].y()));
     const double area = (p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) - (p[1].y() - p[0].y()) * (p[2].x() - p[0].x());
     if (area == 0)
       return;
@@ -153,25 +159,30 @@ private:
         }
         if (b[0] < 0 || b[1] < 0 || b[2] < 0)
           continue;
-        const double near = b[0] * m_nearness[t.corners[0]] + b[1] * m_nearness[t.corners[1]] + b[2] * m_nearness[t.corners[2]];
+        const double near =
+            b[0] * m_nearness[t.corners[0]] + b[1] * m_nearness[t.corners[1]] + b[2] * m_nearness[t.corners[2]];
         double& nearest = nearness[y * image.width + x];
         if (near <= nearest)
           continue;
         nearest = near;
-        image.pixels[y * image.width + x] = is_on_line(t, p, b, std::abs(area)) ? m_surface.line_color : lit_color(t, b, near, area < 0, board);
+        image.pixels[y * image.width + x] =
+            is_on_line(t, p, b, std::abs(area)) ? m_surface.line_color : lit_color(t, b, near, area < 0, board);
       }
   }
 
-  bool is_on_line(const Drawn_surface::Triangle& t, const std::array<Point_2, 3>& p, const std::array<double, 3>& b, double area) const
+  bool is_on_line(const Drawn_surface::Triangle& t, const std::array<Point_2, 3>& p, const std::array<double, 3>& b,
+                  double area) const
   {
     for (int i = 0; i < 3; ++i)
-      if (b[(i + 2) % 3] * area < 0.5 * double(samples) * t.line_widths[i] * std::sqrt(CGAL::squared_distance(p[i], p[(i + 1) % 3])))
+      if (b[(i + 2) % 3] * area <
+          0.5 * double(samples) * t.line_widths[i] * std::sqrt(CGAL::squared_distance(p[i], p[(i + 1) % 3])))
         return true;
     return false;
   }
 
   // `b`: barycentric coordinates in the picture, which perspective makes others in space.
-  Color lit_color(const Drawn_surface::Triangle& t, const std::array<double, 3>& b, double near, bool is_front, const Checker_board& board) const
+  Color lit_color(const Drawn_surface::Triangle& t, const std::array<double, 3>& b, double near, bool is_front,
+                  const Checker_board& board) const
   {
     Vector_3 normal(0, 0, 0);
     double u = 0, v = 0;
@@ -183,7 +194,8 @@ private:
     }
     normal = is_front ? unit(normal) : -unit(normal);
     static const Vector_3 light = unit(Vector_3(-0.45, 0.55, 0.75));
-    const double brightness = (is_front ? 1 : 0.6) * (0.25 + 0.2 * (std::max)(0., normal.z()) + 0.6 * (std::max)(0., normal * light));
+    const double brightness =
+        (is_front ? 1 : 0.6) * (0.25 + 0.2 * (std::max)(0., normal.z()) + 0.6 * (std::max)(0., normal * light));
     Color color = board(u, v);
     for (double& c : color)
       c *= brightness;
@@ -192,7 +204,7 @@ private:
 
   const Drawn_surface& m_surface;
   std::vector<Point_3> m_places;             // of the vertices, in radii
-  std::vector<double> m_nearness;            // of the vertices: inverse distances to the eye, which are linear in the picture
+  std::vector<double> m_nearness;      // of the vertices: inverse distances to the eye, which are linear in the picture
   std::vector<Point_2> m_images;             // of the vertices
   std::vector<Vector_3> m_normals;           // of the vertices, of any length
   CGAL::Bbox_2 m_box;                        // of the images

@@ -12,7 +12,10 @@
 
 typedef std::array<double, 3>   Color;       // red, green, blue from 0 to 1
 
-inline std::uint8_t to_byte(double color) { return std::uint8_t(std::lround(255 * (std::min)(1., (std::max)(0., color)))); }
+inline std::uint8_t to_byte(double color)
+{
+  return std::uint8_t(std::lround(255 * (std::min)(1., (std::max)(0., color))));
+}
 
 // A board on the unit square: light squares, and dark ones whose hue tells the place.
 struct Checker_board
@@ -24,7 +27,8 @@ struct Checker_board
     const double x = std::floor(u * double(columns)), y = std::floor(v * double(rows));
     if (std::fmod(std::abs(x + y), 2) < 0.5)
       return { 0.97, 0.96, 0.93 };
-    const double s = (std::min)(1., (std::max)(0., x / double(columns))), t = (std::min)(1., (std::max)(0., y / double(rows)));
+    const double s = (std::min)(1., (std::max)(0., x / double(columns))),
+                 t = (std::min)(1., (std::max)(0., y / double(rows)));
     return { 0.15 + 0.65 * s, 0.42 - 0.12 * s + 0.2 * t, 0.25 + 0.5 * (1 - t) };
   }
 };

@@ -60,8 +60,10 @@ public:
 
   bool do_cross(const Chord& a, const Chord& b) const
   {
-    const Mesh::Vertex_index p = m_mesh.source(a.first), q = m_mesh.target(a.last), r = m_mesh.source(b.first), s = m_mesh.target(b.last);
-    return p != r && p != s && q != r && q != s && CGAL::do_intersect(Kernel::Segment_2(m_uvmap[p], m_uvmap[q]), Kernel::Segment_2(m_uvmap[r], m_uvmap[s]));
+    const Mesh::Vertex_index p = m_mesh.source(a.first), q = m_mesh.target(a.last), r = m_mesh.source(b.first),
+                             s = m_mesh.target(b.last);
+    return p != r && p != s && q != r && q != s &&
+           CGAL::do_intersect(Kernel::Segment_2(m_uvmap[p], m_uvmap[q]), Kernel::Segment_2(m_uvmap[r], m_uvmap[s]));
   }
 
   // The middle of the border from a to b, by length in the plane.
@@ -83,7 +85,10 @@ public:
 
 private:
   Mesh::Halfedge_index next(Mesh::Halfedge_index h) const { return m_mesh.opposite(m_mesh.prev(m_mesh.opposite(h))); }
-  double length(Mesh::Halfedge_index h) const { return std::sqrt(CGAL::squared_distance(m_uvmap[m_mesh.source(h)], m_uvmap[m_mesh.target(h)])); }
+  double length(Mesh::Halfedge_index h) const
+  {
+    return std::sqrt(CGAL::squared_distance(m_uvmap[m_mesh.source(h)], m_uvmap[m_mesh.target(h)]));
+  }
 
   const Mesh& m_mesh;
   const Vertex_uv_map& m_uvmap;

@@ -34,8 +34,8 @@ struct Chart
   Seam_uv_map uvmap;
 
   explicit Chart(const Mesh& uncut)
-    : mesh(uncut),
-      seam_mesh(mesh, mesh.add_property_map<Mesh::Edge_index, bool>("e:is_seam", false).first, mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_seam", false).first),
+    : mesh(uncut), seam_mesh(mesh, mesh.add_property_map<Mesh::Edge_index, bool>("e:is_seam", false).first,
+                             mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_seam", false).first),
       uvmap(mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first)
   { }
 

@@ -31,14 +31,16 @@ public:
     }
     m_gap = 0.01 * std::sqrt(area);
     std::iota(m_order.begin(), m_order.end(), 0);
-    std::stable_sort(m_order.begin(), m_order.end(), [&](std::size_t a, std::size_t b) { return height(a) > height(b); });
+    std::stable_sort(m_order.begin(), m_order.end(),
+                     [&](std::size_t a, std::size_t b) { return height(a) > height(b); });
     choose_width();
   }
 
   // Into the unit square.
   Point_2 operator()(std::size_t chart, const Point_2& p) const
   {
-    return Point_2((m_places[chart].x() + p.x() - m_boxes[chart].xmin()) / m_side, (m_places[chart].y() + p.y() - m_boxes[chart].ymin()) / m_side);
+    return Point_2((m_places[chart].x() + p.x() - m_boxes[chart].xmin()) / m_side,
+                   (m_places[chart].y() + p.y() - m_boxes[chart].ymin()) / m_side);
   }
 
 private:

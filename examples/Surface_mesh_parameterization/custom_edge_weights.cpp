@@ -37,7 +37,8 @@ struct Area_edge_weights_3
 
   typedef SMP::Level::Point_3   Point_3;
 
-  void operator()(const Point_3& v, const std::vector<Point_3>& ring, bool is_closed, std::vector<double>& weights) const
+  void operator()(const Point_3& v, const std::vector<Point_3>& ring, bool is_closed,
+                  std::vector<double>& weights) const
   {
     constexpr double least_area = 1e-12;        // the surface is scaled to about size 1
     weights.assign(ring.size(), least_area);

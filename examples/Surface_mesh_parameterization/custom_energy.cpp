@@ -51,13 +51,16 @@ template <template <class...> class Method>
 bool run(const std::string& name, Mesh& mesh)
 {
   const auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
-  const auto result = SMP::hierarchical_parameterization<Method>(mesh, uvmap, CGAL::parameters::triangle_weight(SMP::Triangle_weight::AREA));
+  const auto result =
+      SMP::hierarchical_parameterization<Method>(mesh, uvmap,
+                                                 CGAL::parameters::triangle_weight(SMP::Triangle_weight::AREA));
   if (!result.is_ok()) {
     std::cerr << SMP::error_message(result.error) << '\n';
     return false;
   }
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(mesh, uvmap);
-  std::cout << name << ": " << quality.flips << " flips, distortion of angles " << quality.angle << ", of areas " << quality.area << '\n';
+  std::cout << name << ": " << quality.flips << " flips, distortion of angles " << quality.angle << ", of areas "
+            << quality.area << '\n';
   return true;
 }
 
@@ -70,5 +73,8 @@ int main(int argc, char** argv)
   }
   if (argc == 1)
     make_face(mesh);
-  return run<SMP::MIPS_parameterizer_3>("angles", mesh) && run<Angles_and_areas_parameterizer_3>("angles and areas", mesh) ? 0 : 1;
+  return run<SMP::MIPS_parameterizer_3>("angles", mesh) &&
+                 run<Angles_and_areas_parameterizer_3>("angles and areas", mesh)
+             ? 0
+             : 1;
 }

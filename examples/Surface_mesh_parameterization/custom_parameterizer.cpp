@@ -26,7 +26,8 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 
 //! [method]
 template <class TriangleMesh>
-class Minimax_parameterizer_3 : public SMP::Refinable_parameterizer_base_3<Minimax_parameterizer_3<TriangleMesh>, TriangleMesh>
+class Minimax_parameterizer_3
+  : public SMP::Refinable_parameterizer_base_3<Minimax_parameterizer_3<TriangleMesh>, TriangleMesh>
 {
   typedef SMP::Refinable_parameterizer_base_3<Minimax_parameterizer_3, TriangleMesh>    Base;
   typedef SMP::Level                                                                    Level;
@@ -34,9 +35,14 @@ class Minimax_parameterizer_3 : public SMP::Refinable_parameterizer_base_3<Minim
 
 public:
   template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-  explicit Minimax_parameterizer_3(const NamedParameters& np = CGAL::parameters::default_values()) : Base(np), m_mips(np) { }
+  explicit Minimax_parameterizer_3(const NamedParameters& np = CGAL::parameters::default_values())
+    : Base(np), m_mips(np)
+  { }
 
-  SMP::Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) { return m_mips.parameterize_coarsest(level, uv); }
+  SMP::Error_code parameterize_coarsest(const Level& level, Level::Uv& uv)
+  {
+    return m_mips.parameterize_coarsest(level, uv);
+  }
 
   // From a map without a flip to a better one without a flip.
   SMP::Error_code refine(const Level& level, Level::Uv& uv, SMP::Level_summary& summary)
@@ -59,9 +65,11 @@ private:
   // a vertex stays surrounded once.
   static void search(const Level& level, Index v, Level::Uv& uv)
   {
-    double worst = worst_of_star(level, v, uv), step = 0.25 * std::sqrt(CGAL::squared_distance(uv[v], uv[level.one_ring(v).front()]));
+    double worst = worst_of_star(level, v, uv),
+           step = 0.25 * std::sqrt(CGAL::squared_distance(uv[v], uv[level.one_ring(v).front()]));
     for (int halvings = 0; halvings < 6; ++halvings, step *= 0.5)
-      for (const auto& [x, y] : { std::pair(step, 0.), std::pair(-step, 0.), std::pair(0., step), std::pair(0., -step) }) {
+      for (const auto& [x, y] :
+           { std::pair(step, 0.), std::pair(-step, 0.), std::pair(0., step), std::pair(0., -step) }) {
         const Level::Point_2 start = uv[v];
         uv[v] = Level::Point_2(start.x() + x, start.y() + y);
         const double trial = worst_of_star(level, v, uv);
@@ -101,7 +109,8 @@ private:
     double sum = 0;
     for (int i = 0; i < 3; ++i) {
       const Index a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
-      sum += ((level.point(b) - level.point(a)) * (level.point(c) - level.point(a))) * CGAL::squared_distance(uv[b], uv[c]);
+      sum += ((level.point(b) - level.point(a)) * (level.point(c) - level.point(a))) *
+             CGAL::squared_distance(uv[b], uv[c]);
     }
     return sum / (4 * std::sqrt(squared_area) * CGAL::area(uv[t[0]], uv[t[1]], uv[t[2]]));
   }
@@ -126,6 +135,7 @@ int main(int argc, char** argv)
     return 1;
   }
   for (const SMP::Level_summary& level : result.levels)
-    std::cout << level.vertices << " vertices: worst triangle " << level.energy_start << " by MIPS, then " << level.energy_end << '\n';
+    std::cout << level.vertices << " vertices: worst triangle " << level.energy_start << " by MIPS, then "
+              << level.energy_end << '\n';
   return 0;
 }

@@ -63,12 +63,15 @@ void run(const Arguments& arguments)
   for (const Mesh::Halfedge_index h : seam)
     chart.seam_mesh.add_seam(chart.mesh.source(h), chart.mesh.target(h));
 
-  throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(chart.seam_mesh, chart.uvmap, CGAL::parameters::globally_injective(true)));
+  throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(
+      chart.seam_mesh, chart.uvmap, CGAL::parameters::globally_injective(true)));
   lay_side_by_side(charts);
 
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(chart.seam_mesh, chart.uvmap);
-  std::printf("%zu vertices, %zu in the plane, %zu seam edges, %zu flips, %zu overlapping pairs, symmetric Dirichlet %.4f\n", std::size_t(mesh.number_of_vertices()),
-              std::size_t(num_vertices(chart.seam_mesh)), seam.size(), quality.flips, quality.overlaps, quality.symmetric_dirichlet);
+  std::printf(
+      "%zu vertices, %zu in the plane, %zu seam edges, %zu flips, %zu overlapping pairs, symmetric Dirichlet %.4f\n",
+      std::size_t(mesh.number_of_vertices()), std::size_t(num_vertices(chart.seam_mesh)), seam.size(), quality.flips,
+      quality.overlaps, quality.symmetric_dirichlet);
   write_file(arguments.text("output", "cut_open.obj"), [&](std::ostream& out) {
     Chart_writer(out).write(chart);
     for (const Mesh::Halfedge_index h : seam)

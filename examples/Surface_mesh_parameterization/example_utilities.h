@@ -64,7 +64,10 @@ public:
 
   bool has(const std::string& name) const { return m_values.count(name) > 0; }
 
-  std::string text(const std::string& name, const std::string& default_value) const { return has(name) ? m_values.at(name) : default_value; }
+  std::string text(const std::string& name, const std::string& default_value) const
+  {
+    return has(name) ? m_values.at(name) : default_value;
+  }
 
   template <class Number>
   Number number(const std::string& name, Number default_value, Number least, Number greatest) const
@@ -89,9 +92,11 @@ private:
 // Runs an application and tells errors in one line. `usage` starts with its name.
 // Returns the exit status: 0 all files written, 1 wrong usage, 2 the input cannot be read or is no surface to
 // parameterize, 3 anything else.
-inline int run_application(int argc, char** argv, const std::string& usage, const std::set<std::string>& options, void (*run)(const Arguments&))
+inline int run_application(int argc, char** argv, const std::string& usage, const std::set<std::string>& options,
+                           void (*run)(const Arguments&))
 {
-  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) { });     // a failed assertion is an exception as others
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {
+  });      // a failed assertion is an exception as others
   std::string name = usage.substr(0, usage.find(' '));
   try {
     const Arguments arguments(argc, argv, options);
@@ -123,7 +128,8 @@ inline void check_size(const Mesh& mesh)
 {
   const double diagonal = box_diagonal(mesh);
   if (!(diagonal > 1e-70 && diagonal < 1e70))
-    throw Input_error{ diagonal > 0 ? "is too small or too large: scale it" : "has all vertices at one place", SMP::ERROR_WRONG_PARAMETER };
+    throw Input_error{ diagonal > 0 ? "is too small or too large: scale it" : "has all vertices at one place",
+                       SMP::ERROR_WRONG_PARAMETER };
 }
 
 // The input with polygons cut into triangles; without one, what make_default() makes.

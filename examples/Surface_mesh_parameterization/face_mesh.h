@@ -92,7 +92,9 @@ inline double height(double x, double y)
 inline double feature_density(double x, double y)
 {
   constexpr double contrast = 3;
-  constexpr Feature dense[] = { { 0.28, 0.21, 0.18, 0.15, 1 }, { 0, -0.13, 0.17, 0.20, 1 }, { 0, -0.50, 0.25, 0.12, 1 } };
+  constexpr Feature dense[] = { { 0.28, 0.21, 0.18, 0.15, 1 },
+                                { 0, -0.13, 0.17, 0.20, 1 },
+                                { 0, -0.50, 0.25, 0.12, 1 } };
   double closeness = 0;
   for(const Feature& f : dense)
     closeness += bell(f, x, y);

@@ -38,7 +38,8 @@ std::vector<Mesh::Vertex_index> vertices_to_fair(const Mesh& mesh)
   std::vector<Mesh::Vertex_index> result;
   for (const Mesh::Vertex_index v : mesh.vertices()) {
     const auto neighbors = mesh.vertices_around_target(mesh.halfedge(v));
-    if (!mesh.is_border(v) && std::none_of(neighbors.begin(), neighbors.end(), [&](Mesh::Vertex_index n) { return mesh.is_border(n); }))
+    if (!mesh.is_border(v) &&
+        std::none_of(neighbors.begin(), neighbors.end(), [&](Mesh::Vertex_index n) { return mesh.is_border(n); }))
       result.push_back(v);
   }
   return result;
@@ -72,7 +73,8 @@ int main(int argc, char** argv)
     std::cerr << "the mesh must be one surface with border and without handles\n";
     return 1;
   }
-  if (!PMP::fair(mesh, region, CGAL::parameters::sparse_linear_solver(solver).fairing_continuity(unsigned(continuity)))) {
+  if (!PMP::fair(mesh, region,
+                 CGAL::parameters::sparse_linear_solver(solver).fairing_continuity(unsigned(continuity)))) {
     std::cerr << "the multigrid solver failed\n";
     return 1;
   }
@@ -88,7 +90,8 @@ int main(int argc, char** argv)
     squared_distance = (std::max)(squared_distance, CGAL::squared_distance(mesh.point(v), other.point(v)));
 
   const SMP::Linear_solver_summary summary = solver.summary();
-  std::cout << region.size() << " vertices: multigrid " << seconds << " s (" << summary.iterations << " iterations, " << summary.direct_solutions
-            << " of 3 solved directly), default solver " << timer.time() << " s, greatest distance " << std::sqrt(squared_distance) << '\n';
+  std::cout << region.size() << " vertices: multigrid " << seconds << " s (" << summary.iterations << " iterations, "
+            << summary.direct_solutions << " of 3 solved directly), default solver " << timer.time()
+            << " s, greatest distance " << std::sqrt(squared_distance) << '\n';
   return 0;
 }

@@ -36,8 +36,9 @@ public:
 
   bool level_parameterized(const SMP::Level& level, const SMP::Level::Uv&, const SMP::Level_summary& summary)
   {
-    std::cout << "level " << level.index() << ": " << summary.vertices << " vertices, energy " << summary.energy_start << " -> " << summary.energy_end
-              << ", " << summary.iterations << " iterations, " << m_timer.time() << " s\n";
+    std::cout << "level " << level.index() << ": " << summary.vertices << " vertices, energy " << summary.energy_start
+              << " -> " << summary.energy_end << ", " << summary.iterations << " iterations, " << m_timer.time()
+              << " s\n";
     return level.is_finest() || m_timer.time() < m_most_seconds;      // a finished map is not thrown away
   }
 
@@ -61,7 +62,8 @@ int main(int argc, char** argv)
   CGAL::Real_timer timer;
   timer.start();
   const auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
-  const auto result = SMP::hierarchical_parameterization(mesh, uvmap, CGAL::parameters::visitor(Progress_visitor(timer, most_seconds)));
+  const auto result =
+      SMP::hierarchical_parameterization(mesh, uvmap, CGAL::parameters::visitor(Progress_visitor(timer, most_seconds)));
   if (!result.is_ok()) {
     std::cerr << (result.stopped ? "stopped: the time is up" : SMP::error_message(result.error)) << '\n';
     return 1;

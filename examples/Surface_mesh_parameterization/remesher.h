@@ -47,7 +47,8 @@ struct Subdivided_mesh
 
   bool is_positive(const Triangle& t) const
   {
-    return CGAL::orientation(vertices[t.corners[0]].uv, vertices[t.corners[1]].uv, vertices[t.corners[2]].uv) == CGAL::LEFT_TURN;
+    return CGAL::orientation(vertices[t.corners[0]].uv, vertices[t.corners[1]].uv, vertices[t.corners[2]].uv) ==
+           CGAL::LEFT_TURN;
   }
 };
 
@@ -97,7 +98,8 @@ public:
         const Point_3 &p = m_mesh.point(m_mesh.source(v.border)), &q = m_mesh.point(m_mesh.target(v.border));
         result.add_vertex(p + v.fraction * (q - p));
       } else
-        result.add_vertex(PMP::construct_point(PMP::locate_with_AABB_tree(Point_3(v.uv.x(), v.uv.y(), 0), tree, flat), m_mesh));
+        result.add_vertex(
+            PMP::construct_point(PMP::locate_with_AABB_tree(Point_3(v.uv.x(), v.uv.y(), 0), tree, flat), m_mesh));
     for (const Subdivided_mesh::Triangle& t : subdivided.triangles)
       result.add_face(vertex(t.corners[0]), vertex(t.corners[1]), vertex(t.corners[2]));
     return result;
@@ -121,7 +123,8 @@ private:
   std::vector<bool> coarsest_vertices(std::size_t coarsest_size) const
   {
     SMP::Mesh_component<Mesh> component(m_mesh, PMP::longest_border(m_mesh).first);
-    const SMP::Collapse_hierarchy_3 hierarchy(std::move(component.surface()), CGAL::parameters::coarsest_size(coarsest_size));
+    const SMP::Collapse_hierarchy_3 hierarchy(std::move(component.surface()),
+                                              CGAL::parameters::coarsest_size(coarsest_size));
     std::vector<bool> is_kept(m_mesh.number_of_vertices(), false);
     for (SMP::Collapse_hierarchy_3::Index rank = 0; rank < hierarchy.number_of_vertices(0); ++rank)
       is_kept[component.vertices_of_component()[hierarchy.input_vertex(rank)]] = true;
@@ -139,7 +142,8 @@ private:
   }
 
   // The triangles to the left of the chords. A chord that is no edge of them is a bad one.
-  Subdivided_mesh triangulate(const std::vector<bool>& is_kept, const std::vector<Border_chords::Chord>& chords, std::set<std::size_t>& bad_chords) const
+  Subdivided_mesh triangulate(const std::vector<bool>& is_kept, const std::vector<Border_chords::Chord>& chords,
+                              std::set<std::size_t>& bad_chords) const
   {
     Triangulation triangulation;
     std::vector<Triangulation::Vertex_handle> handles(is_kept.size());
@@ -150,7 +154,9 @@ private:
         handles[v]->info() = result.vertices.size();
         result.vertices.push_back({ m_uvmap[v], m_borders.leaving(v), 0 });
       }
-    const auto ends = [&](const Border_chords::Chord& chord) { return std::make_pair(handles[m_mesh.source(chord.first)], handles[m_mesh.target(chord.last)]); };
+    const auto ends = [&](const Border_chords::Chord& chord) {
+      return std::make_pair(handles[m_mesh.source(chord.first)], handles[m_mesh.target(chord.last)]);
+    };
     for (const Border_chords::Chord& chord : chords)
       triangulation.insert_constraint(ends(chord).first, ends(chord).second);
 
@@ -174,7 +180,8 @@ private:
         for (std::size_t i = 0; i < chords.size(); ++i)
           bad_chords.insert(i);
       else
-        result.triangles.push_back({ { f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info() }, { true, true, true } });
+        result.triangles.push_back(
+            { { f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info() }, { true, true, true } });
       for (int i = 0; i < 3; ++i)
         if (!f->is_constrained(i))
           reach(f->neighbor(i));
@@ -202,7 +209,8 @@ private:
 
   // The chords that the border leaves by more than a quarter of the height of their triangle, and those at triangles
   // that flip where they are subdivided.
-  std::set<std::size_t> coarse_chords(const std::vector<Border_chords::Chord>& chords, const Subdivided_mesh& coarse, const Subdivided_mesh& fine) const
+  std::set<std::size_t> coarse_chords(const std::vector<Border_chords::Chord>& chords, const Subdivided_mesh& coarse,
+                                      const Subdivided_mesh& fine) const
   {
     std::map<Mesh::Halfedge_index, std::size_t> chord_of;
     for (std::size_t i = 0; i < chords.size(); ++i)
@@ -210,10 +218,12 @@ private:
     std::set<std::size_t> result;
     for (const Subdivided_mesh::Triangle& t : coarse.triangles)
       for (int i = 0; i < 3; ++i) {
-        const New_vertex &a = coarse.vertices[t.corners[i]], &b = coarse.vertices[t.corners[(i + 1) % 3]], &c = coarse.vertices[t.corners[(i + 2) % 3]];
+        const New_vertex &a = coarse.vertices[t.corners[i]], &b = coarse.vertices[t.corners[(i + 1) % 3]],
+                         &c = coarse.vertices[t.corners[(i + 2) % 3]];
         const auto chord = chord_of.find(a.border);
-        if (chord != chord_of.end() && b.border != Mesh::null_halfedge() && m_mesh.target(chords[chord->second].last) == m_mesh.source(b.border)
-            && std::abs(CGAL::area(a.uv, b.uv, m_borders.middle(a, b).uv)) > 0.25 * CGAL::area(a.uv, b.uv, c.uv))
+        if (chord != chord_of.end() && b.border != Mesh::null_halfedge() &&
+            m_mesh.target(chords[chord->second].last) == m_mesh.source(b.border) &&
+            std::abs(CGAL::area(a.uv, b.uv, m_borders.middle(a, b).uv)) > 0.25 * CGAL::area(a.uv, b.uv, c.uv))
           result.insert(chord->second);
       }
     for (std::size_t i = 0; i < fine.triangles.size(); ++i)
@@ -256,7 +266,8 @@ private:
       for (int i = 0; i < 3; ++i)
         m[i] = middle_of[Edge(t.corners[(i + 1) % 3], t.corners[(i + 2) % 3])];
       for (int i = 0; i < 3; ++i)
-        fine.triangles.push_back({ { t.corners[i], m[(i + 2) % 3], m[(i + 1) % 3] }, { t.is_coarse[i], false, t.is_coarse[(i + 2) % 3] } });
+        fine.triangles.push_back(
+            { { t.corners[i], m[(i + 2) % 3], m[(i + 1) % 3] }, { t.is_coarse[i], false, t.is_coarse[(i + 2) % 3] } });
       fine.triangles.push_back({ m, { false, false, false } });
     }
     return fine;

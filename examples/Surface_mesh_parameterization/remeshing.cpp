@@ -41,10 +41,12 @@ void write_coarse_edges(std::ostream& out, const Subdivided_mesh& subdivided)
 
 void run(const Arguments& arguments)
 {
-  const std::size_t subdivisions = arguments.number<std::size_t>("subdivisions", 3, 0, 8), coarsest = arguments.number<std::size_t>("coarsest", 100, 4, 1000000);
+  const std::size_t subdivisions = arguments.number<std::size_t>("subdivisions", 3, 0, 8),
+                    coarsest = arguments.number<std::size_t>("coarsest", 100, 4, 1000000);
   Mesh mesh = read_surface(arguments);
   const Vertex_uv_map uvmap = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
-  throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(mesh, uvmap, CGAL::parameters::globally_injective(true)));
+  throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(
+      mesh, uvmap, CGAL::parameters::globally_injective(true)));
 
   const Remesher remesher(mesh, uvmap);
   const Subdivided_mesh subdivided = remesher.remesh(coarsest, subdivisions);
@@ -54,8 +56,10 @@ void run(const Arguments& arguments)
     new_uvmap[v] = subdivided.vertices[v].uv;
 
   const double distance = PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(mesh.points(), result);
-  std::printf("%zu coarse triangles, subdivided %zu times: %zu triangles; greatest distance of a vertex of the input from them, in diagonals of its box: %.3g\n",
-              std::size_t(result.number_of_faces()) >> 2 * subdivisions, subdivisions, std::size_t(result.number_of_faces()), distance / box_diagonal(mesh));
+  std::printf("%zu coarse triangles, subdivided %zu times: %zu triangles; greatest distance of a vertex of the input "
+              "from them, in diagonals of its box: %.3g\n",
+              std::size_t(result.number_of_faces()) >> 2 * subdivisions, subdivisions,
+              std::size_t(result.number_of_faces()), distance / box_diagonal(mesh));
   write_file(arguments.text("output", "remeshing.obj"), [&](std::ostream& out) {
     SMP::IO::write_OBJ(out, result, new_uvmap, CGAL::Constant_property_map<Mesh::Vertex_index, bool>(true));
     write_coarse_edges(out, subdivided);

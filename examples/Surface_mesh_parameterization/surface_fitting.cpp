@@ -33,7 +33,9 @@ class Spline_surface
 public:
   Eigen::MatrixX3d control_points;
 
-  Spline_surface(std::size_t columns, std::size_t rows) : control_points(columns * rows, 3), m_columns(columns), m_rows(rows) { }
+  Spline_surface(std::size_t columns, std::size_t rows)
+    : control_points(columns * rows, 3), m_columns(columns), m_rows(rows)
+  { }
 
   // Calls f(index of a control point, its weight) for those that a point of the surface is the weighted mean of.
   template <class Function>
@@ -77,7 +79,8 @@ private:
       const double position = (std::min)(1., (std::max)(0., u)) * double(n - 3);
       first = (std::min)(std::size_t(position), n - 4);
       const double t = position - double(first), s = 1 - t;
-      weights = { s * s * s / 6, (3 * t * t * t - 6 * t * t + 4) / 6, (3 * s * s * s - 6 * s * s + 4) / 6, t * t * t / 6 };
+      weights = { s * s * s / 6, (3 * t * t * t - 6 * t * t + 4) / 6, (3 * s * s * s - 6 * s * s + 4) / 6,
+                  t * t * t / 6 };
     }
   };
 
@@ -111,7 +114,8 @@ void fit(Spline_surface& surface, const std::vector<Point_2>& uv, const std::vec
   Matrix bending(row, unknowns);
   bending.setFromTriplets(entries.begin(), entries.end());
 
-  const Matrix normal = Matrix(data.transpose()) * data + smoothing * data.squaredNorm() / double(unknowns) * (Matrix(bending.transpose()) * bending);
+  const Matrix normal = Matrix(data.transpose()) * data +
+                        smoothing * data.squaredNorm() / double(unknowns) * (Matrix(bending.transpose()) * bending);
   const Eigen::SimplicialLDLT<Matrix> solver(normal);
   if (solver.info() == Eigen::Success)
     surface.control_points = solver.solve(data.transpose() * values);
@@ -134,11 +138,13 @@ std::vector<Point_2> parameters_of(const Mesh& mesh, const Vertex_uv_map& uvmap)
 
 void run(const Arguments& arguments)
 {
-  const std::size_t columns = arguments.number<std::size_t>("columns", 24, 4, 1000), rows = arguments.number<std::size_t>("rows", 32, 4, 1000);
+  const std::size_t columns = arguments.number<std::size_t>("columns", 24, 4, 1000),
+                    rows = arguments.number<std::size_t>("rows", 32, 4, 1000);
   const double smoothing = arguments.number("smoothing", 1e-6, 1e-12, 1e6);
   Mesh mesh = read_surface(arguments);
   const Vertex_uv_map uvmap = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
-  throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(mesh, uvmap, CGAL::parameters::globally_injective(true)));
+  throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(
+      mesh, uvmap, CGAL::parameters::globally_injective(true)));
 
   const std::vector<Point_2> uv = parameters_of(mesh, uvmap);
   const std::vector<Point_3> points(mesh.points().begin(), mesh.points().end());
@@ -154,10 +160,12 @@ void run(const Arguments& arguments)
     greatest = (std::max)(greatest, squared_error);
     sum += squared_error;
   }
-  std::printf("%zu points, %zu x %zu control points, error in diagonals of the box: greatest %.3g, root mean square %.3g\n", points.size(), columns, rows,
-              std::sqrt(greatest) / unit, std::sqrt(sum / double(points.size())) / unit);
-  write_file(arguments.text("output", "surface_fitting.obj"),
-             [&](std::ostream& out) { SMP::IO::write_OBJ(out, mesh, uvmap, CGAL::Constant_property_map<Mesh::Vertex_index, bool>(true)); });
+  std::printf(
+      "%zu points, %zu x %zu control points, error in diagonals of the box: greatest %.3g, root mean square %.3g\n",
+      points.size(), columns, rows, std::sqrt(greatest) / unit, std::sqrt(sum / double(points.size())) / unit);
+  write_file(arguments.text("output", "surface_fitting.obj"), [&](std::ostream& out) {
+    SMP::IO::write_OBJ(out, mesh, uvmap, CGAL::Constant_property_map<Mesh::Vertex_index, bool>(true));
+  });
 }
 
 } // namespace

@@ -63,7 +63,8 @@ void write_TGA(std::ostream& out, const Checker_board& board, std::size_t pixels
 // A material whose texture is the image, both named without folder, as they lie beside the OBJ file.
 void write_files(const std::string& name, const std::list<Chart>& charts, const Checker_board& board)
 {
-  const std::filesystem::path path(name), material = std::filesystem::path(path).replace_extension(".mtl"), texture = std::filesystem::path(path).replace_extension(".tga");
+  const std::filesystem::path path(name), material = std::filesystem::path(path).replace_extension(".mtl"),
+                                          texture = std::filesystem::path(path).replace_extension(".tga");
   write_file(name, [&](std::ostream& out) {
     out << "mtllib " << material.filename().string() << '\n';
     Chart_writer writer(out);
@@ -73,7 +74,9 @@ void write_files(const std::string& name, const std::list<Chart>& charts, const 
       writer.write(chart);
     }
   });
-  write_file(material.string(), [&](std::ostream& out) { out << "newmtl checker\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " << texture.filename().string() << '\n'; });
+  write_file(material.string(), [&](std::ostream& out) {
+    out << "newmtl checker\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " << texture.filename().string() << '\n';
+  });
 
   const std::size_t pixels = board.columns * (1024 / board.columns);      // every square has whole ones
   write_file(texture.string(), [&](std::ostream& out) { write_TGA(out, board, pixels); });
@@ -83,9 +86,11 @@ void run(const Arguments& arguments)
 {
   const std::size_t squares = arguments.number<std::size_t>("squares", 40, 1, 1024);
   const Checker_board board{ squares, squares };
-  std::list<Chart> charts = make_charts(read_mesh_or(arguments, built_in_face), arguments.number<std::size_t>("paths", 3, 1, 1000));
+  std::list<Chart> charts =
+      make_charts(read_mesh_or(arguments, built_in_face), arguments.number<std::size_t>("paths", 3, 1, 1000));
   for (Chart& chart : charts)
-    throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(chart.seam_mesh, chart.uvmap, CGAL::parameters::globally_injective(true)));
+    throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(
+        chart.seam_mesh, chart.uvmap, CGAL::parameters::globally_injective(true)));
   lay_side_by_side(charts);
 
   std::size_t flips = 0, overlaps = 0;

@@ -23,7 +23,9 @@ class File_scanner
 {
 public:
   // The content must outlive the scanner and its copies.
-  explicit File_scanner(const std::string& content) : m_begin(content.data()), m_at(m_begin), m_end(m_begin + content.size()) { }
+  explicit File_scanner(const std::string& content)
+    : m_begin(content.data()), m_at(m_begin), m_end(m_begin + content.size())
+  { }
 
   std::size_t remaining() const { return std::size_t(m_end - m_at); }
   bool is_at_end() const { return m_at == m_end; }

@@ -27,21 +27,28 @@ void write_level(std::ostream& out, const Mesh& mesh, const std::vector<Mesh::Ve
                         const SMP::Level& level, const SMP::Level::Uv& uv)
 {
   out.precision(17);
-  const auto is_of_mesh = [&](SMP::Level::Index v) { return level.hierarchy().input_vertex(v) < vertices_of_component.size(); };
-  const auto point_of_mesh = [&](SMP::Level::Index v) { return mesh.point(vertices_of_component[level.hierarchy().input_vertex(v)]); };
+  const auto is_of_mesh = [&](SMP::Level::Index v) {
+    return level.hierarchy().input_vertex(v) < vertices_of_component.size();
+  };
+  const auto point_of_mesh = [&](SMP::Level::Index v) {
+    return mesh.point(vertices_of_component[level.hierarchy().input_vertex(v)]);
+  };
   const auto scaled = [&](SMP::Level::Index v) {
     const SMP::Level::Point_3& p = level.point(v);
-    return Kernel::Point_3(std::ldexp(p.x(), -level.scale_exponent()), std::ldexp(p.y(), -level.scale_exponent()), std::ldexp(p.z(), -level.scale_exponent()));
+    return Kernel::Point_3(std::ldexp(p.x(), -level.scale_exponent()), std::ldexp(p.y(), -level.scale_exponent()),
+                           std::ldexp(p.z(), -level.scale_exponent()));
   };
   SMP::Level::Index reference = 0;
   while (!is_of_mesh(reference))
     ++reference;
   for (SMP::Level::Index v = 0; v < level.number_of_vertices(); ++v)
-    out << "v " << (is_of_mesh(v) ? point_of_mesh(v) : point_of_mesh(reference) + (scaled(v) - scaled(reference))) << '\n';
+    out << "v " << (is_of_mesh(v) ? point_of_mesh(v) : point_of_mesh(reference) + (scaled(v) - scaled(reference)))
+        << '\n';
   for (const SMP::Level::Point_2& p : uv)
     out << "vt " << p << '\n';
   for (const SMP::Level::Triangle& t : level.triangles())
-    out << "f " << t[0] + 1 << '/' << t[0] + 1 << ' ' << t[1] + 1 << '/' << t[1] + 1 << ' ' << t[2] + 1 << '/' << t[2] + 1 << '\n';
+    out << "f " << t[0] + 1 << '/' << t[0] + 1 << ' ' << t[1] + 1 << '/' << t[1] + 1 << ' ' << t[2] + 1 << '/'
+        << t[2] + 1 << '\n';
 }
 
 } // namespace
@@ -75,6 +82,7 @@ void Level_visitor::print_progress(const SMP::Level& level, const SMP::Level_sum
   for (std::size_t l = 0; l < hierarchy.number_of_levels(); ++l)
     (l <= level.index() ? done : left) += double(hierarchy.number_of_vertices(l));
   m_seconds += summary.seconds;
-  std::fprintf(stderr, "\rlevel %zu of %zu: %zu triangles, energy %.6g, about %.0f s left   %s", level.index() + 1, hierarchy.number_of_levels(),
-               summary.faces, summary.energy_end, m_seconds * left / done, level.is_finest() ? "\n" : "");
+  std::fprintf(stderr, "\rlevel %zu of %zu: %zu triangles, energy %.6g, about %.0f s left   %s", level.index() + 1,
+               hierarchy.number_of_levels(), summary.faces, summary.energy_end, m_seconds * left / done,
+               level.is_finest() ? "\n" : "");
 }

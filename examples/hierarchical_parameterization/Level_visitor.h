@@ -27,7 +27,8 @@ private:
 
   const Method_options& m_options;
   const Mesh& m_mesh;
-  std::vector<Mesh::Vertex_index> m_vertices;         // of the component, as the hierarchy numbers them; if levels are written
+  std::vector<Mesh::Vertex_index>
+      m_vertices;      // of the component, as the hierarchy numbers them; if levels are written
   bool m_has_progress_line;
   double m_seconds = 0;                               // on the levels that are done
 };

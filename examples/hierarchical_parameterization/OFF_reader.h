@@ -84,7 +84,8 @@ private:
     m_number_of_vertices = std::size_t(vertices);
     m_number_of_faces = std::size_t(faces);
     if (m_number_of_vertices > m_file.remaining() || m_number_of_faces > m_file.remaining())
-      throw Input_error{ "is too short for " + std::to_string(vertices) + " vertices and " + std::to_string(faces) + " faces" };
+      throw Input_error{ "is too short for " + std::to_string(vertices) + " vertices and " + std::to_string(faces) +
+                         " faces" };
   }
 
   Polygon_soup::Point read_vertex(std::size_t v)
@@ -116,7 +117,8 @@ private:
         polygon.push_back(std::size_t(v));
     if (is_read && m_is_binary) {
       long long number_of_colors;
-      is_read = read_index(number_of_colors) && number_of_colors >= 0 && m_file.skip_bytes(4 * std::size_t(number_of_colors));
+      is_read =
+          read_index(number_of_colors) && number_of_colors >= 0 && m_file.skip_bytes(4 * std::size_t(number_of_colors));
     }
     if (!m_is_binary)
       m_file.skip_line();

@@ -79,8 +79,10 @@ private:
     m_file.skip_blanks();
     m_file.skip_line_end();
     for (const Element& element : m_elements)
-      if (element.is_vertex() ? !element.has(X) || !element.has(Y) || !element.has(Z) : element.is_face() && !element.has(CORNERS))
-        throw Input_error{ "the element " + word_text(element.name) + " has no " + (element.is_vertex() ? "x, y and z" : "list 'vertex_indices'") };
+      if (element.is_vertex() ? !element.has(X) || !element.has(Y) || !element.has(Z)
+                              : element.is_face() && !element.has(CORNERS))
+        throw Input_error{ "the element " + word_text(element.name) + " has no " +
+                           (element.is_vertex() ? "x, y and z" : "list 'vertex_indices'") };
   }
 
   void read_format()
@@ -113,8 +115,13 @@ private:
     property.size_type = is_list ? read_type(m_file.word()) : NONE;
     property.type = read_type(is_list ? m_file.word() : type);
     const std::string_view name = m_file.word();
-    property.role = is_list ? (element.is_face() && (name == "vertex_indices" || name == "vertex_index") ? CORNERS : UNUSED)
-                            : !element.is_vertex() ? UNUSED : name == "x" ? X : name == "y" ? Y : name == "z" ? Z : UNUSED;
+    property.role = is_list
+                        ? (element.is_face() && (name == "vertex_indices" || name == "vertex_index") ? CORNERS : UNUSED)
+                    : !element.is_vertex() ? UNUSED
+                    : name == "x"          ? X
+                    : name == "y"          ? Y
+                    : name == "z"          ? Z
+                                           : UNUSED;
     element.properties.push_back(property);
   }
 

@@ -18,8 +18,8 @@ void check_indices(const Polygon_soup& soup)
   for (std::size_t f = 0; f < soup.polygons.size(); ++f)
     for (const std::size_t v : soup.polygons[f])
       if (v >= soup.points.size())
-        throw Input_error{ face_text(f) + " refers to vertex " + std::to_string(static_cast<long long>(v)) + "; there are "
-                           + std::to_string(soup.points.size()) + ", counted from 0" };
+        throw Input_error{ face_text(f) + " refers to vertex " + std::to_string(static_cast<long long>(v)) +
+                           "; there are " + std::to_string(soup.points.size()) + ", counted from 0" };
 }
 
 void check_coordinates(const Polygon_soup& soup)
@@ -27,7 +27,8 @@ void check_coordinates(const Polygon_soup& soup)
   for (std::size_t v = 0; v < soup.points.size(); ++v)
     for (int i = 0; i < 3; ++i)
       if (!std::isfinite(soup.points[v][i]))
-        throw Input_error{ vertex_text(v) + " has a coordinate that is not a finite number", SMP::ERROR_WRONG_PARAMETER };
+        throw Input_error{ vertex_text(v) + " has a coordinate that is not a finite number",
+                           SMP::ERROR_WRONG_PARAMETER };
 }
 
 void check_corners(const Polygon_soup& soup, bool may_have_polygons)
@@ -36,7 +37,8 @@ void check_corners(const Polygon_soup& soup, bool may_have_polygons)
   for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
     sorted = soup.polygons[f];
     if (sorted.size() < 3 || (sorted.size() > 3 && !may_have_polygons))
-      throw Input_error{ face_text(f) + " has " + std::to_string(sorted.size()) + " corners instead of three" + (sorted.size() < 3 ? "" : "; --triangulate cuts such faces into triangles"),
+      throw Input_error{ face_text(f) + " has " + std::to_string(sorted.size()) + " corners instead of three" +
+                             (sorted.size() < 3 ? "" : "; --triangulate cuts such faces into triangles"),
                          SMP::ERROR_NON_TRIANGULAR_MESH };
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
@@ -85,7 +87,7 @@ private:
         ++m_first[v];
     std::size_t sum = 0;
     for (std::size_t& first : m_first)
-      first = sum += first;                           // the end of each vertex, which filling in lowers to its beginning
+      first = sum += first;      // the end of each vertex, which filling in lowers to its beginning
     m_corners.resize(sum);
     for (std::size_t f = 0; f < m_soup.polygons.size(); ++f) {
       const Polygon_soup::Polygon& polygon = m_soup.polygons[f];
@@ -100,20 +102,24 @@ private:
   // a face that is there twice.
   void check_edges(std::size_t v)
   {
-    const Corner* const twice = std::adjacent_find(begin(v), end(v), [](const Corner& a, const Corner& b) { return a.next == b.next; });
+    const Corner* const twice =
+        std::adjacent_find(begin(v), end(v), [](const Corner& a, const Corner& b) { return a.next == b.next; });
     if (twice == end(v))
       return;
     const std::size_t w = twice->next;
     const auto same = std::equal_range(begin(v), end(v), *twice);
-    const std::size_t f = (std::min)(same.first->face, (same.second - 1)->face), g = (std::max)(same.first->face, (same.second - 1)->face);
+    const std::size_t f = (std::min)(same.first->face, (same.second - 1)->face),
+                      g = (std::max)(same.first->face, (same.second - 1)->face);
     const bool has_opposite = std::any_of(begin(w), end(w), [&](const Corner& c) { return c.next == v; });
     const std::string edge = "the edge of the vertices " + std::to_string(v) + " and " + std::to_string(w);
     Polygon_soup::Polygon p = m_soup.polygons[f], q = m_soup.polygons[g];
     std::sort(p.begin(), p.end());
     std::sort(q.begin(), q.end());
     throw Input_error{ p == q ? face_text(g) + " has the same vertices as " + face_text(f)
-                       : has_opposite || same.second - same.first > 2 ? edge + " has more than two faces, " + face_text(g) + " among them"
-                       : face_text(f) + " and " + face_text(g) + " have different orientations at " + edge, SMP::ERROR_NO_TOPOLOGICAL_DISC };
+                       : has_opposite || same.second - same.first > 2
+                           ? edge + " has more than two faces, " + face_text(g) + " among them"
+                           : face_text(f) + " and " + face_text(g) + " have different orientations at " + edge,
+                       SMP::ERROR_NO_TOPOLOGICAL_DISC };
   }
 
   // Walks from face to face around the vertex, from one on the border if there is one.
@@ -125,7 +131,9 @@ private:
     for (const Corner* c = begin(v); c != end(v); ++c)
       m_entered.push_back(c->previous);
     std::sort(m_entered.begin(), m_entered.end());
-    const Corner* const first = std::find_if(begin(v), end(v), [&](const Corner& c) { return !std::binary_search(m_entered.begin(), m_entered.end(), c.next); });
+    const Corner* const first = std::find_if(begin(v), end(v), [&](const Corner& c) {
+      return !std::binary_search(m_entered.begin(), m_entered.end(), c.next);
+    });
 
     std::ptrdiff_t size = 1;
     const Corner* const start = first == end(v) ? begin(v) : first;

@@ -13,8 +13,9 @@
 // Whether the text ends so, in letters of either case. `suffix`: in small ones.
 inline bool has_suffix(const std::string& text, const std::string& suffix)
 {
-  return text.size() >= suffix.size() && std::equal(suffix.rbegin(), suffix.rend(), text.rbegin(),
-                                                    [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+  return text.size() >= suffix.size() && std::equal(suffix.rbegin(), suffix.rend(), text.rbegin(), [](char a, char b) {
+           return a == std::tolower(static_cast<unsigned char>(b));
+         });
 }
 
 #endif // HAS_SUFFIX_H

@@ -40,10 +40,12 @@ void print_summary(const Input& input, const Run_record& run)
   if (input.number_of_components > 1)
     std::cerr << input.name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
   const std::string levels = run.summary.levels.empty() ? "" : std::to_string(run.summary.levels.size()) + " levels, ";
-  std::printf("%s: %zu triangles, %s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %zu overlapping pairs, %.3f s\n",
-              input.name.c_str(), input.faces.size(), levels.c_str(), run.summary.converged ? "converged" : "not converged",
-              run.quality->mips, run.quality->mips_excess, run.quality->symmetric_dirichlet, run.quality->flips,
-              run.quality->overlaps, run.summary.seconds_hierarchy + run.summary.seconds_parameterize);
+  std::printf("%s: %zu triangles, %s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %zu "
+              "overlapping pairs, %.3f s\n",
+              input.name.c_str(), input.faces.size(), levels.c_str(),
+              run.summary.converged ? "converged" : "not converged", run.quality->mips, run.quality->mips_excess,
+              run.quality->symmetric_dirichlet, run.quality->flips, run.quality->overlaps,
+              run.summary.seconds_hierarchy + run.summary.seconds_parameterize);
 }
 
 // Reads, parameterizes, checks and writes one input.
@@ -59,14 +61,20 @@ void run_input(const std::string& file, const Options& options, Input& input, Ru
   input.uvmap = input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   run.summary = options.method->run(input, options);
   if (run.summary.error.code == SMP::ERROR_NO_1_TO_1_MAPPING && run.summary.flips > 0)
-    throw Method_error{ "the map has " + std::to_string(run.summary.flips) + " triangles flipped; --flips repair or keep", SMP::ERROR_NO_1_TO_1_MAPPING };
+    throw Method_error{ "the map has " + std::to_string(run.summary.flips) +
+                            " triangles flipped; --flips repair or keep",
+                        SMP::ERROR_NO_1_TO_1_MAPPING };
   if (run.summary.error.code != SMP::OK)
     throw Method_error{ SMP::error_message(run.summary.error), run.summary.error.code };
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(input.mesh, input.faces, input.uvmap);
   if (quality.flips > 0 && options.method->is_flip_free)
-    throw Method_error{ "no map without flips was found: " + std::to_string(quality.flips) + " triangles are not positive", SMP::ERROR_NO_1_TO_1_MAPPING };
+    throw Method_error{ "no map without flips was found: " + std::to_string(quality.flips) +
+                            " triangles are not positive",
+                        SMP::ERROR_NO_1_TO_1_MAPPING };
   if (quality.overlaps > 0 && options.is_globally_injective)
-    throw Method_error{ "no map without overlaps was found: " + std::to_string(quality.overlaps) + " pairs of triangles overlap", SMP::ERROR_NO_1_TO_1_MAPPING };
+    throw Method_error{ "no map without overlaps was found: " + std::to_string(quality.overlaps) +
+                            " pairs of triangles overlap",
+                        SMP::ERROR_NO_1_TO_1_MAPPING };
 
   const double seconds_before_writing = timer.time();
   if (!options.output.empty())
@@ -99,11 +107,14 @@ Exit_status run(const std::string& file, const Options& options, std::string& re
   } catch (const Input_error& error) {
     exit_status = fail(BAD_INPUT, error.code == SMP::OK ? "unreadable" : error_name(error.code), error.message);
   } catch (const Method_error& error) {
-    const bool is_input_good = error.code == SMP::ERROR_NO_1_TO_1_MAPPING || error.code == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM
-                               || error.code == SMP::ERROR_NON_CONVEX_BORDER;
+    const bool is_input_good = error.code == SMP::ERROR_NO_1_TO_1_MAPPING ||
+                               error.code == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM ||
+                               error.code == SMP::ERROR_NON_CONVEX_BORDER;
     exit_status = fail(is_input_good ? METHOD_FAILED : BAD_INPUT, error_name(error.code), error.message);
   } catch (const CGAL::Failure_exception& error) {
-    exit_status = fail(METHOD_FAILED, "failed", "an assertion of CGAL failed: " + error.expression() + " in " + error.filename() + ", line " + std::to_string(error.line_number()));
+    exit_status = fail(METHOD_FAILED, "failed",
+                       "an assertion of CGAL failed: " + error.expression() + " in " + error.filename() + ", line " +
+                           std::to_string(error.line_number()));
   } catch (const std::bad_alloc&) {
     exit_status = fail(METHOD_FAILED, "failed", "not enough memory");
   } catch (const std::exception& error) {
@@ -132,7 +143,9 @@ int main(int argc, char** argv)
       return WRITTEN;
 #ifdef CGAL_LINKED_WITH_TBB
     constexpr auto most_threads = tbb::global_control::max_allowed_parallelism;
-    const tbb::global_control limit(most_threads, options.threads > 0 ? std::size_t(options.threads) : tbb::global_control::active_value(most_threads));
+    const tbb::global_control limit(most_threads, options.threads > 0
+                                                      ? std::size_t(options.threads)
+                                                      : tbb::global_control::active_value(most_threads));
 #endif
     std::string report;
     int status = WRITTEN;

@@ -104,17 +104,20 @@ void triangulate(Polygon_soup& soup)
       continue;
     }
     if (polygon.size() > most_corners)
-      throw Input_error{ face_text(f) + " has more than " + std::to_string(most_corners) + " corners", SMP::ERROR_NON_TRIANGULAR_MESH };
+      throw Input_error{ face_text(f) + " has more than " + std::to_string(most_corners) + " corners",
+                         SMP::ERROR_NON_TRIANGULAR_MESH };
     std::vector<Kernel::Point_3> corners;
     for (const std::size_t v : polygon)
       corners.push_back(point_of(soup, v));
     std::vector<CGAL::Triple<int, int, int>> triangles;
     CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
-      corners, std::back_inserter(triangles), CGAL::parameters::use_delaunay_triangulation(false).use_2d_constrained_delaunay_triangulation(false));
+        corners, std::back_inserter(triangles),
+        CGAL::parameters::use_delaunay_triangulation(false).use_2d_constrained_delaunay_triangulation(false));
     if (!is_triangulation(triangles, int(polygon.size())))
       throw Input_error{ face_text(f) + " cannot be triangulated", SMP::ERROR_NON_TRIANGULAR_MESH };
     for (const CGAL::Triple<int, int, int>& t : triangles)
-      result.push_back({ polygon[std::size_t(t.first)], polygon[std::size_t(t.second)], polygon[std::size_t(t.third)] });
+      result.push_back(
+          { polygon[std::size_t(t.first)], polygon[std::size_t(t.second)], polygon[std::size_t(t.third)] });
   }
   soup.polygons = std::move(result);
 }
@@ -171,11 +174,14 @@ void choose_component(Input& input)
     if (component_of[f] == largest)
       input.faces.push_back(f);
 
-  const auto longest = SMP::internal::longest_border(mesh, [&](Mesh::Halfedge_index h) { return component_of[mesh.face(mesh.opposite(h))] == largest; });
+  const auto longest = SMP::internal::longest_border(mesh, [&](Mesh::Halfedge_index h) {
+    return component_of[mesh.face(mesh.opposite(h))] == largest;
+  });
   input.border = longest.halfedge;
   input.number_of_borders = longest.number_of_borders;
   if (input.number_of_borders == 0)
-    throw Input_error{ "is closed: a surface needs a border to be laid out; cut it open first, by leaving out a face or by doubling the vertices along a path of edges",
+    throw Input_error{ "is closed: a surface needs a border to be laid out; cut it open first, by leaving out a face "
+                       "or by doubling the vertices along a path of edges",
                        SMP::ERROR_NO_TOPOLOGICAL_DISC };
 }
 

@@ -35,31 +35,46 @@ bool read_options(int argc, char** argv, Options& options)
   namespace po = boost::program_options;
   std::string method, weights, flips;
   po::options_description described("Options");
-  described.add_options()
-    ("help,h", "print this text")
-    ("version", "print the version")
-    ("method", po::value(&method)->default_value("mips"), "one of those above")
-    ("output", po::value(&options.output), "write the mesh with its map as OBJ, or as PLY with the vertex properties u and v")
-    ("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion")
-    ("report", po::value(&options.report), "write figures as JSON, one line per input")
-    ("levels", po::value(&options.levels), "write every level of the hierarchy as OBJ into this folder")
-    ("triangulate", po::bool_switch(&options.triangulate), "cut faces of more than three corners into triangles")
-    ("flat", po::bool_switch(&options.flat), "run the method without the hierarchy; those of CGAL as they are shipped")
-    ("tolerance", po::value(&options.tolerance), "mips, symmetric-dirichlet, arap: converged when a step lowers the energy by less than this part of its excess over the minimum "
-                                                 "(default 1e-6); others: when the relative residual is not greater (default 1e-8, of CGAL's 1e-10)")
-    ("iterations", po::value(&options.iterations), "the most steps on a level: of Newton's method (default 200), or sweeps (default 10000); of CGAL's methods: the most steps of the linear solver (default 300)")
-    ("weights", po::value(&weights), "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)")
-    ("flips", po::value(&flips)->default_value("fail"), "of methods that can flip triangles: fail (an error), repair or keep")
-    ("globally-injective", po::bool_switch(&options.is_globally_injective), "mips, symmetric-dirichlet: keep the free border from running over itself")
-    ("fill-holes", po::bool_switch(&options.fills_holes), "close every border but the longest one by a virtual vertex, so that a hole is laid out as a part of the surface")
-    ("seed", po::value(&options.seed)->default_value(0), "of the random choices: the same seed gives the same result")
-    ("threads", po::value(&options.threads)->default_value(0), "the most threads to use, if built with TBB; 0: as many as there are. The result is the same")
-    ("quiet", po::bool_switch(&options.quiet), "print errors only");
+  described.add_options()("help,h", "print this text")("version", "print the version")(
+      "method", po::value(&method)->default_value("mips"),
+      "one of those above")("output", po::value(&options.output),
+                            "write the mesh with its map as OBJ, or as PLY with the vertex properties u and v")(
+      "picture", po::value(&options.picture), "draw the map as SVG, colored by distortion")(
+      "report", po::value(&options.report),
+      "write figures as JSON, one line per input")("levels", po::value(&options.levels),
+                                                   "write every level of the hierarchy as OBJ into this folder")(
+      "triangulate", po::bool_switch(&options.triangulate), "cut faces of more than three corners into triangles")(
+      "flat", po::bool_switch(&options.flat),
+      "run the method without the hierarchy; those of CGAL as they are shipped")(
+      "tolerance", po::value(&options.tolerance),
+      "mips, symmetric-dirichlet, arap: converged when a step lowers the energy by less than this part of its excess "
+      "over the minimum "
+      "(default 1e-6); others: when the relative residual is not greater (default 1e-8, of CGAL's 1e-10)")(
+      "iterations", po::value(&options.iterations),
+      "the most steps on a level: of Newton's method (default 200), or sweeps (default 10000); of CGAL's methods: the "
+      "most steps of the linear solver (default 300)")(
+      "weights", po::value(&weights),
+      "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)")(
+      "flips", po::value(&flips)->default_value("fail"),
+      "of methods that can flip triangles: fail (an error), repair or keep")(
+      "globally-injective", po::bool_switch(&options.is_globally_injective),
+      "mips, symmetric-dirichlet: keep the free border from running over itself")(
+      "fill-holes", po::bool_switch(&options.fills_holes),
+      "close every border but the longest one by a virtual vertex, so that a hole is laid out as a part of the "
+      "surface")("seed", po::value(&options.seed)->default_value(0),
+                 "of the random choices: the same seed gives the same result")(
+      "threads", po::value(&options.threads)->default_value(0),
+      "the most threads to use, if built with TBB; 0: as many as there are. The result is the same")(
+      "quiet", po::bool_switch(&options.quiet), "print errors only");
   po::options_description all;
   all.add(described).add_options()("input", po::value(&options.inputs));
   po::variables_map values;
   try {
-    po::store(po::command_line_parser(argc, argv).options(all).positional(po::positional_options_description().add("input", -1)).run(), values);
+    po::store(po::command_line_parser(argc, argv)
+                  .options(all)
+                  .positional(po::positional_options_description().add("input", -1))
+                  .run(),
+              values);
     po::notify(values);
   } catch (const po::error& error) {
     throw Usage_error{ error.what() };
@@ -70,11 +85,19 @@ bool read_options(int argc, char** argv, Options& options)
                  "Without INPUT: a built-in face of 1042 vertices. INPUT may be -, the standard input.\n\n"
                  "Examples:\n"
                  "  hierarchical_parameterization scan.ply --output scan.obj --picture map.svg\n"
-                 "  hierarchical_parameterization --method symmetric-dirichlet --globally-injective scan.ply --output map.ply\n"
+                 "  hierarchical_parameterization --method symmetric-dirichlet --globally-injective scan.ply --output "
+                 "map.ply\n"
                  "  find charts -name '*.off' | xargs -P 8 -n 100 hierarchical_parameterization --quiet --threads 1\n\n"
                  "Methods:\n  "
-              << list_of_methods("\n  ", [](const Method& m) { return m.name + ": " + m.description + (m.is_flip_free ? "; no triangle flips" : ""); }) << "\n\n" << described << "\n"
-                 "Exit status: 0 maps written, 1 wrong usage, 2 an input cannot be read or is no surface to parameterize, 3 a method failed or a file cannot be written.\n";
+              << list_of_methods("\n  ",
+                                 [](const Method& m) {
+                                   return m.name + ": " + m.description + (m.is_flip_free ? "; no triangle flips" : "");
+                                 })
+              << "\n\n"
+              << described
+              << "\n"
+                 "Exit status: 0 maps written, 1 wrong usage, 2 an input cannot be read or is no surface to "
+                 "parameterize, 3 a method failed or a file cannot be written.\n";
     return false;
   }
   if (values.count("version")) {
@@ -83,13 +106,18 @@ bool read_options(int argc, char** argv, Options& options)
   }
   options.method = find_method(method);
   if (!options.method)
-    throw Usage_error{ "unknown method '" + method + "'; there are: " + list_of_methods(", ", [](const Method& m) { return m.name; }) };
+    throw Usage_error{ "unknown method '" + method +
+                       "'; there are: " + list_of_methods(", ", [](const Method& m) { return m.name; }) };
   if (!weights.empty() && weights != "triangle" && weights != "area")
     throw Usage_error{ "unknown weights '" + weights + "'; there are: triangle, area" };
-  options.triangle_weight = weights.empty() ? options.method->triangle_weight : weights == "area" ? SMP::Triangle_weight::AREA : SMP::Triangle_weight::ONE;
+  options.triangle_weight = weights.empty()     ? options.method->triangle_weight
+                            : weights == "area" ? SMP::Triangle_weight::AREA
+                                                : SMP::Triangle_weight::ONE;
   if (flips != "fail" && flips != "repair" && flips != "keep")
     throw Usage_error{ "unknown way with flips '" + flips + "'; there are: fail, repair, keep" };
-  options.flip_policy = flips == "fail" ? SMP::Flip_policy::FAIL : flips == "repair" ? SMP::Flip_policy::REPAIR : SMP::Flip_policy::KEEP;
+  options.flip_policy = flips == "fail"     ? SMP::Flip_policy::FAIL
+                        : flips == "repair" ? SMP::Flip_policy::REPAIR
+                                            : SMP::Flip_policy::KEEP;
   if (!values.count("tolerance"))
     options.tolerance = options.method->tolerance;
   if (!values.count("iterations"))

@@ -40,9 +40,11 @@ void run_refinable(Input& input, const Method_options& options, Method method, S
 {
   if (options.flat)
     return parameterize(input, method);
-  SMP::Nested_iteration_parameterizer_3<Method> hierarchical(
-    method, CGAL::parameters::flip_policy(options.flip_policy).fill_holes(options.fills_holes).summary(std::ref(summary))
-              .random_seed(options.seed).visitor(Level_visitor(input, options)));
+  SMP::Nested_iteration_parameterizer_3<Method> hierarchical(method, CGAL::parameters::flip_policy(options.flip_policy)
+                                                                         .fill_holes(options.fills_holes)
+                                                                         .summary(std::ref(summary))
+                                                                         .random_seed(options.seed)
+                                                                         .visitor(Level_visitor(input, options)));
   parameterize(input, hierarchical);
 }
 

@@ -55,15 +55,27 @@ std::string report_line(const Run_record& run)
   if (!run.error.empty())
     report["error"] = run.error;
   for (const SMP::Level_summary& level : summary.levels)
-    report["levels"].push_back({ { "vertices", level.vertices }, { "faces", level.faces }, { "energy_start", level.energy_start },
-                                 { "energy_end", level.energy_end }, { "iterations", level.iterations }, { "seconds", level.seconds } });
+    report["levels"].push_back({ { "vertices", level.vertices },
+                                 { "faces", level.faces },
+                                 { "energy_start", level.energy_start },
+                                 { "energy_end", level.energy_end },
+                                 { "iterations", level.iterations },
+                                 { "seconds", level.seconds } });
   if (const SMP::Linear_solver_summary& solver = summary.linear_solver; solver.right_sides > 0)
-    report["linear_solver"] = { { "iterations", solver.iterations }, { "residual", solver.residual }, { "direct_solutions", solver.direct_solutions },
+    report["linear_solver"] = { { "iterations", solver.iterations },
+                                { "residual", solver.residual },
+                                { "direct_solutions", solver.direct_solutions },
                                 { "seconds", solver.seconds_setup + solver.seconds_solve } };
   if (const auto& quality = run.quality)
-    report["quality"] = { { "flips", quality->flips }, { "degenerate", quality->degenerate }, { "overlaps", quality->overlaps },
-                          { "mips", quality->mips }, { "mips_excess", quality->mips_excess },
-                          { "symmetric_dirichlet", quality->symmetric_dirichlet }, { "l2_stretch", quality->l2_stretch },
-                          { "linf_stretch", quality->linf_stretch }, { "angle", quality->angle }, { "area", quality->area } };
+    report["quality"] = { { "flips", quality->flips },
+                          { "degenerate", quality->degenerate },
+                          { "overlaps", quality->overlaps },
+                          { "mips", quality->mips },
+                          { "mips_excess", quality->mips_excess },
+                          { "symmetric_dirichlet", quality->symmetric_dirichlet },
+                          { "l2_stretch", quality->l2_stretch },
+                          { "linf_stretch", quality->linf_stretch },
+                          { "angle", quality->angle },
+                          { "area", quality->area } };
   return report.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }

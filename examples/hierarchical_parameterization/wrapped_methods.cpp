@@ -48,7 +48,8 @@ class Confinement
 public:
   Confinement()
     : m_outside(std::filesystem::current_path()),
-      m_folder(std::filesystem::temp_directory_path() / ("hierarchical_parameterization_" + std::to_string(getpid()))), m_output(std::cout.rdbuf(nullptr))
+      m_folder(std::filesystem::temp_directory_path() / ("hierarchical_parameterization_" + std::to_string(getpid()))),
+      m_output(std::cout.rdbuf(nullptr))
   {
     std::filesystem::create_directory(m_folder);
     std::filesystem::current_path(m_folder);

@@ -34,7 +34,8 @@ void write_PLY(std::ostream& out, const Mesh& mesh, const UV_map& uvmap)
       corners.push_back(vertices[v]);
     copy.add_face(corners);
   }
-  const auto u = copy.add_property_map<Mesh::Vertex_index, double>("v:u").first, v = copy.add_property_map<Mesh::Vertex_index, double>("v:v").first;
+  const auto u = copy.add_property_map<Mesh::Vertex_index, double>("v:u").first,
+             v = copy.add_property_map<Mesh::Vertex_index, double>("v:v").first;
   for (const Mesh::Vertex_index w : mesh.vertices()) {
     u[vertices[w]] = uvmap[w].x();
     v[vertices[w]] = uvmap[w].y();

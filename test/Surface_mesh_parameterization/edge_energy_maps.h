@@ -78,7 +78,8 @@ Hierarchical_parameterizer_3<Method> hierarchical(const Method& method)
 struct Planar_border_parameterizer
 {
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
-  Error_code parameterize(const Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, VertexUVMap uvmap, VertexIndexMap, VertexParameterizedMap vpmap)
+  Error_code parameterize(const Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, VertexUVMap uvmap, VertexIndexMap,
+                          VertexParameterizedMap vpmap)
   {
     for (const auto h : CGAL::halfedges_around_face(bhd, mesh)) {
       const auto v = target(h, mesh);

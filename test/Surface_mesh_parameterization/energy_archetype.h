@@ -32,7 +32,9 @@ struct Energy_archetype
   static Distortion_derivatives_2 derivatives(double f, double d)
   {
     const double d2 = d * d, d3 = d2 * d, d4 = d2 * d2;
-    return { value(f, d), 2 * f / d2, -2 * f * f / d3 + 2 * d - 2 / d3, 2 / d2, -4 * f / d3, 6 * f * f / d4 + 2 + 6 / d4 };
+    return {
+      value(f, d), 2 * f / d2, -2 * f * f / d3 + 2 * d - 2 / d3, 2 / d2, -4 * f / d3, 6 * f * f / d4 + 2 + 6 / d4
+    };
   }
 };
 

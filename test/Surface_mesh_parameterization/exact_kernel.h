@@ -24,11 +24,15 @@ inline CGAL::Orientation orientation_by_CGAL(const Point_2& a, const Point_2& b,
   return CGAL::orientation(exact(a), exact(b), exact(c));
 }
 
-inline bool turns_left(const Point_2& a, const Point_2& b, const Point_2& c) { return orientation_by_CGAL(a, b, c) == CGAL::LEFT_TURN; }
+inline bool turns_left(const Point_2& a, const Point_2& b, const Point_2& c)
+{
+  return orientation_by_CGAL(a, b, c) == CGAL::LEFT_TURN;
+}
 
 inline bool are_all_positive(const std::vector<Index_triangle>& triangles, const std::vector<Point_2>& uv)
 {
-  return std::all_of(triangles.begin(), triangles.end(), [&](const Index_triangle& t) { return turns_left(uv[t[0]], uv[t[1]], uv[t[2]]); });
+  return std::all_of(triangles.begin(), triangles.end(),
+                     [&](const Index_triangle& t) { return turns_left(uv[t[0]], uv[t[1]], uv[t[2]]); });
 }
 
 } // namespace test_meshes

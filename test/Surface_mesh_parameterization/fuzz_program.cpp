@@ -61,11 +61,14 @@ void run(Input& input, UV_map uvmap, Parameterizer parameterizer, bool is_global
 template <class Method>
 void run(Input& input, UV_map uvmap, bool is_flat, bool is_globally_injective, bool fills_holes)
 {
-  const Method method(CGAL::parameters::globally_injective(is_globally_injective).fill_holes(fills_holes).number_of_iterations(5));
+  const Method method(
+      CGAL::parameters::globally_injective(is_globally_injective).fill_holes(fills_holes).number_of_iterations(5));
   if (is_flat)
     run(input, uvmap, method, is_globally_injective);
   else
-    run(input, uvmap, SMP::Hierarchical_parameterizer_3<Method>(method, CGAL::parameters::coarsest_size(6).fill_holes(fills_holes)), is_globally_injective);
+    run(input, uvmap,
+        SMP::Hierarchical_parameterizer_3<Method>(method, CGAL::parameters::coarsest_size(6).fill_holes(fills_holes)),
+        is_globally_injective);
 }
 
 // The points' first two coordinates as a map, flips or not.
@@ -97,7 +100,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (input.mesh.number_of_faces() > most_faces)
     return 0;
 
-  const UV_map uvmap = input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv", Kernel::Point_2(-77, 77)).first;
+  const UV_map uvmap =
+      input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv", Kernel::Point_2(-77, 77)).first;
   const bool is_flat = choice & 2, is_globally_injective = choice & 4, fills_holes = choice & 32;
   if (choice & 8)
     repair(input, uvmap);

@@ -78,7 +78,9 @@ struct Finest_level
   { }
 
   // A hierarchy of one level.
-  explicit Finest_level(const Flat_mesh& m) : Finest_level(m, parameters::coarsest_size((std::numeric_limits<std::size_t>::max)())) { }
+  explicit Finest_level(const Flat_mesh& m)
+    : Finest_level(m, parameters::coarsest_size((std::numeric_limits<std::size_t>::max)()))
+  { }
 
   Finest_level(const Finest_level&) = delete;
 };

@@ -49,7 +49,9 @@ Mesh moved(Mesh m, const Place& place)
 
 inline Mesh scaled(const Mesh& m, double scale, double offset = 0)
 {
-  return moved(m, [&](double x, double y, double z) { return Point{ scale * x + offset, scale * y + offset, scale * z + offset }; });
+  return moved(m, [&](double x, double y, double z) {
+    return Point{ scale * x + offset, scale * y + offset, scale * z + offset };
+  });
 }
 
 // Both, one beside the other.
@@ -154,13 +156,16 @@ inline Mesh octasphere(int subdivisions)
 {
   Mesh m;
   m.points = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } };
-  m.polygons = { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 }, { 3, 1, 5 }, { 0, 3, 5 } };
+  m.polygons = {
+    { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 }, { 3, 1, 5 }, { 0, 3, 5 }
+  };
   for (; subdivisions > 0; --subdivisions) {
     std::map<std::pair<long, long>, long> middles;
     const auto middle = [&](long a, long b) {
       const auto [place, is_new] = middles.insert({ std::minmax(a, b), 0 });
       if (is_new) {
-        const Point p = m.points[std::size_t(a)], q = m.points[std::size_t(b)], s = { p[0] + q[0], p[1] + q[1], p[2] + q[2] };
+        const Point p = m.points[std::size_t(a)], q = m.points[std::size_t(b)],
+                    s = { p[0] + q[0], p[1] + q[1], p[2] + q[2] };
         const double length = std::hypot(s[0], s[1], s[2]);
         place->second = m.add_point(s[0] / length, s[1] / length, s[2] / length);
       }
@@ -184,7 +189,8 @@ Mesh revolution(long around, long rings, const Profile& profile)
   for (long j = 0; j < rings; ++j) {
     const auto [radius, height] = profile(j);
     for (long i = 0; i < around; ++i)
-      m.add_point(radius * std::cos(2 * pi * double(i) / double(around)), radius * std::sin(2 * pi * double(i) / double(around)), height);
+      m.add_point(radius * std::cos(2 * pi * double(i) / double(around)),
+                  radius * std::sin(2 * pi * double(i) / double(around)), height);
   }
   const auto vertex = [&](long i, long j) { return j * around + i % around; };
   for (long j = 0; j + 1 < rings; ++j)
@@ -231,7 +237,8 @@ inline Mesh moebius_strip()
   for (long i = 0; i < n; ++i)
     for (const double t : { -0.3, 0.3 }) {
       const double a = 2 * pi * double(i) / double(n);
-      m.add_point((1 + t * std::cos(a / 2)) * std::cos(a), (1 + t * std::cos(a / 2)) * std::sin(a), t * std::sin(a / 2));
+      m.add_point((1 + t * std::cos(a / 2)) * std::cos(a), (1 + t * std::cos(a / 2)) * std::sin(a),
+                  t * std::sin(a / 2));
     }
   for (long i = 0; i < n; ++i) {
     const bool is_last = i + 1 == n;
@@ -281,7 +288,9 @@ inline Mesh caps(long n, double height)
 // Columns and rows whose sizes run from 1 to `ratio`.
 inline Mesh graded(long n, double ratio)
 {
-  return moved(grid(n, n), [&](double x, double y, double) { return Point{ std::pow(ratio, x / double(n)), std::pow(ratio, y / double(n)), 0 }; });
+  return moved(grid(n, n), [&](double x, double y, double) {
+    return Point{ std::pow(ratio, x / double(n)), std::pow(ratio, y / double(n)), 0 };
+  });
 }
 
 // Rings around a vertex whose sizes run from 1 to `ratio`.
@@ -295,7 +304,9 @@ inline Mesh graded_rings(long around, long rings, double ratio)
 // Of pairs of vertices in neighboring columns, every third at the same place.
 inline Mesh coinciding(long n)
 {
-  return moved(grid(n, n), [](double x, double y, double) { return Point{ long(x) % 3 == 2 ? x - 1 : x, y, 0.3 * std::sin(y) }; });
+  return moved(grid(n, n), [](double x, double y, double) {
+    return Point{ long(x) % 3 == 2 ? x - 1 : x, y, 0.3 * std::sin(y) };
+  });
 }
 
 // An interior vertex with n triangles, its ring up and down.
@@ -304,7 +315,8 @@ inline Mesh hub(long n, double amplitude)
   Mesh m;
   m.add_point(0, 0, 0);
   for (long i = 0; i < n; ++i) {
-    m.add_point(std::cos(2 * pi * double(i) / double(n)), std::sin(2 * pi * double(i) / double(n)), i % 2 ? amplitude : -amplitude);
+    m.add_point(std::cos(2 * pi * double(i) / double(n)), std::sin(2 * pi * double(i) / double(n)),
+                i % 2 ? amplitude : -amplitude);
     m.polygons.push_back({ 0, 1 + i, 1 + (i + 1) % n });
   }
   return m;
@@ -353,7 +365,8 @@ inline Mesh octopus(long legs, long length)
     vertex_at[{ m.points[v][0], m.points[v][1] }] = long(v);
   for (long leg = 0; leg < legs; ++leg) {
     const double x = double(2 * leg + 1);
-    std::array<long, 4> ring = { vertex_at[{ x, 1 }], vertex_at[{ x + 1, 1 }], vertex_at[{ x + 1, 2 }], vertex_at[{ x, 2 }] };
+    std::array<long, 4> ring = { vertex_at[{ x, 1 }], vertex_at[{ x + 1, 1 }], vertex_at[{ x + 1, 2 }],
+                                 vertex_at[{ x, 2 }] };
     for (long k = 1; k <= length; ++k) {
       std::array<long, 4> next;
       for (std::size_t i = 0; i < 4; ++i)
@@ -398,7 +411,9 @@ inline Mesh spiral(long length, double turns)
 inline Mesh crumpled(long n, double amplitude)
 {
   std::mt19937 random(1);
-  return moved(grid(n, n), [&](double x, double y, double) { return Point{ x, y, amplitude * (double(random()) / 4294967296. - 0.5) }; });
+  return moved(grid(n, n), [&](double x, double y, double) {
+    return Point{ x, y, amplitude * (double(random()) / 4294967296. - 0.5) };
+  });
 }
 
 } // namespace hostile_meshes

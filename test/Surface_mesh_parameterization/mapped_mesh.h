@@ -67,7 +67,10 @@ struct Mapped_mesh
   static Kernel::Point_2 untouched() { return Kernel::Point_2(-77, 77); }
 
   template <class Parameterizer>
-  Error_code parameterize(const Parameterizer& parameterizer) { return SMP::parameterize(mesh, parameterizer, longest_border(mesh), uvmap); }
+  Error_code parameterize(const Parameterizer& parameterizer)
+  {
+    return SMP::parameterize(mesh, parameterizer, longest_border(mesh), uvmap);
+  }
 
   bool is_valid() const { return test_meshes::is_valid(mesh, longest_border(mesh), uvmap); }
   Parameterization_quality quality() const { return parameterization_quality(mesh, uvmap); }
@@ -100,7 +103,8 @@ struct Checking_visitor
   {
     EXPECT_EQ(uv.size(), level.number_of_vertices());
     EXPECT_EQ(summary.vertices, level.number_of_vertices());
-    EXPECT_TRUE(is_map_valid(level.rings(), uv) && are_all_positive(level.triangles(), uv)) << "level " << level.index();
+    EXPECT_TRUE(is_map_valid(level.rings(), uv) && are_all_positive(level.triangles(), uv))
+        << "level " << level.index();
     return true;
   }
 };

@@ -43,7 +43,9 @@ struct Mapped
   Parameterization_summary summary;
   Error_code code = ERROR_EMPTY_MESH;
 
-  explicit Mapped(const Flat_mesh& m) : mesh(make<Mesh>(m)), uvmap(get(CGAL::dynamic_vertex_property_t<Kernel::Point_2>(), static_cast<const Mesh&>(mesh)))
+  explicit Mapped(const Flat_mesh& m)
+    : mesh(make<Mesh>(m)),
+      uvmap(get(CGAL::dynamic_vertex_property_t<Kernel::Point_2>(), static_cast<const Mesh&>(mesh)))
   {
     for (const Vertex v : vertices(mesh))
       put(uvmap, v, untouched());

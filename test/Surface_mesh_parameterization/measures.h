@@ -24,10 +24,12 @@ struct Singular_values
   double mips() const { return greatest / least + least / greatest; }
 };
 
-inline Singular_values singular_values(const Point_3& p, const Point_3& q, const Point_3& r, const Point_2& a, const Point_2& b, const Point_2& c)
+inline Singular_values singular_values(const Point_3& p, const Point_3& q, const Point_3& r, const Point_2& a,
+                                       const Point_2& b, const Point_2& c)
 {
   const Vector_3 pq = q - p, pr = r - p;
-  const double length = std::sqrt(pq.squared_length()), doubled_area = std::sqrt(CGAL::cross_product(pq, pr).squared_length());
+  const double length = std::sqrt(pq.squared_length()),
+               doubled_area = std::sqrt(CGAL::cross_product(pq, pr).squared_length());
   Eigen::Matrix2d rest, image;
   rest << length, pq * pr / length, 0, doubled_area / length;
   image << b.x() - a.x(), c.x() - a.x(), b.y() - a.y(), c.y() - a.y();

@@ -72,7 +72,9 @@ void append(const Flat_mesh& m, TriangleMesh& mesh)
     put(point_map, vertices.back(), Point(p.x(), p.y(), p.z()));
   }
   for (const Index_triangle& t : m.triangles)
-    CGAL::Euler::add_face(std::array<typename Graph_traits::vertex_descriptor, 3>{ vertices[t[0]], vertices[t[1]], vertices[t[2]] }, mesh);
+    CGAL::Euler::add_face(std::array<typename Graph_traits::vertex_descriptor, 3>{ vertices[t[0]], vertices[t[1]],
+                                                                                   vertices[t[2]] },
+                          mesh);
 }
 
 template <class TriangleMesh>

@@ -109,10 +109,16 @@ inline std::string PLY_header(const Mesh& m, const std::string& format, const st
                               const std::string& list_type = "uchar int")
 {
   Text text;
-  text.line("ply").line("format", format, "1.0").line("comment made for a test").line("element vertex", m.points.size());
+  text.line("ply")
+      .line("format", format, "1.0")
+      .line("comment made for a test")
+      .line("element vertex", m.points.size());
   for (const char* name : { "x", "y", "z" })
     text.line("property", coordinate_type, name);
-  return text.line("element face", m.polygons.size()).line("property list", list_type, "vertex_indices").line("end_header").str();
+  return text.line("element face", m.polygons.size())
+      .line("property list", list_type, "vertex_indices")
+      .line("end_header")
+      .str();
 }
 
 inline std::string PLY(const Mesh& m, const std::string& coordinate_type = "double")
@@ -170,7 +176,10 @@ inline std::string binary_STL(const Mesh& m, std::string header = "test")
 
 // ---- spoiling ----
 
-inline std::string cut_at(const std::string& content, double fraction) { return content.substr(0, std::size_t(fraction * double(content.size()))); }
+inline std::string cut_at(const std::string& content, double fraction)
+{
+  return content.substr(0, std::size_t(fraction * double(content.size())));
+}
 
 // With the first `from` replaced.
 inline std::string replaced(std::string content, const std::string& from, const std::string& to)

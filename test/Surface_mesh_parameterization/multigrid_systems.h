@@ -63,7 +63,8 @@ struct Known_system
   Sparse_matrix matrix;
   Vector right_side, expected;
 
-  explicit Known_system(Sparse_matrix m) : matrix(std::move(m)), right_side(matrix.row_dimension()), expected(matrix.row_dimension())
+  explicit Known_system(Sparse_matrix m)
+    : matrix(std::move(m)), right_side(matrix.row_dimension()), expected(matrix.row_dimension())
   {
     const auto rows = matrix.rows();
     Random random(11);

@@ -46,7 +46,10 @@ struct Mapped_mesh : test_meshes::Mapped_mesh
   { }
 
   template <class Parameterizer>
-  Error_code parameterize(const Parameterizer& parameterizer) { return SMP::parameterize(mesh, parameterizer, bhd, uvmap); }
+  Error_code parameterize(const Parameterizer& parameterizer)
+  {
+    return SMP::parameterize(mesh, parameterizer, bhd, uvmap);
+  }
 
   // By exact predicates, with less than a turn at each border vertex; or so is the mirror image.
   bool is_locally_one_to_one() const

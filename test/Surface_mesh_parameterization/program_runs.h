@@ -67,7 +67,8 @@ class Program_input : public testing::TestWithParam<Row>
 {
 protected:
   Program_input()
-    : m_folder(fs::path(testing::TempDir()) / (std::string("program_input_") + test_name({ GetParam(), 0 }) + "_" + std::to_string(getpid())))
+    : m_folder(fs::path(testing::TempDir()) /
+               (std::string("program_input_") + test_name({ GetParam(), 0 }) + "_" + std::to_string(getpid())))
   {
     fs::create_directories(m_folder);
   }
@@ -77,7 +78,8 @@ protected:
   // Runs the program. Returns its exit status; 124 after a minute, 128 and more after a crash.
   int run(const std::string& arguments) const
   {
-    const std::string command = GetParam().before + "cd '" + m_folder.string() + "' && timeout 60 '" PROGRAM "' " + arguments + " >stdout.txt 2>stderr.txt";
+    const std::string command = GetParam().before + "cd '" + m_folder.string() + "' && timeout 60 '" PROGRAM "' " +
+                                arguments + " >stdout.txt 2>stderr.txt";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
@@ -96,7 +98,8 @@ protected:
 };
 
 constexpr int good = 0, bad_input = 2, failed = 3;
-const std::string ok = "ok", any = "", unreadable = "unreadable", no_disk = "ERROR_NO_TOPOLOGICAL_DISC", no_number = "ERROR_WRONG_PARAMETER", no_faces = "ERROR_EMPTY_MESH",
+const std::string ok = "ok", any = "", unreadable = "unreadable", no_disk = "ERROR_NO_TOPOLOGICAL_DISC",
+                  no_number = "ERROR_WRONG_PARAMETER", no_faces = "ERROR_EMPTY_MESH",
                   no_triangle = "ERROR_NON_TRIANGULAR_MESH";
 
 } // namespace program_runs

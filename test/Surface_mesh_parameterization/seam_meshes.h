@@ -29,7 +29,8 @@ struct Cut_sphere
   Cut_sphere()
   {
     for (Index r = 0; r < 8; ++r)
-      EXPECT_TRUE(mesh.add_seam(Surface_mesh::Vertex_index(r == 0 ? 0 : 1 + 12 * (r - 1)), Surface_mesh::Vertex_index(1 + 12 * r)));
+      EXPECT_TRUE(mesh.add_seam(Surface_mesh::Vertex_index(r == 0 ? 0 : 1 + 12 * (r - 1)),
+                                Surface_mesh::Vertex_index(1 + 12 * r)));
   }
 };
 

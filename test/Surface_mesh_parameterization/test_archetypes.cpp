@@ -93,8 +93,9 @@ TEST(Archetypes, run)
     Mapped_mesh mapped(grid(16, 12, wavy));
     Log log;
     Parameterization_summary s;
-    Hierarchical_parameterizer_3<Method_archetype> parameterizer(Method_archetype(log, result),
-                                                                 parameters::coarsest_size(40).summary(std::ref(s)).visitor(Visitor_archetype{ log }));
+    Hierarchical_parameterizer_3<Method_archetype> parameterizer(
+        Method_archetype(log, result),
+        parameters::coarsest_size(40).summary(std::ref(s)).visitor(Visitor_archetype{ log }));
     EXPECT_EQ(mapped.parameterize(parameterizer), result);
     EXPECT_EQ(s.error.code, result);
     EXPECT_EQ(log.coarsest, 1);
@@ -116,10 +117,14 @@ public:
 
   Border_method_archetype(Log& log, Error_code result) : m_log(&log), m_result(result) { }
 
-  static Kernel::Point_2 place_of(Surface_mesh::Vertex_index v) { return Kernel::Point_2(1e-9 / 3 * double(v), 77 - double(v) / 7); }
+  static Kernel::Point_2 place_of(Surface_mesh::Vertex_index v)
+  {
+    return Kernel::Point_2(1e-9 / 3 * double(v), 77 - double(v) / 7);
+  }
 
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
-  Error_code place_border(const Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, VertexUVMap uvmap, VertexIndexMap vimap, VertexParameterizedMap vpmap)
+  Error_code place_border(const Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, VertexUVMap uvmap,
+                          VertexIndexMap vimap, VertexParameterizedMap vpmap)
   {
     ++m_log->borders;
     std::set<int> indices;
@@ -155,7 +160,9 @@ public:
     for (Index v = 0; v < level.number_of_vertices(); ++v) {
       EXPECT_EQ(level.is_fixed(v), level.is_border(v) || level.is_pinned(v));
       fixed += level.is_fixed(v);
-      EXPECT_TRUE(level.is_fixed(v) ? uv[v] == level.fixed_place(v) : level.index() == 0 || v < level.first_new_vertex() || is_at_stored_place(level, uv, v));
+      EXPECT_TRUE(level.is_fixed(v)
+                      ? uv[v] == level.fixed_place(v)
+                      : level.index() == 0 || v < level.first_new_vertex() || is_at_stored_place(level, uv, v));
     }
     EXPECT_GT(fixed, 3u);
     summary.energy_end = double(fixed);
@@ -169,7 +176,8 @@ private:
   {
     const Index_triangle& parent = level.hierarchy().parent_triangle(v);
     const auto coordinates = level.hierarchy().barycentric_coordinates(v);
-    const Point_2 place = CGAL::barycenter(uv[parent[0]], coordinates[0], uv[parent[1]], coordinates[1], uv[parent[2]], coordinates[2]);
+    const Point_2 place =
+        CGAL::barycenter(uv[parent[0]], coordinates[0], uv[parent[1]], coordinates[1], uv[parent[2]], coordinates[2]);
     return std::sqrt(CGAL::squared_distance(place, uv[v])) < 1e-10 * std::ldexp(1., level.scale_exponent());
   }
 
@@ -189,8 +197,10 @@ TEST(Archetypes, fix_vertices)
         Log log;
         const Border_method_archetype method(log, result);
         Parameterization_summary s;
-        EXPECT_EQ(is_flat ? mapped.parameterize(Flat_run<Border_method_archetype>(method, s))
-                          : mapped.parameterize(Hierarchical_parameterizer_3<Border_method_archetype>(method, parameters::coarsest_size(12).flip_policy(Flip_policy::KEEP).summary(std::ref(s)))),
+        EXPECT_EQ(is_flat
+                      ? mapped.parameterize(Flat_run<Border_method_archetype>(method, s))
+                      : mapped.parameterize(Hierarchical_parameterizer_3<Border_method_archetype>(
+                            method, parameters::coarsest_size(12).flip_policy(Flip_policy::KEEP).summary(std::ref(s)))),
                   result);
         EXPECT_EQ(s.error.code, result);
         EXPECT_EQ(log.borders, 1);
@@ -210,7 +220,8 @@ public:
   using Border_method_archetype::Border_method_archetype;
 
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
-  Error_code place_border(const Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, VertexUVMap uvmap, VertexIndexMap vimap, VertexParameterizedMap vpmap)
+  Error_code place_border(const Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, VertexUVMap uvmap,
+                          VertexIndexMap vimap, VertexParameterizedMap vpmap)
   {
     const Error_code status = Border_method_archetype::place_border(mesh, bhd, uvmap, vimap, vpmap);
     put(uvmap, target(bhd, mesh), Kernel::Point_2(0, std::numeric_limits<double>::infinity()));
@@ -222,9 +233,12 @@ TEST(Archetypes, fix_vertices_nowhere)
 {
   Mapped_mesh mapped(grid(16, 12, wavy));
   Log log;
-  EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Bad_border_method>(Bad_border_method(log, OK))), ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Bad_border_method>(Bad_border_method(log, OK))),
+            ERROR_WRONG_PARAMETER);
   EXPECT_TRUE(mapped.is_untouched());
-  EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Bad_border_method>(Bad_border_method(log, ERROR_NO_1_TO_1_MAPPING))), ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(mapped.parameterize(
+                Hierarchical_parameterizer_3<Bad_border_method>(Bad_border_method(log, ERROR_NO_1_TO_1_MAPPING))),
+            ERROR_NO_1_TO_1_MAPPING);
   EXPECT_EQ(log.borders, 2);
 }
 
@@ -232,7 +246,9 @@ TEST(Archetypes, fix_vertices_nowhere)
 class Method_for_small_levels : public Method_archetype
 {
 public:
-  Method_for_small_levels(Log& log, std::size_t most_vertices) : Method_archetype(log, OK), m_most_vertices(most_vertices) { }
+  Method_for_small_levels(Log& log, std::size_t most_vertices)
+    : Method_archetype(log, OK), m_most_vertices(most_vertices)
+  { }
 
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv)
   {
@@ -251,7 +267,8 @@ TEST(Nested_iteration, coarsens_further_what_the_method_cannot_lay_out)
     Parameterization_summary s;
     Mapped_mesh mapped(grid(16, 12, wavy));
     const Method_for_small_levels method(log, most_vertices);
-    const Error_code status = mapped.parameterize(Hierarchical_parameterizer_3<Method_for_small_levels>(method, parameters::summary(std::ref(s))));
+    const Error_code status = mapped.parameterize(
+        Hierarchical_parameterizer_3<Method_for_small_levels>(method, parameters::summary(std::ref(s))));
     EXPECT_GT(log.coarsest, 1);
     if (most_vertices > 0) {
       EXPECT_EQ(status, OK);

@@ -59,7 +59,8 @@ double energy_by_definition(const Flat_mesh& m, const std::vector<Kernel::Point_
   double sum = 0;
   for (const Index_triangle& t : m.triangles) {
     const Vector_3 p = m.points[t[1]] - m.points[t[0]], q = m.points[t[2]] - m.points[t[0]];
-    const double length = std::sqrt(p.squared_length()), doubled_area = std::sqrt(CGAL::cross_product(p, q).squared_length());
+    const double length = std::sqrt(p.squared_length()),
+                 doubled_area = std::sqrt(CGAL::cross_product(p, q).squared_length());
     const Eigen::Vector2d x[3] = { { 0, 0 }, { length, 0 }, { p * q / length, doubled_area / length } };
     double cotangents[3];
     Eigen::Vector2d in_space[3], in_plane[3], direction(0, 0);
@@ -68,14 +69,17 @@ double energy_by_definition(const Flat_mesh& m, const std::vector<Kernel::Point_
       in_space[i] = x[(i + 2) % 3] - x[(i + 1) % 3];
       in_plane[i] = Eigen::Vector2d(uv[b].x() - uv[a].x(), uv[b].y() - uv[a].y());
       cotangents[i] = (m.points[a] - m.points[t[i]]) * (m.points[b] - m.points[t[i]]) / doubled_area;
-      direction += cotangents[i] * Eigen::Vector2d(in_plane[i].dot(in_space[i]), in_plane[i][0] * in_space[i][1] - in_plane[i][1] * in_space[i][0]);
+      direction += cotangents[i] * Eigen::Vector2d(in_plane[i].dot(in_space[i]),
+                                                   in_plane[i][0] * in_space[i][1] - in_plane[i][1] * in_space[i][0]);
     }
     direction.normalize();
     sum += least_value([&](double s) {
       const double a = s * direction[0], b = s * direction[1], penalty = s * s - 1;
       double result = lambda * penalty * penalty;
       for (int i = 0; i < 3; ++i)
-        result += cotangents[i] * (in_plane[i] - Eigen::Vector2d(a * in_space[i][0] + b * in_space[i][1], -b * in_space[i][0] + a * in_space[i][1])).squaredNorm();
+        result += cotangents[i] * (in_plane[i] - Eigen::Vector2d(a * in_space[i][0] + b * in_space[i][1],
+                                                                 -b * in_space[i][0] + a * in_space[i][1]))
+                                      .squaredNorm();
       return result;
     }, 0, 100);
   }
@@ -90,14 +94,18 @@ struct Mapped_mesh : test_meshes::Mapped_mesh
 
   Error_code parameterize_hierarchically(double lambda, double tolerance = 1e-6, unsigned int seed = 0)
   {
-    return parameterize(Hierarchical_method(Method(parameters::lambda(lambda).tolerance(tolerance)),
-                                            parameters::coarsest_size(20).flip_policy(Flip_policy::KEEP).summary(std::ref(summary)).random_seed(seed)));
+    return parameterize(Hierarchical_method(
+        Method(parameters::lambda(lambda).tolerance(tolerance)),
+        parameters::coarsest_size(20).flip_policy(Flip_policy::KEEP).summary(std::ref(summary)).random_seed(seed)));
   }
 
   double energy(double lambda) const { return energy_by_definition(flat_mesh, uv(), lambda); }
 };
 
-std::vector<Flat_mesh> smooth_meshes() { return { grid(16, 12, wavy), hemisphere(), disk_with_hole(), delaunay_patch(200, 1, wavy) }; }
+std::vector<Flat_mesh> smooth_meshes()
+{
+  return { grid(16, 12, wavy), hemisphere(), disk_with_hole(), delaunay_patch(200, 1, wavy) };
+}
 
 TEST(As_rigid_as_possible, energy_is_that_of_the_definition)
 {
@@ -105,7 +113,8 @@ TEST(As_rigid_as_possible, energy_is_that_of_the_definition)
     for (const double lambda : { 0., 1e-4, 0.02, 1000. }) {
       Mapped_mesh mapped(m);
       EXPECT_EQ(mapped.parameterize_hierarchically(lambda, 1e-3), OK);
-      EXPECT_NEAR(mapped.summary.energy, mapped.energy(lambda), 1e-8 * mapped.summary.energy + 1e-14) << "lambda " << lambda;
+      EXPECT_NEAR(mapped.summary.energy, mapped.energy(lambda), 1e-8 * mapped.summary.energy + 1e-14)
+          << "lambda " << lambda;
     }
 }
 
@@ -118,8 +127,10 @@ TEST(As_rigid_as_possible, energy_is_not_above_that_of_CGAL)
     for (const double lambda : { 0.01, 1., 1000. }) {
       Mapped_mesh ours(m), theirs(m);
       EXPECT_EQ(ours.parameterize_hierarchically(lambda), OK);
-      theirs.parameterize(ARAP_parameterizer_3<Surface_mesh>(lambda));    // its repair of flips may fail, and leaves the map
-      EXPECT_LE(ours.energy(lambda), theirs.energy(lambda) * (1 + 1e-6) + 1e-12) << m.triangles.size() << " triangles, lambda " << lambda;
+      theirs.parameterize(
+          ARAP_parameterizer_3<Surface_mesh>(lambda));      // its repair of flips may fail, and leaves the map
+      EXPECT_LE(ours.energy(lambda), theirs.energy(lambda) * (1 + 1e-6) + 1e-12)
+          << m.triangles.size() << " triangles, lambda " << lambda;
     }
 }
 
@@ -136,7 +147,8 @@ TEST(As_rigid_as_possible, converges_in_few_steps)
 
 TEST(As_rigid_as_possible, finds_the_isometry_of_a_developable_surface)
 {
-  for (const Flat_mesh& m : { grid(12, 9, flat), grid(12, 9, rolled), delaunay_patch(150, 4, flat), strip(20), single_triangle() })
+  for (const Flat_mesh& m :
+       { grid(12, 9, flat), grid(12, 9, rolled), delaunay_patch(150, 4, flat), strip(20), single_triangle() })
     for (const double lambda : { 1e-3, 1000., infinity }) {
       Mapped_mesh mapped(m);
       EXPECT_EQ(mapped.parameterize_hierarchically(lambda), OK);
@@ -197,7 +209,10 @@ TEST(As_rigid_as_possible, is_the_least_squares_conformal_map_for_lambda_0)
   for (const Flat_mesh& m : { grid(8, 6, wavy), disk_with_hole(), fan(5) })
     for (const bool is_hierarchical : { true, false }) {
       Mapped_mesh mapped(m);
-      EXPECT_EQ(is_hierarchical ? mapped.parameterize_hierarchically(0, 1e-12) : mapped.parameterize(Method(parameters::lambda(0.).flip_policy(Flip_policy::KEEP).tolerance(1e-12))), OK);
+      EXPECT_EQ(is_hierarchical ? mapped.parameterize_hierarchically(0, 1e-12)
+                                : mapped.parameterize(
+                                      Method(parameters::lambda(0.).flip_policy(Flip_policy::KEEP).tolerance(1e-12))),
+                OK);
       std::vector<Kernel::Point_2> uv = mapped.uv();
       const double h = 1e-4, energy = mapped.energy(0);
       std::size_t held = 0;
@@ -283,8 +298,11 @@ TEST(As_rigid_as_possible, takes_every_mesh)
         SCOPED_TRACE(name + ", lambda " + std::to_string(lambda) + ", optimizer " + std::to_string(int(optimizer)));
         Mapped_mesh mapped(m);
         const Method method(parameters::lambda(lambda).optimizer(optimizer).number_of_iterations(20));
-        EXPECT_EQ(mapped.parameterize(Hierarchical_method(method, parameters::coarsest_size(20).flip_policy(Flip_policy::KEEP).summary(std::ref(mapped.summary))
-                                                              .visitor(Checking_visitor()))), OK);
+        EXPECT_EQ(mapped.parameterize(Hierarchical_method(method, parameters::coarsest_size(20)
+                                                                      .flip_policy(Flip_policy::KEEP)
+                                                                      .summary(std::ref(mapped.summary))
+                                                                      .visitor(Checking_visitor()))),
+                  OK);
         EXPECT_TRUE(std::isfinite(mapped.summary.energy));
         EXPECT_LE(mapped.summary.levels.back().energy_end, mapped.summary.levels.back().energy_start + 1e-15);
         for (const Kernel::Point_2& p : mapped.uv())
@@ -306,7 +324,9 @@ TEST(Hierarchical_ARAP_parameterizer, takes_the_arguments_of_CGALs_and_named_par
     return mapped.uv();
   };
   const auto coarse = parameters::coarsest_size(20);
-  const auto method_uv = [&](const auto& method_parameters) { return uv(Hierarchical_method(Method(method_parameters), coarse)); };
+  const auto method_uv = [&](const auto& method_parameters) {
+    return uv(Hierarchical_method(Method(method_parameters), coarse));
+  };
 
   EXPECT_EQ(uv(Hierarchical_CGAL_method()), uv(Hierarchical_method()));
   EXPECT_EQ(uv(Hierarchical_CGAL_method(0.1)), uv(Hierarchical_method(Method(parameters::lambda(0.1)))));
@@ -316,15 +336,20 @@ TEST(Hierarchical_ARAP_parameterizer, takes_the_arguments_of_CGALs_and_named_par
   EXPECT_EQ(uv(Hierarchical_CGAL_method(0.1, coarse)), method_uv(parameters::lambda(0.1)));
   EXPECT_EQ(uv(Hierarchical_CGAL_method(border, coarse)), method_uv(parameters::default_values()));
   EXPECT_EQ(uv(Hierarchical_CGAL_method(border, 0.1, coarse)), method_uv(parameters::lambda(0.1)));
-  EXPECT_EQ(uv(Hierarchical_CGAL_method(border, 0.1, 1, coarse)), method_uv(parameters::lambda(0.1).number_of_iterations(1)));
-  EXPECT_EQ(uv(Hierarchical_CGAL_method(border, 0.1, 9, 0.1, coarse)), method_uv(parameters::lambda(0.1).tolerance(0.1).number_of_iterations(9)));
-  EXPECT_EQ(uv(Hierarchical_CGAL_method(parameters::lambda(0.1).coarsest_size(20))), method_uv(parameters::lambda(0.1)));
+  EXPECT_EQ(uv(Hierarchical_CGAL_method(border, 0.1, 1, coarse)),
+            method_uv(parameters::lambda(0.1).number_of_iterations(1)));
+  EXPECT_EQ(uv(Hierarchical_CGAL_method(border, 0.1, 9, 0.1, coarse)),
+            method_uv(parameters::lambda(0.1).tolerance(0.1).number_of_iterations(9)));
+  EXPECT_EQ(uv(Hierarchical_CGAL_method(parameters::lambda(0.1).coarsest_size(20))),
+            method_uv(parameters::lambda(0.1)));
 }
 
 TEST(Hierarchical_ARAP_parameterizer, tells_what_it_did)
 {
   Mapped_mesh mapped(hemisphere());
-  EXPECT_EQ(mapped.parameterize(Hierarchical_CGAL_method(10., parameters::coarsest_size(20).summary(std::ref(mapped.summary)))), OK);
+  EXPECT_EQ(mapped.parameterize(
+                Hierarchical_CGAL_method(10., parameters::coarsest_size(20).summary(std::ref(mapped.summary)))),
+            OK);
   EXPECT_TRUE(mapped.summary.converged);
   EXPECT_GT(mapped.summary.levels.size(), 3u);
   EXPECT_NEAR(mapped.summary.energy, mapped.energy(10), 1e-8 * mapped.summary.energy);

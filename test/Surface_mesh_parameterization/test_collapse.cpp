@@ -60,7 +60,8 @@ TEST(Parent_triangle, holds_the_origin)
       EXPECT_GE(sigma, 0);
       EXPECT_GE(tau, 0);
       EXPECT_GE(rho, -1e-15);
-      EXPECT_NEAR(length(rho * flat_ring[w0] + sigma * flat_ring[parent.slots[1]] + tau * flat_ring[parent.slots[2]]), 0, 1e-12);
+      EXPECT_NEAR(length(rho * flat_ring[w0] + sigma * flat_ring[parent.slots[1]] + tau * flat_ring[parent.slots[2]]),
+                  0, 1e-12);
     }
   }
   EXPECT_GT(tried, 300);
@@ -81,7 +82,8 @@ TEST(Parent_triangle, at_the_border_is_a_place_on_the_coarse_border_edge_by_arc_
       EXPECT_EQ(parent.slots[0], w0);
       EXPECT_DOUBLE_EQ(at_other, length(flat_ring[w0]) / (length(flat_ring[w0]) + length(flat_ring[other])));
       EXPECT_EQ(elsewhere, 0);
-      EXPECT_EQ(size == 2, parent.slots[1] == parent.slots[2]);   // an ear: as Collapse_hierarchy_3::parent_triangle() says
+      EXPECT_EQ(size == 2,
+                parent.slots[1] == parent.slots[2]);      // an ear: as Collapse_hierarchy_3::parent_triangle() says
     }
 }
 
@@ -142,7 +144,10 @@ TEST(Ring_mesh, collapses_as_its_triangles_do)
       points = kept_points;
       for (Index_triangle& t : triangles)
         t = { number[t[0]], number[t[1]], number[t[2]] };
-      triangles.erase(std::remove_if(triangles.begin(), triangles.end(), [](const Index_triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }),
+      triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                                     [](const Index_triangle& t) {
+                                       return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+                                     }),
                       triangles.end());
       ASSERT_EQ(rings.number_of_vertices(), points.size());
       const One_rings expected(points.size(), triangles);
@@ -151,7 +156,8 @@ TEST(Ring_mesh, collapses_as_its_triangles_do)
         EXPECT_EQ(ring.is_closed, !expected.is_border(v));
         std::vector<Index> neighbors(ring.begin(), ring.end());
         if (ring.is_closed)       // it may start at any neighbor
-          std::rotate(neighbors.begin(), std::find(neighbors.begin(), neighbors.end(), expected[v].front()), neighbors.end());
+          std::rotate(neighbors.begin(), std::find(neighbors.begin(), neighbors.end(), expected[v].front()),
+                      neighbors.end());
         EXPECT_EQ(neighbors, std::vector<Index>(expected[v].begin(), expected[v].end()));
       }
     }
@@ -184,7 +190,9 @@ TEST(Unit_edge_metric, makes_edges_equally_long)
 // The mean quality of the triangles of all coarse levels, were every vertex where it is in `m`.
 double mean_quality(const Collapse_hierarchy_3& h, const Flat_mesh& m)
 {
-  const auto place = [&](Index v) { return Vector_2(m.points[h.input_vertex(v)].x(), m.points[h.input_vertex(v)].y()); };
+  const auto place = [&](Index v) {
+    return Vector_2(m.points[h.input_vertex(v)].x(), m.points[h.input_vertex(v)].y());
+  };
   double sum = 0;
   std::size_t triangles = 0;
   for (std::size_t level = 0; level + 1 < h.number_of_levels(); ++level)
@@ -198,9 +206,12 @@ double mean_quality(const Collapse_hierarchy_3& h, const Flat_mesh& m)
 // However a plane mesh was stretched, the coarse triangles are as round as if it had not been.
 TEST(Unit_edge_metric, keeps_coarse_triangles_of_stretched_meshes_round)
 {
-  for (const Flat_mesh& m : { delaunay_patch(2000, 1, flat), affine_image(grid(40, 40, flat), 1, -0.5, 0, std::sqrt(0.75)) }) {
+  for (const Flat_mesh& m :
+       { delaunay_patch(2000, 1, flat), affine_image(grid(40, 40, flat), 1, -0.5, 0, std::sqrt(0.75)) }) {
     const Flat_mesh image = affine_image(m, 5, 2, -1, 0.3);
-    const auto hierarchy = [](const Flat_mesh& mesh, bool unit_edges) { return Collapse_hierarchy_3(surface(mesh), parameters::unit_edges(unit_edges)); };
+    const auto hierarchy = [](const Flat_mesh& mesh, bool unit_edges) {
+      return Collapse_hierarchy_3(surface(mesh), parameters::unit_edges(unit_edges));
+    };
     const double expected = mean_quality(hierarchy(m, false), m);
     EXPECT_NEAR(mean_quality(hierarchy(m, true), m), expected, 0.03 * expected);
     EXPECT_NEAR(mean_quality(hierarchy(image, true), m), expected, 0.03 * expected);

@@ -130,7 +130,8 @@ TEST(Collapse_hierarchy, takes_little_memory)
 TEST(Collapse_hierarchy, holes_survive)
 {
   const Collapse_hierarchy_3 h = small_hierarchy(grid_with_holes(20), 1);
-  const std::vector<std::vector<Index>> coarsest = borders(One_rings(h.number_of_vertices(0), triangles_of_level(h, 0)));
+  const std::vector<std::vector<Index>> coarsest =
+      borders(One_rings(h.number_of_vertices(0), triangles_of_level(h, 0)));
   EXPECT_EQ(coarsest.size(), 4u);
   std::size_t outer = 0;
   for (const std::vector<Index>& border : coarsest) {
@@ -201,7 +202,8 @@ TEST(Collapse_hierarchy, parent_triangles_lie_on_the_coarser_level)
   for_each_hierarchy([](const Flat_mesh&, const Collapse_hierarchy_3& h) {
     for (std::size_t level = 1; level < h.number_of_levels(); ++level) {
       const std::vector<Index_triangle> coarse = triangles_of_level(h, level - 1);
-      const One_rings coarse_rings(h.number_of_vertices(level - 1), coarse), rings(h.number_of_vertices(level), triangles_of_level(h, level));
+      const One_rings coarse_rings(h.number_of_vertices(level - 1), coarse),
+          rings(h.number_of_vertices(level), triangles_of_level(h, level));
       for (Index v = Index(h.number_of_vertices(level - 1)); v < h.number_of_vertices(level); ++v) {
         const Index_triangle& parent = h.parent_triangle(v);
         const std::array<double, 3> c = h.barycentric_coordinates(v);
@@ -253,8 +255,8 @@ TEST(Collapse_hierarchy, pinned_vertices_stay_on_every_level)
 
 TEST(Collapse_hierarchy, all_vertices_pinned_is_one_level)
 {
-  const Collapse_hierarchy_3 h(surface(grid(12, 9, wavy)),
-                               parameters::coarsest_size(3).vertex_is_constrained_map(CGAL::Constant_property_map<std::size_t, bool>(true)));
+  const Collapse_hierarchy_3 h(surface(grid(12, 9, wavy)), parameters::coarsest_size(3).vertex_is_constrained_map(
+                                                               CGAL::Constant_property_map<std::size_t, bool>(true)));
   EXPECT_EQ(h.number_of_levels(), 1u);
 }
 
@@ -308,7 +310,9 @@ TEST(Fixed_vertices, that_no_level_can_do_without_stay)
   const Flat_mesh m = grid(columns, columns, wavy);
   const Index inside = 6 * (columns + 1) + 6, alone = columns * (columns + 1) + 5, last_of_part = 8;
   const Index across[] = { columns - 1, 2 * columns + 1 };    // the base of an ear
-  const auto is_wanted = [&](Index v) { return v == inside || v == alone || v <= last_of_part || v == across[0] || v == across[1]; };
+  const auto is_wanted = [&](Index v) {
+    return v == inside || v == alone || v <= last_of_part || v == across[0] || v == across[1];
+  };
   const Collapse_hierarchy_3 h = hierarchy_with_fixed_vertices(m, is_wanted);
   std::set<Index> pinned;
   for (Index v = 0; v < h.number_of_vertices(); ++v)

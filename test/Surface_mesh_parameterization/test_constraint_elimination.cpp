@@ -75,7 +75,10 @@ struct Constrained_system
   Constraint_elimination::Vector right_side;
 };
 
-Eigen::VectorXd as_Eigen(const Constraint_elimination::Vector& x) { return Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()); }
+Eigen::VectorXd as_Eigen(const Constraint_elimination::Vector& x)
+{
+  return Eigen::Map<const Eigen::VectorXd>(x.data(), x.size());
+}
 
 // Points 0 and 4 have places; 1 and 2 are turned into each other about 0, and 3 and 5 about 4, whose place is told
 // after that.
@@ -100,7 +103,9 @@ TEST(Constraint_elimination, gives_the_solution_of_the_whole_system)
   const Constraint_elimination elimination(*rows, system.right_side, ranks);
   ASSERT_TRUE(elimination.is_complete());
   ASSERT_EQ(elimination.number_of_unknowns(), 6u);
-  const Eigen::VectorXd y = Constrained_system::dense(elimination.reduced_matrix()).partialPivLu().solve(as_Eigen(elimination.reduced_right_side()));
+  const Eigen::VectorXd y = Constrained_system::dense(elimination.reduced_matrix())
+                                .partialPivLu()
+                                .solve(as_Eigen(elimination.reduced_right_side()));
   const Eigen::VectorXd x = system.dense().fullPivLu().solve(as_Eigen(system.right_side)).head(14);
   EXPECT_LT((as_Eigen(elimination.expand({ y.begin(), y.end() })) - x).norm(), 1e-12 * x.norm());
 }
@@ -139,7 +144,8 @@ TEST(Constraint_elimination, of_a_symmetric_matrix_is_symmetric_and_of_a_negativ
   }
   const std::vector<Index> ranks{ 0, 1, 2, 3, 4, 5, 6 };
   const auto rows = system.matrix.rows();
-  const Eigen::MatrixXd reduced = Constrained_system::dense(Constraint_elimination(*rows, system.right_side, ranks).reduced_matrix());
+  const Eigen::MatrixXd reduced =
+      Constrained_system::dense(Constraint_elimination(*rows, system.right_side, ranks).reduced_matrix());
   EXPECT_LT((reduced - reduced.transpose()).norm(), 1e-13);
   EXPECT_EQ(reduced.llt().info(), Eigen::Success);
 }

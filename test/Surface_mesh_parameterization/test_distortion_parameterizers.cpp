@@ -52,10 +52,13 @@ TYPED_TEST(RefinableParameterizer_3, result_is_valid_on_every_level)
   for (const auto& [name, m] : named_meshes())
     for (const Optimizer optimizer : { Optimizer::NEWTON, Optimizer::SWEEPS, Optimizer::RANDOM_VERTICES })
       for (const std::size_t coarsest_size : { 1, 30, 100 }) {
-        SCOPED_TRACE(name + ", optimizer " + std::to_string(int(optimizer)) + ", coarsest size " + std::to_string(coarsest_size));
+        SCOPED_TRACE(name + ", optimizer " + std::to_string(int(optimizer)) + ", coarsest size " +
+                     std::to_string(coarsest_size));
         Mapped_mesh mapped(m);
         const TypeParam method(parameters::optimizer(optimizer).number_of_iterations(20));
-        EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(method, parameters::coarsest_size(coarsest_size).visitor(Checking_visitor()))), OK);
+        EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(
+                      method, parameters::coarsest_size(coarsest_size).visitor(Checking_visitor()))),
+                  OK);
         EXPECT_TRUE(mapped.is_valid());
         EXPECT_EQ(mapped.quality().flips, 0u);
       }
@@ -77,7 +80,9 @@ TYPED_TEST(RefinableParameterizer_3, same_seed_same_bytes)
   const auto run = [&](Optimizer optimizer, unsigned int seed) {
     Mapped_mesh mapped(m);
     const TypeParam method(parameters::optimizer(optimizer).number_of_iterations(3).random_seed(seed));
-    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(method, parameters::coarsest_size(20).random_seed(seed))), OK);
+    EXPECT_EQ(mapped.parameterize(
+                  Hierarchical_parameterizer_3<TypeParam>(method, parameters::coarsest_size(20).random_seed(seed))),
+              OK);
     return mapped.uv();
   };
   for (const Optimizer optimizer : { Optimizer::NEWTON, Optimizer::SWEEPS, Optimizer::RANDOM_VERTICES }) {
@@ -92,9 +97,13 @@ TYPED_TEST(RefinableParameterizer_3, hierarchical_and_flat_runs_find_the_same_mi
     Mapped_mesh mapped(m);
     Parameterization_summary hierarchical, flat, relaxed;
     const auto np = parameters::tolerance(1e-9);
-    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(TypeParam(np), parameters::coarsest_size(20).summary(std::ref(hierarchical)))), OK);
+    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(
+                  TypeParam(np), parameters::coarsest_size(20).summary(std::ref(hierarchical)))),
+              OK);
     EXPECT_EQ(mapped.parameterize(TypeParam(np.summary(std::ref(flat)))), OK);
-    EXPECT_EQ(mapped.parameterize(TypeParam(np.optimizer(Optimizer::SWEEPS).summary(std::ref(relaxed)).number_of_iterations(5000))), OK);
+    EXPECT_EQ(mapped.parameterize(
+                  TypeParam(np.optimizer(Optimizer::SWEEPS).summary(std::ref(relaxed)).number_of_iterations(5000))),
+              OK);
     EXPECT_TRUE(hierarchical.converged && flat.converged && relaxed.converged);
     const double minimum = std::is_same<TypeParam, MIPS>::value ? 2 * double(m.triangles.size()) : 4;
     EXPECT_NEAR((hierarchical.energy - minimum) / (flat.energy - minimum), 1, 1e-3);
@@ -108,7 +117,9 @@ TYPED_TEST(RefinableParameterizer_3, similar_surfaces_have_similar_maps)
   // The quality as a map of `m`.
   const auto run = [&](const Flat_mesh& similar, double scale) {
     Mapped_mesh mapped(similar), measured(m);
-    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(TypeParam(parameters::tolerance(1e-10)), parameters::coarsest_size(30))), OK);
+    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(TypeParam(parameters::tolerance(1e-10)),
+                                                                          parameters::coarsest_size(30))),
+              OK);
     for (const auto v : vertices(measured.mesh))
       measured.uvmap[v] = Kernel::Point_2(mapped.uvmap[v].x() / scale, mapped.uvmap[v].y() / scale);
     return measured.quality();
@@ -120,7 +131,8 @@ TYPED_TEST(RefinableParameterizer_3, similar_surfaces_have_similar_maps)
       p = Point_3(scale * (0.6 * p.x() - 0.8 * p.z() + 3), scale * (0.8 * p.x() + 0.6 * p.z()), scale * (5 - p.y()));
     const Parameterization_quality found = run(moved, scale);
     EXPECT_NEAR(found.mips_excess / expected.mips_excess, 1, 1e-6) << "scale " << scale;
-    EXPECT_NEAR((found.symmetric_dirichlet - 4) / (expected.symmetric_dirichlet - 4), 1, 1e-5) << "scale " << scale;   // is not what MIPS minimizes
+    EXPECT_NEAR((found.symmetric_dirichlet - 4) / (expected.symmetric_dirichlet - 4), 1, 1e-5)
+        << "scale " << scale;      // is not what MIPS minimizes
   }
 }
 
@@ -132,7 +144,8 @@ TYPED_TEST(RefinableParameterizer_3, result_has_the_units_of_the_surface)
     for (Point_3& p : scaled.points)
       p = Point_3(scale * p.x(), scale * p.y(), scale * p.z());
     Mapped_mesh mapped(scaled);
-    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(TypeParam(parameters::tolerance(1e-10)))), OK);
+    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(TypeParam(parameters::tolerance(1e-10)))),
+              OK);
     for (const auto e : edges(mapped.mesh)) {
       const auto s = source(e, mapped.mesh), t = target(e, mapped.mesh);
       const double in_space = std::sqrt(CGAL::squared_distance(mapped.mesh.point(s), mapped.mesh.point(t)));
@@ -161,7 +174,8 @@ TEST(Threads, do_not_change_the_map)
   const auto symmetric_dirichlet = map_of<Symmetric_Dirichlet_parameterizer_3<Surface_mesh>>(m, 1);
   for (const int threads : { 1, 2, 5 }) {
     EXPECT_EQ(mips, (map_of<MIPS_parameterizer_3<Surface_mesh, CGAL::Parallel_tag>>(m, threads)));
-    EXPECT_EQ(symmetric_dirichlet, (map_of<Symmetric_Dirichlet_parameterizer_3<Surface_mesh, CGAL::Parallel_tag>>(m, threads)));
+    EXPECT_EQ(symmetric_dirichlet,
+              (map_of<Symmetric_Dirichlet_parameterizer_3<Surface_mesh, CGAL::Parallel_tag>>(m, threads)));
   }
 }
 #endif
@@ -177,13 +191,16 @@ TEST_P(Real_mesh, is_valid_on_every_level)
     GTEST_SKIP() << "no such file in " << data_folder();
   Mapped_mesh mapped(m);
   Parameterization_summary summary;
-  EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(MIPS(), parameters::summary(std::ref(summary)).visitor(Checking_visitor()))), OK);
+  EXPECT_EQ(mapped.parameterize(
+                Hierarchical_MIPS(MIPS(), parameters::summary(std::ref(summary)).visitor(Checking_visitor()))),
+            OK);
   EXPECT_TRUE(mapped.is_valid());
   EXPECT_EQ(mapped.quality().flips, 0u);
   EXPECT_GT(summary.levels.size(), 3u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, Real_mesh, testing::Values("face_1042", "patch_476", "homer_cut", "fertility_cut", "hand"),
+INSTANTIATE_TEST_SUITE_P(Shared, Real_mesh,
+                         testing::Values("face_1042", "patch_476", "homer_cut", "fertility_cut", "hand"),
                          [](const auto& info) { return std::string(info.param); });
 
 } // namespace

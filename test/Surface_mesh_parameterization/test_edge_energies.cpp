@@ -62,13 +62,23 @@ template <class EdgeWeights, class TriangleMesh = Surface_mesh>
 using Method = Edge_energy_parameterizer_3<TriangleMesh, EdgeWeights>;
 
 template <class EdgeWeights>
-Method<EdgeWeights> method_of_tolerance(double tolerance) { return Method<EdgeWeights>({}, EdgeWeights(), parameters::tolerance(tolerance)); }
+Method<EdgeWeights> method_of_tolerance(double tolerance)
+{
+  return Method<EdgeWeights>({}, EdgeWeights(), parameters::tolerance(tolerance));
+}
 
-std::vector<Flat_mesh> disks() { return { grid(16, 12, wavy), hemisphere(), deep_cap(), delaunay_patch(400, 1, wavy), crumpled_grid(14, 1), disk_with_hole() }; }
+std::vector<Flat_mesh> disks()
+{
+  return { grid(16, 12, wavy),           hemisphere(),         deep_cap(),
+           delaunay_patch(400, 1, wavy), crumpled_grid(14, 1), disk_with_hole() };
+}
 
 // Flat, with all defaults but one.
 template <class Method>
-Method keeping_flips() { return Method({}, typename Method::Edge_weights(), parameters::flip_policy(Flip_policy::KEEP)); }
+Method keeping_flips()
+{
+  return Method({}, typename Method::Edge_weights(), parameters::flip_policy(Flip_policy::KEEP));
+}
 
 // ---- one check for all weights ----
 
@@ -102,7 +112,8 @@ struct Residual_visitor : Hierarchy_visitor_3
         const Index w = level.one_ring(v)[Index(i)];
         r = r + weights[i] / sum(weights) * (uv[w] - uv[v]);
         if (level.is_fixed(w))
-          r0 = r0 + weights[i] / sum(weights) * (level.fixed_place(w) - Point_2(0.5 * scale, 0.5 * scale));    // the middle of the circle
+          r0 = r0 + weights[i] / sum(weights) *
+                        (level.fixed_place(w) - Point_2(0.5 * scale, 0.5 * scale));      // the middle of the circle
       }
       found += r.squared_length();
       reference += r0.squared_length();
@@ -118,10 +129,12 @@ TYPED_TEST(Edge_energy_parameterizer, solves_the_system_to_the_tolerance)
     Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(800, 1, wavy));
     double residual = -1;
     Parameterization_summary s;
-    map_of(mesh, Hierarchical_parameterizer_3<Method<TypeParam>>(method_of_tolerance<TypeParam>(tolerance),
-                                                                 parameters::summary(std::ref(s)).visitor(Residual_visitor<TypeParam>(residual))));
+    map_of(mesh, Hierarchical_parameterizer_3<Method<TypeParam>>(
+                     method_of_tolerance<TypeParam>(tolerance),
+                     parameters::summary(std::ref(s)).visitor(Residual_visitor<TypeParam>(residual))));
     EXPECT_TRUE(s.converged);
-    EXPECT_TRUE(residual > 0 && residual < 1.05 * tolerance) << residual;    // the border's box is not quite the circle's
+    EXPECT_TRUE(residual > 0 && residual < 1.05 * tolerance)
+        << residual;      // the border's box is not quite the circle's
     EXPECT_GT(s.levels.back().iterations, 0u);
   }
 }
@@ -130,7 +143,9 @@ TYPED_TEST(Edge_energy_parameterizer, hierarchical_and_flat_maps_are_the_same)
 {
   for (const Flat_mesh& m : disks()) {
     Surface_mesh mesh = make<Surface_mesh>(m);
-    EXPECT_LT(distance(map_of(mesh, hierarchical(method_of_tolerance<TypeParam>(1e-11))), map_of(mesh, keeping_flips<Method<TypeParam>>())), 1e-8);
+    EXPECT_LT(distance(map_of(mesh, hierarchical(method_of_tolerance<TypeParam>(1e-11))),
+                       map_of(mesh, keeping_flips<Method<TypeParam>>())),
+              1e-8);
   }
 }
 
@@ -140,7 +155,8 @@ TYPED_TEST(Edge_energy_parameterizer, positive_weights_give_a_one_to_one_map)
     for (const Flat_mesh& m : disks()) {
       Surface_mesh mesh = make<Surface_mesh>(m);
       const auto uvmap = mesh.add_property_map<Surface_mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
-      const Hierarchical_parameterizer_3<Method<TypeParam>> parameterizer(Method<TypeParam>(), parameters::coarsest_size(20));
+      const Hierarchical_parameterizer_3<Method<TypeParam>> parameterizer(Method<TypeParam>(),
+                                                                          parameters::coarsest_size(20));
       EXPECT_EQ(SMP::parameterize(mesh, parameterizer, longest_border(mesh), uvmap), OK);
       EXPECT_EQ(parameterization_quality(mesh, uvmap).flips, 0u);
     }
@@ -152,7 +168,8 @@ TYPED_TEST(Edge_energy_parameterizer, is_finite_on_any_mesh)
     SCOPED_TRACE(name);
     Surface_mesh mesh = make<Surface_mesh>(m);
     for (const Kernel::Point_2& p : map_of(mesh, hierarchical(Method<TypeParam>())))
-      EXPECT_TRUE(p.x() >= -1 && p.x() <= 2 && p.y() >= -1 && p.y() <= 2);     // about the circle, which holds all if weights are positive
+      EXPECT_TRUE(p.x() >= -1 && p.x() <= 2 && p.y() >= -1 &&
+                  p.y() <= 2);      // about the circle, which holds all if weights are positive
   }
 }
 
@@ -166,8 +183,10 @@ TYPED_TEST(Edge_energy_parameterizer, border_is_where_the_border_parameterizer_p
     const std::vector<Kernel::Point_2> uv = map_of(mesh, hierarchical(Method<TypeParam>()));
     std::map<Surface_mesh::Vertex_index, Kernel::Point_2> border;
     std::map<Surface_mesh::Vertex_index, bool> is_placed;
-    Circular_border_arc_length_parameterizer_3<Surface_mesh>().parameterize(mesh, longest_border(mesh), boost::make_assoc_property_map(border),
-                                                                            get(CGAL::vertex_index, mesh), boost::make_assoc_property_map(is_placed));
+    Circular_border_arc_length_parameterizer_3<Surface_mesh>().parameterize(mesh, longest_border(mesh),
+                                                                            boost::make_assoc_property_map(border),
+                                                                            get(CGAL::vertex_index, mesh),
+                                                                            boost::make_assoc_property_map(is_placed));
     for (const auto& [v, place] : border)
       EXPECT_EQ(uv[v], place);
   }
@@ -220,7 +239,8 @@ TEST(CGAL, finds_the_same_map_with_given_corners)
   Surface_mesh mesh = make<Surface_mesh>(grid(16, 16, wavy));
   const auto corner = [](std::size_t v) { return Surface_mesh::Vertex_index(Surface_mesh::size_type(v)); };
   const Border border(corner(0), corner(16), corner(16 * 17), corner(17 * 17 - 1));
-  const std::vector<Kernel::Point_2> expected = map_of(mesh, Barycentric_mapping_parameterizer_3<Surface_mesh, Border>(border));
+  const std::vector<Kernel::Point_2> expected =
+      map_of(mesh, Barycentric_mapping_parameterizer_3<Surface_mesh, Border>(border));
   EXPECT_LT(distance(map_of(mesh, hierarchical(Square_method(border))), expected), 1e-6);
 }
 
@@ -232,8 +252,9 @@ TEST(Edge_energy, number_of_iterations_is_the_most)
   typedef Method<Uniform_edge_weights_3> Uniform;
   for (const std::size_t sweeps : { 0, 3 }) {
     Parameterization_summary s;
-    map_of(mesh, Hierarchical_parameterizer_3<Uniform>(Uniform({}, {}, parameters::tolerance(1e-12).number_of_iterations(sweeps)),
-                                                       parameters::coarsest_size(20).flip_policy(Flip_policy::KEEP).summary(std::ref(s))));
+    map_of(mesh, Hierarchical_parameterizer_3<Uniform>(
+                     Uniform({}, {}, parameters::tolerance(1e-12).number_of_iterations(sweeps)),
+                     parameters::coarsest_size(20).flip_policy(Flip_policy::KEEP).summary(std::ref(s))));
     EXPECT_FALSE(s.converged);
     for (std::size_t i = 1; i < s.levels.size(); ++i)
       EXPECT_EQ(s.levels[i].iterations, sweeps);
@@ -296,13 +317,19 @@ TEST(Edge_energy, errors_leave_the_maps_untouched)
 struct No_border_parameterizer
 {
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
-  Error_code parameterize(const Surface_mesh&, Surface_mesh::Halfedge_index, VertexUVMap, VertexIndexMap, VertexParameterizedMap) { return OK; }
+  Error_code parameterize(const Surface_mesh&, Surface_mesh::Halfedge_index, VertexUVMap, VertexIndexMap,
+                          VertexParameterizedMap)
+  {
+    return OK;
+  }
 };
 
 TEST(Edge_energy, needs_a_fixed_vertex)
 {
   Surface_mesh mesh = make<Surface_mesh>(grid(5, 5, wavy));
-  map_of(mesh, hierarchical(Edge_energy_parameterizer_3<Surface_mesh, Uniform_edge_weights_3, No_border_parameterizer>()), ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
+  map_of(mesh,
+         hierarchical(Edge_energy_parameterizer_3<Surface_mesh, Uniform_edge_weights_3, No_border_parameterizer>()),
+         ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
 }
 
 #ifdef CGAL_LINKED_WITH_TBB

@@ -89,7 +89,8 @@ TYPED_TEST(EdgeWeights_3, keep_what_they_promise)
       }
     }
     for (const auto& [edge, w] : weight)
-      EXPECT_TRUE(!TypeParam::is_symmetric || std::abs(w - weight.at({ edge.second, edge.first })) < 1e-6 * (1 + std::abs(w)));
+      EXPECT_TRUE(!TypeParam::is_symmetric ||
+                  std::abs(w - weight.at({ edge.second, edge.first })) < 1e-6 * (1 + std::abs(w)));
   }
 }
 
@@ -100,10 +101,13 @@ TEST(Mean_value_edge_weights, are_positive_and_by_Floaters_formula)
   const Flat_mesh m = fan(5);
   const Rows rows = weights_of<Mean_value_edge_weights_3>(m);
   const One_rings rings(m.points.size(), m.triangles);
-  const auto angle = [&](Index a, Index b) { return CGAL::approximate_angle(m.points[a], m.points[0], m.points[b]) * CGAL_PI / 180; };
+  const auto angle = [&](Index a, Index b) {
+    return CGAL::approximate_angle(m.points[a], m.points[0], m.points[b]) * CGAL_PI / 180;
+  };
   for (Index i = 0; i < 5; ++i) {
     const Index w = rings[0][i], next = rings[0][(i + 1) % 5], previous = rings[0][(i + 4) % 5];
-    const double expected = (std::tan(0.5 * angle(previous, w)) + std::tan(0.5 * angle(w, next))) / std::sqrt(CGAL::squared_distance(m.points[0], m.points[w]));
+    const double expected = (std::tan(0.5 * angle(previous, w)) + std::tan(0.5 * angle(w, next))) /
+                            std::sqrt(CGAL::squared_distance(m.points[0], m.points[w]));
     EXPECT_NEAR(rows[0][i] / expected, 1, 1e-12);
   }
 }
@@ -116,7 +120,8 @@ TEST(Harmonic_edge_weights, give_the_area_of_a_planar_mesh)
   double energy = 0, area = 0;
   for (Index v = 0; v < m.points.size(); ++v)
     for (std::size_t i = 0; i < rows[v].size(); ++i)
-      energy += 0.25 * rows[v][i] * CGAL::squared_distance(m.points[v], m.points[rings[v][Index(i)]]);     // every edge is met twice
+      energy += 0.25 * rows[v][i] *
+                CGAL::squared_distance(m.points[v], m.points[rings[v][Index(i)]]);      // every edge is met twice
   for (const Index_triangle& t : m.triangles)
     area += std::sqrt(CGAL::squared_area(m.points[t[0]], m.points[t[1]], m.points[t[2]]));
   EXPECT_NEAR(energy / area, 1, 1e-9);
@@ -138,7 +143,8 @@ TEST(Chordal_edge_weights, fall_by_a_power_of_the_length)
     const Rows rows = weights_of(m, Chordal_edge_weights_3(r));
     for (Index v = 0; v < m.points.size(); ++v)
       for (std::size_t i = 0; i < rows[v].size(); ++i)
-        EXPECT_NEAR(rows[v][i] * std::pow(CGAL::squared_distance(m.points[v], m.points[rings[v][Index(i)]]), 0.5 * r), 1, 1e-12);
+        EXPECT_NEAR(rows[v][i] * std::pow(CGAL::squared_distance(m.points[v], m.points[rings[v][Index(i)]]), 0.5 * r),
+                    1, 1e-12);
   }
 }
 
@@ -176,13 +182,15 @@ TYPED_TEST(Linear_precision, a_planar_mesh_is_mapped_onto_itself)
 {
   typedef Edge_energy_parameterizer_3<Surface_mesh, TypeParam, Planar_border_parameterizer> Planar_method;
   const auto is_kept = [](const Point_3& p) { return p.x() < 0.5 || p.y() < 0.5; };
-  for (const Flat_mesh& m : { grid(15, 15, flat), delaunay_patch(400, 2, flat), part(grid(16, 16, flat), is_kept) }) {    // the last one is not convex
+  for (const Flat_mesh& m : { grid(15, 15, flat), delaunay_patch(400, 2, flat),
+                              part(grid(16, 16, flat), is_kept) }) {      // the last one is not convex
     Surface_mesh mesh = make<Surface_mesh>(m);
     std::vector<Kernel::Point_2> expected;
     for (const Point_3& p : m.points)
       expected.push_back(Kernel::Point_2(p.x(), p.y()));
     EXPECT_LT(distance(map_of(mesh, Planar_method()), expected), 1e-9);
-    EXPECT_LT(distance(map_of(mesh, hierarchical(Planar_method({}, {}, parameters::tolerance(1e-11)))), expected), 1e-7);
+    EXPECT_LT(distance(map_of(mesh, hierarchical(Planar_method({}, {}, parameters::tolerance(1e-11)))), expected),
+              1e-7);
   }
 }
 

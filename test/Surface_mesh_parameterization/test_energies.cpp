@@ -42,7 +42,8 @@ struct Invariants { double frobenius, determinant; };
 Invariants invariants(const Rest_corner& c, const Point_2& v, const Point_2& a, const Point_2& b)
 {
   const Vector_2 ab = b - a, av = v - a;
-  return { c.inverse_area * ((av - c.foot * ab).squared_length() / (2 * c.height) + 0.5 * c.height * ab.squared_length()),
+  return { c.inverse_area *
+               ((av - c.foot * ab).squared_length() / (2 * c.height) + 0.5 * c.height * ab.squared_length()),
            c.inverse_area * 0.5 * cross(ab, av) };
 }
 
@@ -81,9 +82,12 @@ TEST(Rest_corner, similar_apex_makes_the_map_a_similarity)
 
 TEST(Rest_corner, degenerate_triangles_have_a_finite_positive_rest_shape)
 {
-  const Point_3 o(0.25, 0.5, 0.125), x(1.25, 0.5, 0.125), middle(0.75, 0.5, 0.125), beyond(3.25, 0.5, 0.125), near_o(0.25 + 1e-14, 0.5, 0.125);
-  const std::vector<std::array<Point_3, 3>> triangles = { { o, x, middle }, { o, middle, x }, { middle, o, x }, { o, x, beyond }, { o, o, x },
-                                                          { o, x, o }, { x, o, o }, { o, o, o }, { o, near_o, x }, { o, near_o, near_o } };
+  const Point_3 o(0.25, 0.5, 0.125), x(1.25, 0.5, 0.125), middle(0.75, 0.5, 0.125), beyond(3.25, 0.5, 0.125),
+      near_o(0.25 + 1e-14, 0.5, 0.125);
+  const std::vector<std::array<Point_3, 3>> triangles = { { o, x, middle },     { o, middle, x }, { middle, o, x },
+                                                          { o, x, beyond },     { o, o, x },      { o, x, o },
+                                                          { x, o, o },          { o, o, o },      { o, near_o, x },
+                                                          { o, near_o, near_o } };
   const std::array<Point_2, 3> image = { Point_2(0, 0), Point_2(1, 0.2), Point_2(0.3, 0.8) };
   for (const auto& [p, q, r] : triangles) {
     const std::array<Rest_corner, 3> corners = rest_corners(p, q, r);
@@ -98,7 +102,8 @@ TEST(Rest_corner, degenerate_triangles_have_a_finite_positive_rest_shape)
       EXPECT_NEAR(found.determinant / first.determinant, 1, 1e-6);
     }
     const Rest_corner single = rest_corner(p, q, r);
-    EXPECT_TRUE(std::isfinite(single.foot) && single.height > 0 && single.inverse_area > 0 && std::isfinite(single.inverse_area));
+    EXPECT_TRUE(std::isfinite(single.foot) && single.height > 0 && single.inverse_area > 0 &&
+                std::isfinite(single.inverse_area));
   }
 }
 
@@ -140,7 +145,8 @@ TYPED_TEST(DistortionEnergy_2, derivatives_match_differences)
 {
   Random random(8);
   for (int k = 0; k < 200; ++k) {
-    const double s1 = std::exp(random(-1, 1)), s2 = std::exp(random(-1, 1)), f = s1 * s1 + s2 * s2, d = s1 * s2, h = 1e-6 * d;
+    const double s1 = std::exp(random(-1, 1)), s2 = std::exp(random(-1, 1)), f = s1 * s1 + s2 * s2, d = s1 * s2,
+                 h = 1e-6 * d;
     if (f - 2 * d < 4 * h)    // the differences would leave what is possible
       continue;
     const Distortion_derivatives_2 e = TypeParam().derivatives(f, d);
@@ -174,7 +180,9 @@ struct Random_map
 {
   double s1, s2, f, d;
 
-  explicit Random_map(Random& random) : s1(std::exp(random(-2, 1.5))), s2(s1 * random(-0.9, 0.95)), f(s1 * s1 + s2 * s2), d(s1 * s2) { }
+  explicit Random_map(Random& random)
+    : s1(std::exp(random(-2, 1.5))), s2(s1 * random(-0.9, 0.95)), f(s1 * s1 + s2 * s2), d(s1 * s2)
+  { }
 };
 
 TEST(As_rigid_as_possible_energy_2, is_the_least_over_all_scales)
@@ -183,8 +191,11 @@ TEST(As_rigid_as_possible_energy_2, is_the_least_over_all_scales)
   for (const double k : stiffnesses)
     for (int i = 0; i < 200; ++i) {
       const Random_map map(random);
-      const auto energy = [&](double s) { return (map.s1 - s) * (map.s1 - s) + (map.s2 - s) * (map.s2 - s) + k * (s * s - 1) * (s * s - 1); };
-      const double expected = k < 1e10 ? least_value(energy, 0, 10) : (map.s1 - 1) * (map.s1 - 1) + (map.s2 - 1) * (map.s2 - 1);
+      const auto energy = [&](double s) {
+        return (map.s1 - s) * (map.s1 - s) + (map.s2 - s) * (map.s2 - s) + k * (s * s - 1) * (s * s - 1);
+      };
+      const double expected =
+          k < 1e10 ? least_value(energy, 0, 10) : (map.s1 - 1) * (map.s1 - 1) + (map.s2 - 1) * (map.s2 - 1);
       EXPECT_NEAR(Energy(2 * k).value(map.f, map.d), expected, 1e-8 * (1 + expected)) << "stiffness " << k;
     }
 }

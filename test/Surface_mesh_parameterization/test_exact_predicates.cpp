@@ -106,7 +106,9 @@ TEST(Exact_orientation, of_points_beside_a_diagonal)
     double y = 0.5;
     for (int j = 0; j < 64; ++j, y = std::nextafter(y, 1.)) {
       counts.check(Point_2(x, y), b, c);
-      ASSERT_EQ(exact_orientation(Point_2(x, y), b, c), i == j ? CGAL::COLLINEAR : i < j ? CGAL::LEFT_TURN : CGAL::RIGHT_TURN);
+      ASSERT_EQ(exact_orientation(Point_2(x, y), b, c), i == j  ? CGAL::COLLINEAR
+                                                        : i < j ? CGAL::LEFT_TURN
+                                                                : CGAL::RIGHT_TURN);
     }
   }
   counts.expect_all_kinds(63);
@@ -126,7 +128,8 @@ TEST(Exact_orientation, of_collinear_points)
     ASSERT_EQ(exact_orientation(a, a, a), CGAL::COLLINEAR);
     Counts().check(a, b, c);
     const double scale = std::ldexp(1., int(random.below(600)) - 300);
-    Counts().check(Point_2(scale * a.x(), scale * a.y()), Point_2(scale * b.x(), scale * b.y()), Point_2(scale * c.x(), scale * c.y()));
+    Counts().check(Point_2(scale * a.x(), scale * a.y()), Point_2(scale * b.x(), scale * b.y()),
+                   Point_2(scale * c.x(), scale * c.y()));
   }
 }
 
@@ -134,9 +137,12 @@ TEST(Exact_orientation, of_collinear_points)
 TEST(Exact_orientation, of_huge_tiny_and_subnormal_points)
 {
   Random random(4);
-  for (const int exponent : { 1022, 1000, 600, 512, 511, 300, -300, -480, -500, -511, -537, -540, -600, -1000, -1022, -1040, -1060, -1070 }) {
+  for (const int exponent : { 1022, 1000, 600, 512, 511, 300, -300, -480, -500, -511, -537, -540, -600, -1000, -1022,
+                              -1040, -1060, -1070 }) {
     Counts counts;
-    const auto scaled = [&](const Point_2& p) { return Point_2(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent)); };
+    const auto scaled = [&](const Point_2& p) {
+      return Point_2(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent));
+    };
     for (int k = 0; k < 100; ++k) {
       const Point_2 a = random_point_2(random), b = random_point_2(random);
       counts.check(scaled(a), scaled(b), scaled(random_point_2(random)));
@@ -145,8 +151,10 @@ TEST(Exact_orientation, of_huge_tiny_and_subnormal_points)
     EXPECT_GT(counts.left, 50u) << exponent;
     EXPECT_GT(counts.right, 50u) << exponent;
   }
-  const std::vector<double> numbers = { 0, least, -least, 2 * least, 1e-320, (std::numeric_limits<double>::min)(), 1e-160, -1e-160, 1e-145, 1, -1, 1e145, 1e160, -1e160,
-                                        greatest, -greatest, std::nextafter(greatest, 0.) };
+  const std::vector<double> numbers = {
+    0,     least, -least, 2 * least, 1e-320,    (std::numeric_limits<double>::min)(), 1e-160, -1e-160, 1e-145, 1, -1,
+    1e145, 1e160, -1e160, greatest,  -greatest, std::nextafter(greatest, 0.)
+  };
   Counts counts;
   for (int k = 0; k < 3000; ++k) {
     const auto number = [&] { return numbers[random.below(numbers.size())]; };
@@ -198,7 +206,8 @@ TEST(Order_xy, is_that_of_CGAL)
     const Point_2 p = point(), q = point(), r = point();
     EXPECT_EQ(is_less_xy(p, q), CGAL::compare_xy(exact(p), exact(q)) == CGAL::SMALLER);
     if (orientation_by_CGAL(p, q, r) == CGAL::COLLINEAR) {
-      EXPECT_EQ(are_strictly_ordered_xy(p, q, r), CGAL::collinear_are_strictly_ordered_along_line(exact(p), exact(q), exact(r)));
+      EXPECT_EQ(are_strictly_ordered_xy(p, q, r),
+                CGAL::collinear_are_strictly_ordered_along_line(exact(p), exact(q), exact(r)));
     }
   }
 }
@@ -210,7 +219,8 @@ void check_segments(const Point_2& a, const Point_2& b, const Point_2& c, const 
 {
   for (const bool is_first_turned : { false, true })
     for (const bool is_second_turned : { false, true }) {
-      const Point_2 &p = is_first_turned ? b : a, &q = is_first_turned ? a : b, &r = is_second_turned ? d : c, &s = is_second_turned ? c : d;
+      const Point_2 &p = is_first_turned ? b : a, &q = is_first_turned ? a : b, &r = is_second_turned ? d : c,
+                    &s = is_second_turned ? c : d;
       ASSERT_EQ(do_segments_meet(p, q, r, s), expected) << a << ", " << b << " and " << c << ", " << d;
       ASSERT_EQ(do_segments_meet(r, s, p, q), expected) << a << ", " << b << " and " << c << ", " << d;
     }

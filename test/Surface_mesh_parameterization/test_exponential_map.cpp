@@ -64,7 +64,8 @@ TEST(Discrete_exponential_map, keeps_lengths_and_scales_angles_to_a_full_turn)
     EXPECT_NEAR(flat_total, 2 * CGAL_PI, 1e-12);   // not 4 pi: the order is kept
     for (std::size_t i = 0; i < n; ++i) {
       EXPECT_NEAR(length(flat_ring[i]), std::sqrt(CGAL::squared_distance(v, ring[i])), 1e-13);
-      EXPECT_NEAR(turn_between(flat_ring[i], flat_ring[(i + 1) % n]), 2 * CGAL_PI / total * angle_between(ring[i] - v, ring[(i + 1) % n] - v), 1e-7);
+      EXPECT_NEAR(turn_between(flat_ring[i], flat_ring[(i + 1) % n]),
+                  2 * CGAL_PI / total * angle_between(ring[i] - v, ring[(i + 1) % n] - v), 1e-7);
     }
   }
 }
@@ -93,7 +94,8 @@ TEST(Discrete_exponential_map, lays_out_degenerate_rings)
 {
   const Point_3 o(0, 0, 0), x(1, 0, 0);
   for (const bool is_closed : { true, false })
-    for (const std::vector<Point_3>& ring : { std::vector<Point_3>(5, o), std::vector<Point_3>(5, x), std::vector<Point_3>{ x, o, x, o } }) {
+    for (const std::vector<Point_3>& ring :
+         { std::vector<Point_3>(5, o), std::vector<Point_3>(5, x), std::vector<Point_3>{ x, o, x, o } }) {
       std::vector<Vector_2> flat_ring;
       discrete_exponential_map(o, ring, is_closed, flat_ring);
       for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -76,7 +76,8 @@ TYPED_TEST(FaceGraph, is_parameterized_hierarchically)
 {
   typedef MIPS_parameterizer_3<TypeParam> Method;
   this->check(Hierarchical_parameterizer_3<Method>());
-  this->check(Hierarchical_parameterizer_3<Method>(Method(), parameters::coarsest_size(10).visitor(Checking_visitor())));
+  this->check(
+      Hierarchical_parameterizer_3<Method>(Method(), parameters::coarsest_size(10).visitor(Checking_visitor())));
 }
 
 TYPED_TEST(FaceGraph, is_parameterized_by_symmetric_Dirichlet)
@@ -95,7 +96,9 @@ TYPED_TEST(FaceGraph, is_parameterized_into_own_property_maps)
   std::size_t n = 0;
   for (const Vertex v : vertices(mesh))
     put(index_of, v, n++);
-  const auto by_index = [&](auto& map) { return boost::compose_property_map(boost::make_assoc_property_map(map), index_of); };
+  const auto by_index = [&](auto& map) {
+    return boost::compose_property_map(boost::make_assoc_property_map(map), index_of);
+  };
 
   const Halfedge<TypeParam> bhd = longest_border(mesh);
   Hierarchical_parameterizer_3<MIPS_parameterizer_3<TypeParam>> parameterizer;

@@ -45,7 +45,8 @@ typedef Hierarchical_parameterizer_3<MIPS>                   Hierarchical_MIPS;
 // ---- errors ----
 
 // Runs flat and hierarchically; both must return `code` and leave the maps alone.
-void expect_error(Mapped_mesh& mapped, Surface_mesh::Halfedge_index bhd, Error_code code, Parameterization_error::Place place, std::size_t index)
+void expect_error(Mapped_mesh& mapped, Surface_mesh::Halfedge_index bhd, Error_code code,
+                  Parameterization_error::Place place, std::size_t index)
 {
   const auto vpmap = mapped.mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:parameterized", false).first;
   const auto vimap = get(CGAL::vertex_index, mapped.mesh);
@@ -60,9 +61,11 @@ void expect_error(Mapped_mesh& mapped, Surface_mesh::Halfedge_index bhd, Error_c
       EXPECT_FALSE(vpmap[v]);
   };
   check(MIPS(parameters::summary(std::ref(summary))).parameterize(mapped.mesh, bhd, mapped.uvmap, vimap, vpmap));
-  check(Hierarchical_MIPS(MIPS(), parameters::summary(std::ref(summary))).parameterize(mapped.mesh, bhd, mapped.uvmap, vimap, vpmap));
+  check(Hierarchical_MIPS(MIPS(), parameters::summary(std::ref(summary)))
+            .parameterize(mapped.mesh, bhd, mapped.uvmap, vimap, vpmap));
   // Not CGAL's function, which follows a null halfedge.
-  check(SMP::parameterize(mapped.mesh, Hierarchical_MIPS(MIPS(), parameters::summary(std::ref(summary))), bhd, mapped.uvmap));
+  check(SMP::parameterize(mapped.mesh, Hierarchical_MIPS(MIPS(), parameters::summary(std::ref(summary))), bhd,
+                          mapped.uvmap));
 }
 
 TEST(Errors, leave_the_maps_untouched)
@@ -72,7 +75,8 @@ TEST(Errors, leave_the_maps_untouched)
 
   Mapped_mesh no_border(grid(5, 5, wavy));
   expect_error(no_border, Surface_mesh::null_halfedge(), ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0);
-  expect_error(no_border, no_border.mesh.opposite(longest_border(no_border.mesh)), ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0);
+  expect_error(no_border, no_border.mesh.opposite(longest_border(no_border.mesh)), ERROR_WRONG_PARAMETER,
+               Parameterization_error::NOWHERE, 0);
 
   Mapped_mesh no_number(grid(5, 5, wavy));
   no_number.mesh.point(Surface_mesh::Vertex_index(9)) = Kernel::Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
@@ -106,7 +110,10 @@ struct Stopping_visitor : Hierarchy_visitor_3
   std::size_t levels;
   explicit Stopping_visitor(std::size_t levels) : levels(levels) { }
   bool hierarchy_built(const Collapse_hierarchy_3&) { return levels > 0; }
-  bool level_parameterized(const Level& level, const Level::Uv&, const Level_summary&) { return level.index() + 1 < levels; }
+  bool level_parameterized(const Level& level, const Level::Uv&, const Level_summary&)
+  {
+    return level.index() + 1 < levels;
+  }
 };
 
 TEST(HierarchyVisitor_3, can_stop_the_run)
@@ -114,7 +121,9 @@ TEST(HierarchyVisitor_3, can_stop_the_run)
   for (const std::size_t levels : { 0, 1, 3 }) {
     Mapped_mesh mapped(grid(16, 12, wavy));
     Parameterization_summary summary;
-    EXPECT_NE(mapped.parameterize(Hierarchical_MIPS(MIPS(), parameters::coarsest_size(10).summary(std::ref(summary)).visitor(Stopping_visitor(levels)))), OK);
+    EXPECT_NE(mapped.parameterize(Hierarchical_MIPS(
+                  MIPS(), parameters::coarsest_size(10).summary(std::ref(summary)).visitor(Stopping_visitor(levels)))),
+              OK);
     EXPECT_TRUE(summary.stopped);
     EXPECT_EQ(summary.levels.size(), levels);
     EXPECT_TRUE(mapped.is_untouched());
@@ -127,7 +136,9 @@ TEST(HierarchyVisitor_3, is_told_of_every_level)
   std::vector<std::size_t> level_sizes;
   Parameterization_summary summary;
   const Checking_visitor visitor = { &level_sizes };
-  EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(MIPS(), parameters::coarsest_size(10).summary(std::ref(summary)).visitor(visitor))), OK);
+  EXPECT_EQ(mapped.parameterize(
+                Hierarchical_MIPS(MIPS(), parameters::coarsest_size(10).summary(std::ref(summary)).visitor(visitor))),
+            OK);
   ASSERT_EQ(summary.levels.size(), level_sizes.size());
   EXPECT_GT(level_sizes.size(), 5u);
   EXPECT_LE(level_sizes.front(), 10u);
@@ -144,7 +155,9 @@ TEST(Parameterization_summary, is_consistent)
       Parameterization_summary s;
       const auto np = parameters::triangle_weight(weight);
       EXPECT_EQ(is_flat ? mapped.parameterize(MIPS(np.summary(std::ref(s))))
-                        : mapped.parameterize(Hierarchical_MIPS(MIPS(np), parameters::coarsest_size(10).summary(std::ref(s)))), OK);
+                        : mapped.parameterize(
+                              Hierarchical_MIPS(MIPS(np), parameters::coarsest_size(10).summary(std::ref(s)))),
+                OK);
       EXPECT_EQ(s.error.code, OK);
       EXPECT_FALSE(s.stopped);
       ASSERT_FALSE(s.levels.empty());
@@ -172,7 +185,9 @@ TEST(Parameterization_summary, says_if_a_run_did_not_converge)
 {
   Mapped_mesh mapped(deep_cap());
   Parameterization_summary summary;
-  EXPECT_EQ(mapped.parameterize(MIPS(parameters::optimizer(Optimizer::SWEEPS).summary(std::ref(summary)).number_of_iterations(2))), OK);
+  EXPECT_EQ(mapped.parameterize(
+                MIPS(parameters::optimizer(Optimizer::SWEEPS).summary(std::ref(summary)).number_of_iterations(2))),
+            OK);
   EXPECT_FALSE(summary.converged);
   EXPECT_EQ(summary.levels.back().iterations, 2u);
   EXPECT_TRUE(mapped.is_valid());
@@ -182,13 +197,20 @@ TEST(Named_parameters, chain_in_any_order_of_the_package_and_end_with_those_of_C
 {
   Mapped_mesh mapped(grid(5, 5, wavy));
   Parameterization_summary s, t;
-  const MIPS method(parameters::optimizer(Optimizer::RANDOM_VERTICES).triangle_weight(Triangle_weight::AREA).number_of_local_steps(50).tolerance(1e-3).random_seed(3).number_of_iterations(7));
+  const MIPS method(parameters::optimizer(Optimizer::RANDOM_VERTICES)
+                        .triangle_weight(Triangle_weight::AREA)
+                        .number_of_local_steps(50)
+                        .tolerance(1e-3)
+                        .random_seed(3)
+                        .number_of_iterations(7));
   const auto np = parameters::summary(std::ref(s)).coarsest_size(9).random_seed(4).visitor(Checking_visitor());
   EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(method, np)), OK);
   EXPECT_LE(s.levels.front().vertices, 9u);
   for (const Level_summary& level : s.levels)
     EXPECT_EQ(level.vertex_visits, 50u);
-  EXPECT_EQ(mapped.parameterize(MIPS(parameters::optimizer(Optimizer::SWEEPS).tolerance(0).summary(std::ref(t)).number_of_iterations(7))), OK);
+  EXPECT_EQ(mapped.parameterize(MIPS(
+                parameters::optimizer(Optimizer::SWEEPS).tolerance(0).summary(std::ref(t)).number_of_iterations(7))),
+            OK);
   EXPECT_EQ(t.levels.back().iterations, 7u);
 }
 
@@ -214,7 +236,10 @@ TEST(Hierarchical_parameterizer, takes_any_border_for_the_outer_one)
       if (mapped.mesh.is_border(h) && seen.count(h) == 0) {
         for (const auto g : CGAL::halfedges_around_face(h, mapped.mesh))
           seen.insert(g);
-        EXPECT_EQ(SMP::parameterize(mapped.mesh, Hierarchical_MIPS(MIPS(), parameters::coarsest_size(12).visitor(Checking_visitor())), h, mapped.uvmap), OK);
+        EXPECT_EQ(SMP::parameterize(
+                      mapped.mesh, Hierarchical_MIPS(MIPS(), parameters::coarsest_size(12).visitor(Checking_visitor())),
+                      h, mapped.uvmap),
+                  OK);
         EXPECT_TRUE(is_valid(mapped.mesh, h, mapped.uvmap));
       }
   }

@@ -67,7 +67,8 @@ bool is_one_surface(const Flat_mesh& m)
 
 bool is_used(const Flat_mesh& m, Index v)
 {
-  return std::any_of(m.triangles.begin(), m.triangles.end(), [&](const Index_triangle& t) { return std::find(t.begin(), t.end(), v) != t.end(); });
+  return std::any_of(m.triangles.begin(), m.triangles.end(),
+                     [&](const Index_triangle& t) { return std::find(t.begin(), t.end(), v) != t.end(); });
 }
 
 // Takes away triangles inside a surface, in a random order, while it stays one surface and loses no vertex.
@@ -77,13 +78,15 @@ Flat_mesh with_random_holes(Flat_mesh m, std::size_t number_of_triangles, unsign
   std::mt19937 random(seed);
   for (std::size_t i = 0; i < 10 * number_of_triangles && number_of_triangles > 0; ++i) {
     Flat_mesh smaller = m;
-    const auto position = smaller.triangles.begin() + std::uniform_int_distribution<long>(0, long(m.triangles.size()) - 1)(random);
+    const auto position =
+        smaller.triangles.begin() + std::uniform_int_distribution<long>(0, long(m.triangles.size()) - 1)(random);
     const Index_triangle triangle_taken = *position;
     if (std::any_of(triangle_taken.begin(), triangle_taken.end(), [&](Index v) { return rings.is_border(v); }))
       continue;
     smaller.triangles.erase(position);
-    if (std::all_of(triangle_taken.begin(), triangle_taken.end(), [&](Index v) { return is_used(smaller, v); })
-        && One_rings(m.points.size(), smaller.triangles).first_non_manifold_vertex() == internal::no_index && is_one_surface(smaller)) {
+    if (std::all_of(triangle_taken.begin(), triangle_taken.end(), [&](Index v) { return is_used(smaller, v); }) &&
+        One_rings(m.points.size(), smaller.triangles).first_non_manifold_vertex() == internal::no_index &&
+        is_one_surface(smaller)) {
       m = smaller;
       --number_of_triangles;
     }
@@ -133,8 +136,12 @@ void expect_near(const Points& a, const Points& b, double tolerance)
 TEST(Holes, an_ear_of_a_hole_is_flat_unless_the_hole_is_filled)
 {
   const Flat_mesh m = grid_with_ear();
-  EXPECT_EQ(Mapped<Surface_mesh>(m).parameterize(Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Surface_mesh>>()).code, ERROR_NO_1_TO_1_MAPPING);
-  EXPECT_EQ(Mapped<Surface_mesh>(m).parameterize(filling<Barycentric_mapping_parameterizer_3<Surface_mesh>>()).code, OK);
+  EXPECT_EQ(Mapped<Surface_mesh>(m)
+                .parameterize(Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Surface_mesh>>())
+                .code,
+            ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(Mapped<Surface_mesh>(m).parameterize(filling<Barycentric_mapping_parameterizer_3<Surface_mesh>>()).code,
+            OK);
 }
 
 // Weights that are not negative and a convex border make a map one-to-one (Tutte, Floater), if every hole is filled.
@@ -148,7 +155,11 @@ TEST(Holes, filled_ones_of_any_shape_leave_no_flip)
     EXPECT_EQ(barycentric.parameterize(filling<Barycentric_mapping_parameterizer_3<Surface_mesh>>()).code, OK);
     EXPECT_EQ(mean_value.parameterize(filling<Mean_value_coordinates_parameterizer_3<Surface_mesh>>()).code, OK);
     EXPECT_EQ(polyhedron.parameterize(filling<Mean_value_coordinates_parameterizer_3<Polyhedron>>()).code, OK);
-    EXPECT_EQ(uniform.parameterize(Hierarchical_parameterizer_3<Uniform<Surface_mesh>>(parameters::tolerance(1e-12).fill_holes(true))).code, OK);
+    EXPECT_EQ(uniform
+                  .parameterize(Hierarchical_parameterizer_3<Uniform<Surface_mesh>>(
+                      parameters::tolerance(1e-12).fill_holes(true)))
+                  .code,
+              OK);
     EXPECT_EQ(barycentric.number_of_flips() + mean_value.number_of_flips() + uniform.number_of_flips(), 0u);
     expect_near(mean_value.uv(), polyhedron.uv(), 1e-8);
     expect_near(barycentric.uv(), uniform.uv(), 1e-6);     // the same weights, by other layers of the package
@@ -164,13 +175,16 @@ TEST(Holes, free_borders_too)
   EXPECT_EQ(isometric.parameterize(filling<Symmetric_Dirichlet_parameterizer_3<Surface_mesh>>()).code, OK);
   MIPS_parameterizer_3<Surface_mesh> alone(parameters::fill_holes(true));
   const Surface_mesh& const_mesh = flat.mesh;
-  EXPECT_EQ(alone.parameterize(const_mesh, test_meshes::longest_border(const_mesh), flat.uvmap, get(CGAL::dynamic_vertex_property_t<int>(), const_mesh),
-                               get(CGAL::dynamic_vertex_property_t<bool>(), const_mesh)), OK);
+  EXPECT_EQ(alone.parameterize(const_mesh, test_meshes::longest_border(const_mesh), flat.uvmap,
+                               get(CGAL::dynamic_vertex_property_t<int>(), const_mesh),
+                               get(CGAL::dynamic_vertex_property_t<bool>(), const_mesh)),
+            OK);
   EXPECT_EQ(mips.number_of_flips() + isometric.number_of_flips() + flat.number_of_flips(), 0u);
   // What is filled counts, so the rest has not the least energy any more.
   const double least = parameterization_quality(open.mesh, open.uvmap).mips;
   EXPECT_GT(parameterization_quality(mips.mesh, mips.uvmap).mips, least);
-  EXPECT_NEAR(parameterization_quality(flat.mesh, flat.uvmap).mips, parameterization_quality(mips.mesh, mips.uvmap).mips, 1e-3 * least);
+  EXPECT_NEAR(parameterization_quality(flat.mesh, flat.uvmap).mips,
+              parameterization_quality(mips.mesh, mips.uvmap).mips, 1e-3 * least);
 }
 
 // A surface in the plane stays what it is: the triangles that fill a hole lie in the plane too.
@@ -208,7 +222,8 @@ TEST(Holes, corners_are_kept_where_a_copy_has_the_same_vertices)
   const auto b = border(run.mesh);
   const std::size_t n = b.size();
   const Square square(b[0], b[n / 4], b[n / 2], b[3 * n / 4]);
-  run.parameterize(Hierarchical_parameterizer_3<Mean_value_coordinates_parameterizer_3<Surface_mesh, Square>>(square, parameters::fill_holes(true).flip_policy(Flip_policy::KEEP)));
+  run.parameterize(Hierarchical_parameterizer_3<Mean_value_coordinates_parameterizer_3<Surface_mesh, Square>>(
+      square, parameters::fill_holes(true).flip_policy(Flip_policy::KEEP)));
   EXPECT_EQ(run.code, OK);
   for (const std::size_t i : { std::size_t(0), n / 4, n / 2, 3 * n / 4 }) {
     const Kernel::Point_2 corner = get(run.uvmap, b[i]);
@@ -218,7 +233,9 @@ TEST(Holes, corners_are_kept_where_a_copy_has_the_same_vertices)
   typedef Square_border_uniform_parameterizer_3<Polyhedron>   Square_of_polyhedron;
   const auto c = border(polyhedron.mesh);
   const Square_of_polyhedron other(c[0], c[n / 4], c[n / 2], c[3 * n / 4]);
-  polyhedron.parameterize(Hierarchical_parameterizer_3<Mean_value_coordinates_parameterizer_3<Polyhedron, Square_of_polyhedron>>(other, parameters::fill_holes(true)));
+  polyhedron.parameterize(
+      Hierarchical_parameterizer_3<Mean_value_coordinates_parameterizer_3<Polyhedron, Square_of_polyhedron>>(
+          other, parameters::fill_holes(true)));
   EXPECT_EQ(polyhedron.code, ERROR_WRONG_PARAMETER);
   EXPECT_EQ(polyhedron.uv(), Points(m.points.size(), polyhedron.untouched()));
 }
@@ -231,9 +248,12 @@ TEST(Holes, a_seam_mesh_cannot_be_filled)
                       mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:seam", false).first);
   typedef boost::graph_traits<Seam_mesh>::halfedge_descriptor   Halfedge;
   Parameterization_summary summary;
-  const Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Seam_mesh>> parameterizer(parameters::fill_holes(true).summary(std::ref(summary)));
+  const Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Seam_mesh>> parameterizer(
+      parameters::fill_holes(true).summary(std::ref(summary)));
   const Halfedge bhd(test_meshes::longest_border(mesh));
-  EXPECT_EQ(SMP::parameterize(seam_mesh, parameterizer, bhd, get(CGAL::dynamic_vertex_property_t<Kernel::Point_2>(), seam_mesh)), ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(SMP::parameterize(seam_mesh, parameterizer, bhd,
+                              get(CGAL::dynamic_vertex_property_t<Kernel::Point_2>(), seam_mesh)),
+            ERROR_WRONG_PARAMETER);
   EXPECT_EQ(summary.error.code, ERROR_WRONG_PARAMETER);
 }
 
@@ -245,7 +265,8 @@ TEST(Holes, what_is_no_surface_has_the_error_that_it_has_without_filling)
   Parameterization_summary of_open, of_filled;
   typedef Barycentric_mapping_parameterizer_3<Surface_mesh>   Barycentric;
   open.parameterize(Hierarchical_parameterizer_3<Barycentric>(parameters::summary(std::ref(of_open))));
-  filled.parameterize(Hierarchical_parameterizer_3<Barycentric>(parameters::fill_holes(true).summary(std::ref(of_filled))));
+  filled.parameterize(
+      Hierarchical_parameterizer_3<Barycentric>(parameters::fill_holes(true).summary(std::ref(of_filled))));
   EXPECT_EQ(of_filled.error.code, ERROR_WRONG_PARAMETER);
   EXPECT_EQ(of_filled.error.index, of_open.error.index);
   EXPECT_EQ(of_filled.error.place, Parameterization_error::VERTEX);

@@ -57,7 +57,10 @@ TEST(Incomplete_LU, is_exact_without_fill_in)
 {
   for (const bool is_symmetric : { true, false }) {
     const Eigen::MatrixXd a = tridiagonal(20, is_symmetric);
-    EXPECT_NEAR((inverse_of(Incomplete_LU<double>(sparse(a), enlargement)) * enlarged(a) - Eigen::MatrixXd::Identity(20, 20)).norm(), 0, 1e-12);
+    EXPECT_NEAR((inverse_of(Incomplete_LU<double>(sparse(a), enlargement)) * enlarged(a) -
+                 Eigen::MatrixXd::Identity(20, 20))
+                    .norm(),
+                0, 1e-12);
   }
 }
 
@@ -90,7 +93,8 @@ TEST(Incomplete_LU, smoother_of_a_symmetric_matrix_is_symmetric)
 // Which is what makes it incomplete: L U agrees with what is factorized where that has entries.
 TEST(Incomplete_LU, factors_agree_with_the_matrix_on_its_pattern)
 {
-  const Eigen::MatrixXd a = enlarged(laplacian(6, false)), product = inverse_of(Incomplete_LU<double>(sparse(laplacian(6, false)), enlargement)).inverse();
+  const Eigen::MatrixXd a = enlarged(laplacian(6, false)),
+                        product = inverse_of(Incomplete_LU<double>(sparse(laplacian(6, false)), enlargement)).inverse();
   double fill_in = 0;
   for (Eigen::Index i = 0; i < a.rows(); ++i)
     for (Eigen::Index j = 0; j < a.cols(); ++j)

@@ -54,7 +54,10 @@ struct Dense_system
   }
 
   Value_2 squared_size(Index, const Value_2& r) const { return r * r; }
-  bool is_finished(const Value_2& squared_norm) const { return is_less_or_equal(sqrt(squared_norm), Value_2::all(target)); }
+  bool is_finished(const Value_2& squared_norm) const
+  {
+    return is_less_or_equal(sqrt(squared_norm), Value_2::all(target));
+  }
   bool is_solved(const Vector_2& r) const { return is_finished(SMP::internal::squared_norm(*this, r)); }
 
   Vector_2 times(const Vector_2& x) const

@@ -32,7 +32,8 @@ using namespace test_meshes;
 
 TEST(Level_refiner, finds_the_isometry_of_a_developable_surface)
 {
-  for (const Flat_mesh& m : { grid(12, 9, flat), grid(12, 9, rolled), delaunay_patch(150, 4, flat), strip(20), fan(3), single_triangle() })
+  for (const Flat_mesh& m :
+       { grid(12, 9, flat), grid(12, 9, rolled), delaunay_patch(150, 4, flat), strip(20), fan(3), single_triangle() })
     for (const Optimizer optimizer : { Optimizer::NEWTON, Optimizer::SWEEPS }) {
       const Finest_level f(m);
       Refinement_options options;
@@ -44,7 +45,8 @@ TEST(Level_refiner, finds_the_isometry_of_a_developable_surface)
       refine<MIPS_energy_2>(f.level, uv, options, summary);
       const bool is_cone = m.triangles.size() == 3;     // the one that cannot be developed
       const double excess = summary.energy_end - 2 * double(m.triangles.size());
-      EXPECT_EQ(excess < 1e-5 * double(m.triangles.size()), !is_cone) << m.triangles.size() << " triangles, excess " << excess;
+      EXPECT_EQ(excess < 1e-5 * double(m.triangles.size()), !is_cone)
+          << m.triangles.size() << " triangles, excess " << excess;
       EXPECT_GE(excess, -1e-9);
     }
 }

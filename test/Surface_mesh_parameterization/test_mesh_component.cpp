@@ -32,10 +32,14 @@ using namespace test_meshes;
 
 typedef Mesh_component<Surface_mesh>   Component;
 
-Parameterization_error error_of(const Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd) { return Component(mesh, bhd).error(); }
+Parameterization_error error_of(const Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd)
+{
+  return Component(mesh, bhd).error();
+}
 Parameterization_error error_of(const Surface_mesh& mesh) { return error_of(mesh, longest_border(mesh)); }
 
-testing::AssertionResult is_error(const Parameterization_error& e, Error_code code, Parameterization_error::Place place, std::size_t index = 0)
+testing::AssertionResult is_error(const Parameterization_error& e, Error_code code, Parameterization_error::Place place,
+                                  std::size_t index = 0)
 {
   if (e.code == code && e.place == place && e.index == index)
     return testing::AssertionSuccess();
@@ -94,7 +98,8 @@ TEST(Mesh_component, is_numbered_breadth_first)
     Index seen = 0;
     for (std::size_t f = 0; f < triangles.size(); ++f) {
       const auto are_neighbors = [&](std::size_t g) {
-        return std::count_if(triangles[f].begin(), triangles[f].end(), [&](Index v) { return contains(triangles[g], v); }) >= 2;
+        return std::count_if(triangles[f].begin(), triangles[f].end(),
+                             [&](Index v) { return contains(triangles[g], v); }) >= 2;
       };
       while (f > 0 && parent < f && !are_neighbors(parent))
         ++parent;
@@ -110,19 +115,24 @@ TEST(Mesh_component, is_numbered_breadth_first)
 TEST(Mesh_component, empty_mesh)
 {
   Surface_mesh mesh;
-  EXPECT_TRUE(is_error(error_of(mesh, Surface_mesh::null_halfedge()), ERROR_EMPTY_MESH, Parameterization_error::NOWHERE));
+  EXPECT_TRUE(
+      is_error(error_of(mesh, Surface_mesh::null_halfedge()), ERROR_EMPTY_MESH, Parameterization_error::NOWHERE));
   mesh.add_vertex(Kernel::Point_3(0, 0, 0));
-  EXPECT_TRUE(is_error(error_of(mesh, Surface_mesh::null_halfedge()), ERROR_EMPTY_MESH, Parameterization_error::NOWHERE));
+  EXPECT_TRUE(
+      is_error(error_of(mesh, Surface_mesh::null_halfedge()), ERROR_EMPTY_MESH, Parameterization_error::NOWHERE));
 }
 
 TEST(Mesh_component, wrong_halfedge)
 {
   const Surface_mesh mesh = make<Surface_mesh>(grid(3, 3, flat));
-  EXPECT_TRUE(is_error(error_of(mesh, Surface_mesh::null_halfedge()), ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE));
-  EXPECT_TRUE(is_error(error_of(mesh, mesh.opposite(longest_border(mesh))), ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE));
+  EXPECT_TRUE(
+      is_error(error_of(mesh, Surface_mesh::null_halfedge()), ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE));
+  EXPECT_TRUE(is_error(error_of(mesh, mesh.opposite(longest_border(mesh))), ERROR_WRONG_PARAMETER,
+                       Parameterization_error::NOWHERE));
   EXPECT_TRUE(is_error(error_of(mesh), OK, Parameterization_error::NOWHERE));
   const Surface_mesh closed = make<Surface_mesh>(sphere(4, 6));
-  EXPECT_TRUE(is_error(error_of(closed, *closed.halfedges().begin()), ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE));
+  EXPECT_TRUE(
+      is_error(error_of(closed, *closed.halfedges().begin()), ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE));
 }
 
 TEST(Mesh_component, quad_face)
@@ -142,7 +152,8 @@ TEST(Mesh_component, quad_face)
 
 TEST(Mesh_component, coordinates_that_are_no_numbers)
 {
-  for (const double bad : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() })
+  for (const double bad : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                            -std::numeric_limits<double>::infinity() })
     for (int i = 0; i < 3; ++i) {
       Surface_mesh mesh = make<Surface_mesh>(grid(3, 3, flat));
       mesh.point(Surface_mesh::Vertex_index(6)) = Kernel::Point_3(i == 0 ? bad : 0, i == 1 ? bad : 0, i == 2 ? bad : 0);
@@ -152,7 +163,8 @@ TEST(Mesh_component, coordinates_that_are_no_numbers)
 
 TEST(Mesh_component, handle)
 {
-  EXPECT_TRUE(is_error(error_of(make<Surface_mesh>(torus_with_hole(6))), ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::NOWHERE));
+  EXPECT_TRUE(is_error(error_of(make<Surface_mesh>(torus_with_hole(6))), ERROR_NO_TOPOLOGICAL_DISC,
+                       Parameterization_error::NOWHERE));
 }
 
 TEST(Mesh_component, two_umbrellas_at_a_vertex)
@@ -186,7 +198,8 @@ template <class Descriptor>
 bool are_consecutive(const std::vector<Descriptor>& descriptors, std::size_t first)
 {
   std::set<std::size_t> numbers(descriptors.begin(), descriptors.end());
-  return numbers.size() == descriptors.size() && *numbers.begin() == first && *numbers.rbegin() == first + descriptors.size() - 1;
+  return numbers.size() == descriptors.size() && *numbers.begin() == first &&
+         *numbers.rbegin() == first + descriptors.size() - 1;
 }
 
 TEST(Mesh_component, is_the_one_at_the_halfedge)
@@ -198,7 +211,8 @@ TEST(Mesh_component, is_the_one_at_the_halfedge)
   std::size_t first_vertex = 0, first_face = 0;
   for (const Flat_mesh& m : parts) {
     for (const auto h : halfedges(mesh))
-      if (mesh.is_border(h) && std::size_t(target(h, mesh)) >= first_vertex && std::size_t(target(h, mesh)) < first_vertex + m.points.size()) {
+      if (mesh.is_border(h) && std::size_t(target(h, mesh)) >= first_vertex &&
+          std::size_t(target(h, mesh)) < first_vertex + m.points.size()) {
         Component component(mesh, h);
         const bool is_torus = &m == &parts[2];
         EXPECT_EQ(component.error().code, is_torus ? ERROR_NO_TOPOLOGICAL_DISC : OK);
@@ -224,7 +238,8 @@ TEST(Mesh_component, places_of_errors_count_the_whole_mesh)
     if (mesh.is_border(h)) {
       const Parameterization_error error = error_of(mesh, h);
       const bool is_fan = std::size_t(target(h, mesh)) < 6;
-      EXPECT_TRUE(is_fan ? is_error(error, OK, Parameterization_error::NOWHERE) : is_error(error, ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, 7));
+      EXPECT_TRUE(is_fan ? is_error(error, OK, Parameterization_error::NOWHERE)
+                         : is_error(error, ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, 7));
     }
 }
 

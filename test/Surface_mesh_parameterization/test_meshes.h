@@ -89,7 +89,10 @@ inline Flat_mesh crumpled_grid(Index n, unsigned int seed)
   return grid(n, n, [&](double, double) { return random(-0.4, 0.4); });
 }
 
-inline Flat_mesh single_triangle() { return { { Point_3(0, 0, 0), Point_3(1, 0, 0.5), Point_3(0.2, 0.7, 0) }, { { 0, 1, 2 } } }; }
+inline Flat_mesh single_triangle()
+{
+  return { { Point_3(0, 0, 0), Point_3(1, 0, 0.5), Point_3(0.2, 0.7, 0) }, { { 0, 1, 2 } } };
+}
 
 // Two triangles: each is an ear over the same edge.
 inline Flat_mesh two_ears() { return grid(1, 1, flat); }
@@ -97,7 +100,8 @@ inline Flat_mesh two_ears() { return grid(1, 1, flat); }
 // A triangle with an ear on each side.
 inline Flat_mesh three_ears()
 {
-  return { { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.5, 0.8, 0), Point_3(0.5, -0.5, 0.4), Point_3(1.2, 0.8, 0.1), Point_3(-0.2, 0.8, 0) },
+  return { { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.5, 0.8, 0), Point_3(0.5, -0.5, 0.4), Point_3(1.2, 0.8, 0.1),
+             Point_3(-0.2, 0.8, 0) },
            { { 0, 1, 2 }, { 1, 0, 3 }, { 2, 1, 4 }, { 0, 2, 5 } } };
 }
 
@@ -162,7 +166,8 @@ inline Flat_mesh annulus(Index n)
   Flat_mesh m;
   for (Index i = 0; i < n; ++i)
     for (const double radius : { 1., 0.6 })
-      m.points.emplace_back(radius * std::cos(2 * CGAL_PI * i / n), radius * std::sin(2 * CGAL_PI * i / n), 0.1 * (i % 2));
+      m.points.emplace_back(radius * std::cos(2 * CGAL_PI * i / n), radius * std::sin(2 * CGAL_PI * i / n),
+                            0.1 * (i % 2));
   for (Index i = 0; i < n; ++i) {
     const Index j = (i + 1) % n;
     m.triangles.push_back({ 2 * i, 2 * j, 2 * i + 1 });
@@ -277,7 +282,8 @@ inline Flat_mesh torus_with_hole(Index n)
 // Two triangles that share nothing but vertex 0.
 inline Flat_mesh two_umbrellas()
 {
-  return { { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(-1, 0, 0), Point_3(-1, -1, 0) }, { { 0, 1, 2 }, { 0, 3, 4 } } };
+  return { { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0), Point_3(-1, 0, 0), Point_3(-1, -1, 0) },
+           { { 0, 1, 2 }, { 0, 3, 4 } } };
 }
 
 // The triangles of `m` for which `is_kept(centroid)` holds, with their vertices.
@@ -301,8 +307,12 @@ Flat_mesh part(const Flat_mesh& m, Predicate is_kept)
 
 inline Flat_mesh grid_with_holes(Index n)
 {
-  const auto is_in_square = [](const Point_3& p, double x, double y) { return std::abs(p.x() - x) < 0.1 && std::abs(p.y() - y) < 0.1; };
-  return part(grid(n, n, wavy), [&](const Point_3& p) { return !is_in_square(p, 0.3, 0.3) && !is_in_square(p, 0.7, 0.3) && !is_in_square(p, 0.5, 0.7); });
+  const auto is_in_square = [](const Point_3& p, double x, double y) {
+    return std::abs(p.x() - x) < 0.1 && std::abs(p.y() - y) < 0.1;
+  };
+  return part(grid(n, n, wavy), [&](const Point_3& p) {
+    return !is_in_square(p, 0.3, 0.3) && !is_in_square(p, 0.7, 0.3) && !is_in_square(p, 0.5, 0.7);
+  });
 }
 
 // A disk without one triangle inside.
@@ -349,12 +359,25 @@ inline Flat_mesh degenerate_grid()
 
 inline std::vector<std::pair<std::string, Flat_mesh>> named_meshes()
 {
-  return { { "single_triangle", single_triangle() }, { "two_ears", two_ears() }, { "three_ears", three_ears() }, { "fan_3", fan(3) },
-           { "fan_5", fan(5) }, { "hub", fan(500) }, { "hub_on_border", open_fan(60) }, { "folded_fan", folded_fan() }, { "strip", strip(20) },
+  return { { "single_triangle", single_triangle() },
+           { "two_ears", two_ears() },
+           { "three_ears", three_ears() },
+           { "fan_3", fan(3) },
+           { "fan_5", fan(5) },
+           { "hub", fan(500) },
+           { "hub_on_border", open_fan(60) },
+           { "folded_fan", folded_fan() },
+           { "strip", strip(20) },
            { "annulus", annulus(12) },
-           { "grid", grid(12, 9, wavy) }, { "flat_grid", grid(15, 15, flat) }, { "crumpled_grid", crumpled_grid(14, 1) }, { "hemisphere", hemisphere() },
-           { "deep_cap", deep_cap() }, { "delaunay_patch", delaunay_patch(400, 2, wavy) }, { "disk_with_hole", disk_with_hole() },
-           { "grid_with_holes", grid_with_holes(20) }, { "degenerate_grid", degenerate_grid() } };
+           { "grid", grid(12, 9, wavy) },
+           { "flat_grid", grid(15, 15, flat) },
+           { "crumpled_grid", crumpled_grid(14, 1) },
+           { "hemisphere", hemisphere() },
+           { "deep_cap", deep_cap() },
+           { "delaunay_patch", delaunay_patch(400, 2, wavy) },
+           { "disk_with_hole", disk_with_hole() },
+           { "grid_with_holes", grid_with_holes(20) },
+           { "degenerate_grid", degenerate_grid() } };
 }
 
 } // namespace test_meshes

@@ -56,7 +56,8 @@ std::vector<Mesh_unknown> some_unknowns(const Collapse_hierarchy_3& hierarchy, s
       if ((hierarchy.input_vertex(v) + component) % 7 != 0)
         result.push_back({ v, component });
   std::sort(result.begin(), result.end(), [&](const Mesh_unknown& a, const Mesh_unknown& b) {
-    return std::make_pair(hierarchy.input_vertex(a.vertex), a.component) < std::make_pair(hierarchy.input_vertex(b.vertex), b.component);
+    return std::make_pair(hierarchy.input_vertex(a.vertex), a.component) <
+           std::make_pair(hierarchy.input_vertex(b.vertex), b.component);
   });
   return result;
 }
@@ -88,7 +89,9 @@ TEST(Grid_transfer, restriction_is_the_transpose_and_the_Galerkin_product_as_def
   EXPECT_EQ(transpose, p.transpose());
 
   Random random(1);
-  const Eigen::MatrixXd a = Eigen::MatrixXd::NullaryExpr(n, n, [&](Eigen::Index i, Eigen::Index j) { return i == j || random(0, 1) < 0.05 ? random(-1, 1) : 0; });
+  const Eigen::MatrixXd a = Eigen::MatrixXd::NullaryExpr(n, n, [&](Eigen::Index i, Eigen::Index j) {
+    return i == j || random(0, 1) < 0.05 ? random(-1, 1) : 0;
+  });
   const Sparse_rows<double> product = transfer.galerkin_product<double>(Incomplete_LU<double>(sparse(a), enlargement));
   EXPECT_NEAR((dense(product, p.cols()) - p.transpose() * a * p).norm(), 0, 1e-12 * a.norm());
 }
@@ -160,8 +163,10 @@ TEST(Multigrid_preconditioner, cycle_of_a_symmetric_matrix_is_symmetric_and_posi
       for (Value& value : *vector)
         value = Value::all(random(-1, 1));
     const Values cycle_x = cycle(x), cycle_y = cycle(y);
-    const double xy = SMP::internal::inner_product(Loops(), cycle_x, y)[0], yx = SMP::internal::inner_product(Loops(), x, cycle_y)[0];
-    const double xx = SMP::internal::inner_product(Loops(), cycle_x, x)[0], yy = SMP::internal::inner_product(Loops(), cycle_y, y)[0];
+    const double xy = SMP::internal::inner_product(Loops(), cycle_x, y)[0],
+                 yx = SMP::internal::inner_product(Loops(), x, cycle_y)[0];
+    const double xx = SMP::internal::inner_product(Loops(), cycle_x, x)[0],
+                 yy = SMP::internal::inner_product(Loops(), cycle_y, y)[0];
     EXPECT_GT(xx, 0);
     EXPECT_NEAR(xy, yx, 1e-12 * std::sqrt(xx * yy));
   }

@@ -55,7 +55,8 @@ TEST(Multigrid_solver_traits, solves_what_sits_on_a_mesh)
     SCOPED_TRACE(name);
     Solver_on_mesh on(m);
     for (const bool is_symmetric : { true, false }) {
-      Sparse_matrix matrix = is_symmetric ? edge_matrix(m, Uniform_edge_weights_3()) : edge_matrix(m, Mean_value_edge_weights_3());
+      Sparse_matrix matrix =
+          is_symmetric ? edge_matrix(m, Uniform_edge_weights_3()) : edge_matrix(m, Mean_value_edge_weights_3());
       const Known_system system(std::move(matrix));
       Vector x;
       double d = 0;
@@ -296,9 +297,10 @@ struct Deferring
   explicit Deferring(const internal::Linear_solver_options& options = internal::Linear_solver_options())
     : second_right_side(system.right_side), second_expected(system.expected)
   {
-    const auto interpolation = std::make_shared<const internal::Hierarchy_interpolation>(surface(mesh), internal::Hierarchy_options());
-    session = std::make_unique<Multigrid_session>(interpolation, internal::Mesh_unknowns(interpolation->ranks()), options,
-                                                  &internal::make_multigrid_linear_solver<>, true);
+    const auto interpolation =
+        std::make_shared<const internal::Hierarchy_interpolation>(surface(mesh), internal::Hierarchy_options());
+    session = std::make_unique<Multigrid_session>(interpolation, internal::Mesh_unknowns(interpolation->ranks()),
+                                                  options, &internal::make_multigrid_linear_solver<>, true);
     for (std::size_t i = 0; i < second_right_side.size(); ++i) {
       second_right_side[i] *= -3;
       second_expected[i] *= -3;

@@ -73,7 +73,8 @@ struct Random_triangle
     }
     const double angle = random(0, 6), scale = kind == 2 ? random(0.5, 2) : 1;
     for (int i = 0; i < 3; ++i)
-      q[i] = kind > 0 ? Point_2(scale * (p[i].x() * std::cos(angle) - p[i].y() * std::sin(angle)), scale * (p[i].x() * std::sin(angle) + p[i].y() * std::cos(angle)))
+      q[i] = kind > 0 ? Point_2(scale * (p[i].x() * std::cos(angle) - p[i].y() * std::sin(angle)),
+                                scale * (p[i].x() * std::sin(angle) + p[i].y() * std::cos(angle)))
                       : Point_2(random(-1, 1), p[i].z() * random(0.1, 1));
     if (!turns_left(q[0], q[1], q[2])) {
       std::swap(q[0], q[1]);
@@ -106,7 +107,8 @@ struct Random_triangle
   {
     for (int i = 0; i < 3; ++i) {
       const Vector_2 ab = q[(i + 2) % 3] - q[(i + 1) % 3];
-      if (rest_corner(p[i], p[(i + 1) % 3], p[(i + 2) % 3]).height < 0.2 || cross(ab, q[i] - q[(i + 1) % 3]) < 0.2 * ab.squared_length())
+      if (rest_corner(p[i], p[(i + 1) % 3], p[(i + 2) % 3]).height < 0.2 ||
+          cross(ab, q[i] - q[(i + 1) % 3]) < 0.2 * ab.squared_length())
         return false;
     }
     return true;
@@ -171,7 +173,8 @@ TYPED_TEST(Newton_of, hessian_is_symmetric_and_positive_semidefinite)
 
 TYPED_TEST(Newton_of, steps_lower_the_energy_by_exactly_what_they_return)
 {
-  for (const Flat_mesh& m : { grid(12, 9, wavy), grid_with_holes(20), delaunay_patch(400, 2, wavy), deep_cap(), folded_fan(), strip(20) }) {
+  for (const Flat_mesh& m :
+       { grid(12, 9, wavy), grid_with_holes(20), delaunay_patch(400, 2, wavy), deep_cap(), folded_fan(), strip(20) }) {
     const Finest_level f(m);
     const Level_energy_of<TypeParam> energy(f.level, Triangle_weight::AREA);
     Newton_options newton_options;
@@ -238,11 +241,15 @@ Eigen::MatrixXd inner_hessian(double scale, double negative_twist)
   const Flat_mesh m = grid(8, 8, flat);
   const One_rings rings(m.points.size(), m.triangles);
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(2 * Eigen::Index(m.points.size()), 2 * Eigen::Index(m.points.size()));
-  const auto in_plane = [&](Index v, Index w) { return scale * Vector_2(m.points[w].x() - m.points[v].x(), m.points[w].y() - m.points[v].y()); };
+  const auto in_plane = [&](Index v, Index w) {
+    return scale * Vector_2(m.points[w].x() - m.points[v].x(), m.points[w].y() - m.points[v].y());
+  };
   for (Index v = 0; v < m.points.size(); ++v)
     for (std::size_t i = 0; i < rings[v].size() && !rings.is_border(v); ++i) {
       const Index a = rings[v][i], b = rings[v][(i + 1) % rings[v].size()];
-      const auto h = SMP::internal::corner_hessian(Energy(infinity), SMP::internal::rest_corner(m.points[v], m.points[a], m.points[b]), 1, in_plane(v, a), in_plane(v, b), negative_twist);
+      const auto h = SMP::internal::corner_hessian(Energy(infinity),
+                                                   SMP::internal::rest_corner(m.points[v], m.points[a], m.points[b]), 1,
+                                                   in_plane(v, a), in_plane(v, b), negative_twist);
       result.block<2, 2>(2 * v, 2 * v) += dense_of(h.to_v);
       if (!rings.is_border(b))
         result.block<2, 2>(2 * v, 2 * b) += dense_of(h.to_b);
@@ -271,7 +278,8 @@ TEST(Corner_hessian, that_lends_curvature_is_exact_down_to_half_the_scale)
   for (const double scale : { 0.52, 0.7, 1.3 }) {
     const Vector_2 a(scale, 0.2 * scale), b(0.3 * scale, 0.8 * scale);
     SMP::internal::Star<Energy> star;
-    star.gather(rings, { Point_2(0, 0), CGAL::ORIGIN + a, CGAL::ORIGIN + b }, 0, &corner, Triangle_weight::ONE, Energy(infinity));
+    star.gather(rings, { Point_2(0, 0), CGAL::ORIGIN + a, CGAL::ORIGIN + b }, 0, &corner, Triangle_weight::ONE,
+                Energy(infinity));
     const auto d = star.derivatives(Point_2(0, 0));
     const auto h = SMP::internal::corner_hessian(Energy(infinity), corner, 1, a, b, 0.95);
     EXPECT_NEAR(h.to_v.xx(), d.hessian[0], 1e-9);

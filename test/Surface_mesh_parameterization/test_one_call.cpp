@@ -48,14 +48,17 @@ TEST(One_call, gives_the_map_of_the_class)
   EXPECT_EQ(by_class.uv(), by_call.uv());
   EXPECT_GT(result.levels.size(), 1u);
 
-  result = hierarchical_parameterization<Symmetric_Dirichlet_parameterizer_3>(by_call.mesh, by_call.uvmap, parameters::coarsest_size(10000).number_of_iterations(0));
+  result = hierarchical_parameterization<Symmetric_Dirichlet_parameterizer_3>(
+      by_call.mesh, by_call.uvmap, parameters::coarsest_size(10000).number_of_iterations(0));
   EXPECT_EQ(result.levels.size(), 1u);                  // of the hierarchy
   EXPECT_EQ(result.levels[0].cycles, 0u);               // of the method
   EXPECT_FALSE(result.converged);
 
-  result = hierarchical_parameterization<LSCM_parameterizer_3>(by_call.mesh, by_call.uvmap, parameters::flip_policy(Flip_policy::KEEP));
+  result = hierarchical_parameterization<LSCM_parameterizer_3>(by_call.mesh, by_call.uvmap,
+                                                               parameters::flip_policy(Flip_policy::KEEP));
   EXPECT_TRUE(result.is_ok() && result.linear_solver.right_sides > 0);
-  EXPECT_TRUE(hierarchical_parameterization<Uniform>(by_call.mesh, by_call.uvmap, parameters::fill_holes(true)).is_ok());
+  EXPECT_TRUE(
+      hierarchical_parameterization<Uniform>(by_call.mesh, by_call.uvmap, parameters::fill_holes(true)).is_ok());
 }
 
 template <class Mesh>

@@ -113,12 +113,15 @@ TEST(One_rings, borders_are_cycles_with_the_surface_to_the_left)
 
 TEST(One_rings, find_vertices_that_are_not_manifold)
 {
-  const auto first_bad = [](std::size_t n, const std::vector<Index_triangle>& triangles) { return One_rings(n, triangles).first_non_manifold_vertex(); };
+  const auto first_bad = [](std::size_t n, const std::vector<Index_triangle>& triangles) {
+    return One_rings(n, triangles).first_non_manifold_vertex();
+  };
   EXPECT_EQ(first_bad(5, two_umbrellas().triangles), 0u);
   EXPECT_EQ(first_bad(4, single_triangle().triangles), 3u);                                        // an isolated vertex
-  EXPECT_EQ(first_bad(4, { { 0, 1, 2 }, { 1, 2, 3 } }), 1u);                                       // neighbors with opposite orientations
-  EXPECT_EQ(first_bad(5, { { 2, 0, 1 }, { 3, 1, 0 }, { 4, 0, 1 } }), 0u);                          // three triangles at an edge
-  EXPECT_EQ(first_bad(7, { { 6, 0, 1 }, { 6, 1, 2 }, { 6, 2, 0 }, { 6, 3, 4 }, { 6, 4, 5 }, { 6, 5, 3 } }), 6u);   // two closed fans
+  EXPECT_EQ(first_bad(4, { { 0, 1, 2 }, { 1, 2, 3 } }), 1u);      // neighbors with opposite orientations
+  EXPECT_EQ(first_bad(5, { { 2, 0, 1 }, { 3, 1, 0 }, { 4, 0, 1 } }), 0u);      // three triangles at an edge
+  EXPECT_EQ(first_bad(7, { { 6, 0, 1 }, { 6, 1, 2 }, { 6, 2, 0 }, { 6, 3, 4 }, { 6, 4, 5 }, { 6, 5, 3 } }),
+            6u);      // two closed fans
   for (const Index n : { 20u, 200u }) {   // two large fans, closed ones and open ones
     Flat_mesh m = fan(n);
     for (const Index_triangle& t : fan(n).triangles)

@@ -103,7 +103,8 @@ TYPED_TEST(Deep_tube, is_laid_out_without_a_flip)
     Mapped_mesh m(tube(Index(12 * diameters), 8, 2 * diameters));
     for (const bool is_flat : { false, true }) {
       const Error_code status = is_flat ? m.parameterize(TypeParam(parameters::number_of_iterations(20)))
-                                        : m.parameterize(Hierarchical_parameterizer_3<TypeParam>(TypeParam(parameters::number_of_iterations(20))));
+                                        : m.parameterize(Hierarchical_parameterizer_3<TypeParam>(
+                                              TypeParam(parameters::number_of_iterations(20))));
       EXPECT_EQ(status, OK) << diameters;
       EXPECT_TRUE(m.is_locally_one_to_one()) << diameters;
     }
@@ -124,7 +125,9 @@ TYPED_TEST_SUITE(Flip_policies, Methods_with_flips, );
 TYPED_TEST(Flip_policies, are_kept)
 {
   Mapped_mesh m(crumpled_grid(14, 1));    // obtuse angles all over
-  const auto run = [&](Flip_policy policy) { return m.parameterize(TypeParam(parameters::flip_policy(policy).summary(std::ref(m.summary)))); };
+  const auto run = [&](Flip_policy policy) {
+    return m.parameterize(TypeParam(parameters::flip_policy(policy).summary(std::ref(m.summary))));
+  };
 
   EXPECT_EQ(m.parameterize(TypeParam()), ERROR_NO_1_TO_1_MAPPING);
   EXPECT_EQ(run(Flip_policy::FAIL), ERROR_NO_1_TO_1_MAPPING);
@@ -170,14 +173,16 @@ TEST(Settle_flips, moves_hardly_more_than_the_vertices_that_are_wrong)
     std::size_t spoiled = 0;
     for (const auto v : vertices(m.mesh))
       if (random(0, 1) < 0.03 && ++spoiled)
-        m.uvmap[v] = random(0, 1) < 0.2 ? Kernel::Point_2(std::nan(""), 0) : Kernel::Point_2(random(-2, 2), random(-2, 2));
+        m.uvmap[v] =
+            random(0, 1) < 0.2 ? Kernel::Point_2(std::nan(""), 0) : Kernel::Point_2(random(-2, 2), random(-2, 2));
     if (is_mirrored)
       for (const auto v : vertices(m.mesh)) {
         m.uvmap[v] = Kernel::Point_2(-m.uvmap[v].x(), m.uvmap[v].y());
         m.good[v] = Kernel::Point_2(-m.good[v].x(), m.good[v].y());
       }
     const auto before = m.uv();
-    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::FAIL, parameters::summary(std::ref(m.summary))), ERROR_NO_1_TO_1_MAPPING);
+    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::FAIL, parameters::summary(std::ref(m.summary))),
+              ERROR_NO_1_TO_1_MAPPING);
     EXPECT_GE(m.summary.flips, spoiled);
     EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR, parameters::summary(std::ref(m.summary))), OK);
     EXPECT_TRUE(m.is_locally_one_to_one());
@@ -219,16 +224,19 @@ Flat_mesh random_surface(unsigned int seed)
   const Flat_mesh patch = delaunay_patch(20 + random.below(150), seed, wavy);
   const Collapse_hierarchy_3 hierarchy(surface(patch), parameters::coarsest_size(10).random_seed(seed));
   Progressive_mesh_3 mesh(hierarchy);
-  const std::size_t coarsest = mesh.number_of_vertices(), size = coarsest + random.below(hierarchy.number_of_vertices() - coarsest + 1);
+  const std::size_t coarsest = mesh.number_of_vertices(),
+                    size = coarsest + random.below(hierarchy.number_of_vertices() - coarsest + 1);
   while (mesh.number_of_vertices() < size)
     mesh.split_vertex();
 
-  const double displacement = (std::min)(1., std::pow(10, random(-6, 1))), scale = random(0, 1) < 0.2 ? std::pow(10, random(-140, 140)) : 1;
+  const double displacement = (std::min)(1., std::pow(10, random(-6, 1))),
+               scale = random(0, 1) < 0.2 ? std::pow(10, random(-140, 140)) : 1;
   Flat_mesh result;
   result.triangles = mesh.triangles();
   for (Index v = 0; v < size; ++v) {
     const Vector_3 shift(random(-1, 1), random(-1, 1), random(-1, 1));
-    const Point_3 p = random(0, 1) < 0.02 && v > 0 ? result.points[random.below(v)] : hierarchy.point(v) + displacement * shift;
+    const Point_3 p =
+        random(0, 1) < 0.02 && v > 0 ? result.points[random.below(v)] : hierarchy.point(v) + displacement * shift;
     result.points.push_back(p);
   }
   for (Point_3& p : result.points)
@@ -239,7 +247,8 @@ Flat_mesh random_surface(unsigned int seed)
     bool is_inside = true;
     for (const Index w : rings[hole])
       is_inside = is_inside && !rings.is_border(w);
-    const auto t = std::find_if(result.triangles.begin(), result.triangles.end(), [&](const Index_triangle& x) { return contains(x, hole); });
+    const auto t = std::find_if(result.triangles.begin(), result.triangles.end(),
+                                [&](const Index_triangle& x) { return contains(x, hole); });
     if (is_inside)
       result.triangles.erase(t);
   }
@@ -252,12 +261,16 @@ TEST(Random_surfaces, are_laid_out_one_to_one)
     SCOPED_TRACE("seed " + std::to_string(seed));
     Mapped_mesh m(random_surface(seed));
     const auto np = parameters::number_of_iterations(10);
-    EXPECT_EQ(m.parameterize(Hierarchical_parameterizer_3<MIPS>(MIPS(np), parameters::coarsest_size(15).random_seed(seed))), OK);
+    EXPECT_EQ(m.parameterize(
+                  Hierarchical_parameterizer_3<MIPS>(MIPS(np), parameters::coarsest_size(15).random_seed(seed))),
+              OK);
     EXPECT_TRUE(m.is_locally_one_to_one());
     EXPECT_EQ(m.parameterize(Symmetric_Dirichlet(np)), OK);
     EXPECT_TRUE(m.is_locally_one_to_one());
     const Symmetric_Dirichlet injective(parameters::globally_injective(true).number_of_iterations(10));
-    EXPECT_EQ(m.parameterize(Hierarchical_parameterizer_3<Symmetric_Dirichlet>(injective, parameters::coarsest_size(15).random_seed(seed))), OK);
+    EXPECT_EQ(m.parameterize(Hierarchical_parameterizer_3<Symmetric_Dirichlet>(
+                  injective, parameters::coarsest_size(15).random_seed(seed))),
+              OK);
     EXPECT_TRUE(m.is_locally_one_to_one());
     EXPECT_EQ(m.quality().overlaps, 0u);
 

@@ -120,11 +120,12 @@ Cut_surface ball(int subdivisions, std::size_t cones)
   }
   // Around the equator: the path from one to the next meets no third.
   std::vector<Surface_mesh::Vertex_index> cone_vertices;
-  for (const Kernel::Vector_3& direction : { Kernel::Vector_3(1, 0.2, 0), Kernel::Vector_3(0, 1, 0.3), Kernel::Vector_3(-1, 0.1, 0.2),
-                                             Kernel::Vector_3(0.1, -1, 0) }) {
+  for (const Kernel::Vector_3& direction : { Kernel::Vector_3(1, 0.2, 0), Kernel::Vector_3(0, 1, 0.3),
+                                             Kernel::Vector_3(-1, 0.1, 0.2), Kernel::Vector_3(0.1, -1, 0) }) {
     const auto height = [&](Surface_mesh::Vertex_index v) { return (surface.point(v) - CGAL::ORIGIN) * direction; };
     const auto range = vertices(surface);
-    cone_vertices.push_back(*std::max_element(range.begin(), range.end(), [&](auto v, auto w) { return height(v) < height(w); }));
+    cone_vertices.push_back(
+        *std::max_element(range.begin(), range.end(), [&](auto v, auto w) { return height(v) < height(w); }));
   }
   cone_vertices.resize(cones);
   return Cut_surface(std::move(surface), cone_vertices);
@@ -135,10 +136,13 @@ typedef std::pair<Orbifold_type, Weight_type>   Kind;
 class Orbifold : public testing::TestWithParam<Kind> { };
 
 INSTANTIATE_TEST_SUITE_P(All_kinds, Orbifold,
-                         testing::Values(Kind(Square, Cotangent), Kind(Diamond, Cotangent), Kind(Triangle, Cotangent), Kind(Parallelogram, Cotangent),
-                                         Kind(Square, Mean_value), Kind(Diamond, Mean_value), Kind(Triangle, Mean_value), Kind(Parallelogram, Mean_value)),
+                         testing::Values(Kind(Square, Cotangent), Kind(Diamond, Cotangent), Kind(Triangle, Cotangent),
+                                         Kind(Parallelogram, Cotangent), Kind(Square, Mean_value),
+                                         Kind(Diamond, Mean_value), Kind(Triangle, Mean_value),
+                                         Kind(Parallelogram, Mean_value)),
                          [](const auto& kind) {
-                           return std::string(get_orbifold_type(kind.param.first)) + (kind.param.second == Cotangent ? "_cotangent" : "_mean_value");
+                           return std::string(get_orbifold_type(kind.param.first)) +
+                                  (kind.param.second == Cotangent ? "_cotangent" : "_mean_value");
                          });
 
 TEST_P(Orbifold, is_that_of_the_flat_parameterizer)
@@ -176,7 +180,9 @@ TEST_P(Orbifold, sides_of_the_seam_are_turned_into_each_other)
     const Complex edge = place(target(h, cut.mesh)) - place(source(h, cut.mesh));
     const Complex twin_edge = place(target(twin, cut.mesh)) - place(source(twin, cut.mesh));
     EXPECT_NEAR(std::abs(edge), std::abs(twin_edge), 1e-12);
-    EXPECT_LT(std::min(std::abs(edge / twin_edge - std::polar(1., angles[segment])), std::abs(edge / twin_edge - std::polar(1., -angles[segment]))), 1e-9);
+    EXPECT_LT(std::min(std::abs(edge / twin_edge - std::polar(1., angles[segment])),
+                       std::abs(edge / twin_edge - std::polar(1., -angles[segment]))),
+              1e-9);
     if (const auto cone = cut.cone_map.find(target(h, cut.mesh)); cone != cut.cone_map.end()) {
       ++segment;
       is_at_end = cone->second == Second_unique_cone;
@@ -217,7 +223,8 @@ TEST_P(Orbifold, iterations_do_not_grow_with_the_mesh)
 TEST(Orbifolds, that_a_tetrahedron_wraps_have_no_unknowns)
 {
   Surface_mesh surface;
-  CGAL::make_tetrahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(0, 1, 0), Kernel::Point_3(0, 0, 1), surface);
+  CGAL::make_tetrahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(0, 1, 0),
+                         Kernel::Point_3(0, 0, 1), surface);
   const auto range = vertices(surface);
   const std::vector<Surface_mesh::Vertex_index> cones(range.begin(), range.end());
   Cut_surface cut(std::move(surface), cones);
@@ -251,7 +258,8 @@ TEST(Orbifolds, leave_the_map_untouched_on_an_error)
   testing::internal::GetCapturedStderr();
   EXPECT_EQ(summary.error.code, ERROR_WRONG_PARAMETER);
   EXPECT_FALSE(summary.converged);
-  EXPECT_EQ(square.parameterize(cut.mesh, opposite(cut.bhd, cut.mesh), cut.cone_map, uv, cut.index), ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(square.parameterize(cut.mesh, opposite(cut.bhd, cut.mesh), cut.cone_map, uv, cut.index),
+            ERROR_WRONG_PARAMETER);
   EXPECT_TRUE(cut.is_untouched(uv));
 }
 

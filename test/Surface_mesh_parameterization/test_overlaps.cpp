@@ -41,17 +41,25 @@ namespace parameters = CGAL::parameters;
 
 // ---- overlaps ----
 
-Triangle_2 triangle(double ax, double ay, double bx, double by, double cx, double cy) { return { Point_2(ax, ay), Point_2(bx, by), Point_2(cx, cy) }; }
+Triangle_2 triangle(double ax, double ay, double bx, double by, double cx, double cy)
+{
+  return { Point_2(ax, ay), Point_2(bx, by), Point_2(cx, cy) };
+}
 
 TEST(Overlapping_pairs, of_two_triangles)
 {
   const Triangle_2 t = triangle(0, 0, 4, 0, 0, 4);
   const std::vector<std::pair<Triangle_2, bool>> others = {
-    { t, true }, { triangle(1, 1, 2, 1, 1, 2), true }, { triangle(-1, -1, 9, -1, -1, 9), true },    // the same, inside, around
-    { triangle(-1, 1, 9, 1, -1, 2), true },                                                        // across, no corner inside
-    { triangle(4, 0, 4, 4, 0, 4), false }, { triangle(0, 0, -1, 0, 0, -1), false },              // an edge, a corner in common
-    { triangle(2, 2, 5, 2, 5, 5), false }, { triangle(5, 0, 9, 0, 5, 4), false },                // a corner on an edge, apart
-    { triangle(2, 2 - 1e-15, 5, 2, 5, 5), true } };
+    { t, true },
+    { triangle(1, 1, 2, 1, 1, 2), true },
+    { triangle(-1, -1, 9, -1, -1, 9), true },      // the same, inside, around
+    { triangle(-1, 1, 9, 1, -1, 2), true },      // across, no corner inside
+    { triangle(4, 0, 4, 4, 0, 4), false },
+    { triangle(0, 0, -1, 0, 0, -1), false },      // an edge, a corner in common
+    { triangle(2, 2, 5, 2, 5, 5), false },
+    { triangle(5, 0, 9, 0, 5, 4), false },      // a corner on an edge, apart
+    { triangle(2, 2 - 1e-15, 5, 2, 5, 5), true }
+  };
   for (const auto& [other, overlaps] : others)
     for (const int turn : { 0, 1, 2 })
       for (const bool is_flipped : { false, true }) {
@@ -71,15 +79,20 @@ TEST(Overlapping_pairs, of_two_triangles)
 TEST(Overlapping_pairs, of_random_triangles_on_a_grid)
 {
   typedef std::array<std::array<long, 2>, 3>   Whole_triangle;
-  const auto doubled_area = [](const auto& a, const auto& b, const auto& c) { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); };
+  const auto doubled_area = [](const auto& a, const auto& b, const auto& c) {
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  };
   const auto area_of = [&](const Whole_triangle& t) { return doubled_area(t[0], t[1], t[2]); };
   const auto is_separated_by_edge = [&](const Whole_triangle& t, const Whole_triangle& other) {
     for (int i = 0; i < 3; ++i)
-      if (std::all_of(other.begin(), other.end(), [&](const auto& p) { return doubled_area(t[i], t[(i + 1) % 3], p) * area_of(t) <= 0; }))
+      if (std::all_of(other.begin(), other.end(),
+                      [&](const auto& p) { return doubled_area(t[i], t[(i + 1) % 3], p) * area_of(t) <= 0; }))
         return true;
     return false;
   };
-  const auto as_triangle = [](const Whole_triangle& t) { return triangle(t[0][0], t[0][1], t[1][0], t[1][1], t[2][0], t[2][1]); };
+  const auto as_triangle = [](const Whole_triangle& t) {
+    return triangle(t[0][0], t[0][1], t[1][0], t[1][1], t[2][0], t[2][1]);
+  };
   Random random(31);
   std::size_t overlapping = 0;
   for (int k = 0; k < 20000; ++k) {
@@ -87,7 +100,8 @@ TEST(Overlapping_pairs, of_random_triangles_on_a_grid)
     for (Whole_triangle& t : pair)
       for (auto& p : t)
         p = { long(random.below(5)), long(random.below(5)) };
-    const bool overlaps = area_of(pair[0]) != 0 && area_of(pair[1]) != 0 && !is_separated_by_edge(pair[0], pair[1]) && !is_separated_by_edge(pair[1], pair[0]);
+    const bool overlaps = area_of(pair[0]) != 0 && area_of(pair[1]) != 0 && !is_separated_by_edge(pair[0], pair[1]) &&
+                          !is_separated_by_edge(pair[1], pair[0]);
     EXPECT_EQ(number_of_overlapping_pairs({ as_triangle(pair[0]), as_triangle(pair[1]) }), overlaps ? 1u : 0u);
     overlapping += overlaps;
   }
@@ -156,7 +170,8 @@ struct Barrier_on_ring
 TEST(Border_barrier, vanishes_where_borders_are_far_apart)
 {
   EXPECT_EQ(Barrier_on_ring(0.2).barrier(Barrier_on_ring(0.2).uv), 0);
-  const double near = Barrier_on_ring(0.005).barrier(Barrier_on_ring(0.005).uv), nearer = Barrier_on_ring(0.0005).barrier(Barrier_on_ring(0.0005).uv);
+  const double near = Barrier_on_ring(0.005).barrier(Barrier_on_ring(0.005).uv),
+               nearer = Barrier_on_ring(0.0005).barrier(Barrier_on_ring(0.0005).uv);
   EXPECT_GT(near, 0);
   EXPECT_GT(nearer, 50 * near);     // as the square of the inverse distance
 }
@@ -213,12 +228,16 @@ TEST(Border_barrier, nothing_meets_within_reach)
     ring.uv[end[i].second] = first + places[i] * along;
   ring.barrier.set_reach(ring.uv);
   // Edges that end at the vertex, or at a neighbor of it, are kept off by the triangles between them.
-  const auto is_near = [&](Index v, Index w) { return v == w || ring.level.one_ring(v).front() == w || ring.level.one_ring(v).back() == w; };
+  const auto is_near = [&](Index v, Index w) {
+    return v == w || ring.level.one_ring(v).front() == w || ring.level.one_ring(v).back() == w;
+  };
   for (const Border_edge& e : border_edges(ring.level.rings()))
     for (Index v = 0; v < ring.uv.size(); ++v)
       if (ring.level.is_border(v) && !is_near(v, e.source) && !is_near(v, e.target)) {
-        const double distance = std::sqrt(CGAL::squared_distance(ring.uv[v], CGAL::Segment_2<Flat_kernel>(ring.uv[e.source], ring.uv[e.target])));
-        EXPECT_LT(ring.barrier.reach(v) + (std::max)(ring.barrier.reach(e.source), ring.barrier.reach(e.target)), distance);
+        const double distance = std::sqrt(
+            CGAL::squared_distance(ring.uv[v], CGAL::Segment_2<Flat_kernel>(ring.uv[e.source], ring.uv[e.target])));
+        EXPECT_LT(ring.barrier.reach(v) + (std::max)(ring.barrier.reach(e.source), ring.barrier.reach(e.target)),
+                  distance);
       }
 }
 

@@ -94,7 +94,8 @@ TEST(Polygon_kernel_2, is_the_intersection_of_the_half_planes)
   Random random(2);
   for (int k = 0; k < 200; ++k) {
     const std::vector<Point_2> polygon = random_star_polygon(4 + k % 8, Point_2(0, 0), random);
-    const Point_2 expected = area_centroid(kernel_corners(polygon, Point_2(0, 0))), found = kernel_of(polygon, polygon[0], 3).centroid();
+    const Point_2 expected = area_centroid(kernel_corners(polygon, Point_2(0, 0))),
+                  found = kernel_of(polygon, polygon[0], 3).centroid();
     EXPECT_NEAR(found.x(), expected.x(), 1e-9);
     EXPECT_NEAR(found.y(), expected.y(), 1e-9);
   }
@@ -115,7 +116,8 @@ TEST(Polygon_kernel_2, of_a_convex_polygon_is_the_polygon)
 
 TEST(Polygon_kernel_2, of_a_polygon_that_is_not_star_shaped_is_empty)
 {
-  const std::vector<Point_2> u_shape = { Point_2(0, 0), Point_2(3, 0), Point_2(3, 2), Point_2(2, 2), Point_2(2, 1), Point_2(1, 1), Point_2(1, 2), Point_2(0, 2) };
+  const std::vector<Point_2> u_shape = { Point_2(0, 0), Point_2(3, 0), Point_2(3, 2), Point_2(2, 2),
+                                         Point_2(2, 1), Point_2(1, 1), Point_2(1, 2), Point_2(0, 2) };
   EXPECT_TRUE(kernel_of(u_shape, Point_2(1, 1), 5).is_empty());
   const std::vector<Point_2> clockwise = { Point_2(0, 0), Point_2(0, 1), Point_2(1, 0) };
   EXPECT_TRUE(kernel_of(clockwise, Point_2(0, 0), 5).is_empty());

@@ -28,13 +28,23 @@ struct Hard_mesh
 };
 
 const std::vector<Hard_mesh> hard_meshes = {
-  { "needles", [] { return moved(grid(12, 12), [](double x, double y, double) { return Point{ x, 1e-8 * y, 0 }; }); } },
+  { "needles", [] { return moved(grid(12, 12), [](double x, double y, double) {
+                      return Point{ x, 1e-8 * y, 0 };
+                    }); } },
   { "caps", [] { return caps(8, 1e-8); } },
   { "caps_without_area", [] { return caps(8, 0); } },
-  { "crumpled_needles", [] { return moved(crumpled(10, 1), [](double x, double y, double z) { return Point{ x, 1e-8 * y, 1e-8 * z }; }); } },
+  { "crumpled_needles",
+    [] {
+      return moved(crumpled(10, 1), [](double x, double y, double z) { return Point{ x, 1e-8 * y, 1e-8 * z }; });
+    } },
   { "edges_without_length", [] { return coinciding(12); } },
-  { "all_at_a_point", [] { return moved(grid(5, 5), [](double, double, double) { return Point{ 1, 2, 3 }; }); } },
-  { "all_on_a_line", [] { return moved(grid(5, 5), [](double x, double y, double) { return Point{ x + 0.1 * y, 0, 0 }; }); } },
+  { "all_at_a_point", [] { return moved(grid(5, 5), [](double, double, double) {
+                             return Point{ 1, 2, 3 };
+                           }); } },
+  { "all_on_a_line",
+    [] { return moved(grid(5, 5), [](double x, double y, double) {
+           return Point{ x + 0.1 * y, 0, 0 };
+         }); } },
   { "hub_500", [] { return hub(500, 0); } },
   { "crown_500", [] { return hub(500, 1); } },
   { "border_hub_500", [] { return staircase_fan(500, 0.6); } },
@@ -59,14 +69,20 @@ const std::vector<Hard_mesh> hard_meshes = {
   { "staircase_of_540_degrees", [] { return staircase(18, 5, 1.5); } },
   { "staircase_of_three_turns", [] { return staircase(36, 5, 3); } },
   { "annulus", [] { return cells(9, 9, [](long i, long j) { return i < 3 || i > 5 || j < 3 || j > 5; }); } },
-  { "narrow_annulus", [] { return revolution(60, 2, [](long j) { return std::make_pair(j < 2 ? 1. : 2., 0.01 * double(j)); }); } },
+  { "narrow_annulus",
+    [] { return revolution(60, 2, [](long j) { return std::make_pair(j < 2 ? 1. : 2., 0.01 * double(j)); }); } },
   { "open_tube", [] { return revolution(12, 60, [](long j) { return std::make_pair(1., 0.5 * double(j)); }); } },
   { "sieve", [] { return cells(17, 17, [](long i, long j) { return i % 2 == 0 || j % 2 == 0; }); } },
   { "crumpled", [] { return crumpled(16, 3); } },
   { "crumpled_100", [] { return crumpled(10, 100); } },
-  { "tube_60", [] { return tube(8, 60); } },      // along which the scale of a conformal map falls by the factor exp(2) with every diameter
+  { "tube_60",
+    [] {
+      return tube(8, 60);
+    } },      // along which the scale of a conformal map falls by the factor exp(2) with every diameter
   { "tube_200", [] { return tube(6, 200); } },
-  { "peak", [] { return revolution(12, 15, [](long j) { return std::make_pair(1 - double(j) / 15., 1e6 * double(j)); }); } } };
+  { "peak",
+    [] { return revolution(12, 15, [](long j) { return std::make_pair(1 - double(j) / 15., 1e6 * double(j)); }); } }
+};
 
 class Hard_input : public Program_input { };
 
@@ -103,9 +119,13 @@ std::vector<Hard_mesh> with_holes()
 }
 
 INSTANTIATE_TEST_SUITE_P(mips, Hard_input, testing::ValuesIn(hard_rows(hard_meshes, "mips")), test_name);
-INSTANTIATE_TEST_SUITE_P(symmetric_dirichlet, Hard_input, testing::ValuesIn(hard_rows(hard_meshes, "symmetric-dirichlet")), test_name);
+INSTANTIATE_TEST_SUITE_P(symmetric_dirichlet, Hard_input,
+                         testing::ValuesIn(hard_rows(hard_meshes, "symmetric-dirichlet")), test_name);
 INSTANTIATE_TEST_SUITE_P(filled, Hard_input, testing::ValuesIn(hard_rows(hard_meshes, "mips --fill-holes")), test_name);
-INSTANTIATE_TEST_SUITE_P(filled_barycentric, Hard_input, testing::ValuesIn(hard_rows(with_holes(), "barycentric --fill-holes")), test_name);
-INSTANTIATE_TEST_SUITE_P(globally_injective, Hard_input, testing::ValuesIn(hard_rows(hard_meshes, "symmetric-dirichlet --globally-injective")), test_name);
+INSTANTIATE_TEST_SUITE_P(filled_barycentric, Hard_input,
+                         testing::ValuesIn(hard_rows(with_holes(), "barycentric --fill-holes")), test_name);
+INSTANTIATE_TEST_SUITE_P(globally_injective, Hard_input,
+                         testing::ValuesIn(hard_rows(hard_meshes, "symmetric-dirichlet --globally-injective")),
+                         test_name);
 
 } // namespace

@@ -31,7 +31,8 @@ TEST_P(Program_input, comes_to_what_is_expected)
   const Row& row = GetParam();
   if (row.content) {
     const std::string content = row.content();
-    ASSERT_FALSE(content.empty() && row.name.find("empty") == std::string::npos) << "the row does not make what it says";
+    ASSERT_FALSE(content.empty() && row.name.find("empty") == std::string::npos)
+        << "the row does not make what it says";
     std::ofstream(m_folder / row.name, std::ios::binary) << content;
   }
   const int exit_status = run(row.name + " --output map.obj --picture map.svg --report report.json " + row.arguments);
@@ -69,22 +70,32 @@ const Row off_files[] = {
   { "no_counts.off", as_is("OFF\n"), bad_input, unreadable, "numbers of vertices and faces" },
   { "no_faces.off", as_is("OFF\n1 0 0\n0 0 0\n"), bad_input, no_faces, "has no faces" },
   { "negative_count.off", as_is("OFF\n-3 1 0\n0 0 0\n"), bad_input, unreadable, "numbers of vertices and faces" },
-  { "huge_count.off", as_is("OFF\n2147483647 1 0\n0 0 0\n"), bad_input, unreadable, "too short for 2147483647 vertices" },
-  { "huge_face_count.off", as_is("OFF\n3 9000000000000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), bad_input, unreadable, "too short for 3 vertices and 9000" },
-  { "overflowing_count.off", as_is("OFF\n99999999999999999999 1 0\n0 0 0\n"), bad_input, unreadable, "numbers of vertices and faces" },
-  { "huge_corner_count.off", as_is("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n"), bad_input, unreadable, "face 0" },
-  { "truncated_vertices.off", [] { return cut_at(OFF(patch()), 0.3); }, bad_input, unreadable, "the coordinates of vertex" },
+  { "huge_count.off", as_is("OFF\n2147483647 1 0\n0 0 0\n"), bad_input, unreadable,
+    "too short for 2147483647 vertices" },
+  { "huge_face_count.off", as_is("OFF\n3 9000000000000000000 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), bad_input, unreadable,
+    "too short for 3 vertices and 9000" },
+  { "overflowing_count.off", as_is("OFF\n99999999999999999999 1 0\n0 0 0\n"), bad_input, unreadable,
+    "numbers of vertices and faces" },
+  { "huge_corner_count.off", as_is("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n"), bad_input, unreadable,
+    "face 0" },
+  { "truncated_vertices.off", [] { return cut_at(OFF(patch()), 0.3); }, bad_input, unreadable,
+    "the coordinates of vertex" },
   { "truncated_faces.off", [] { return cut_at(OFF(patch()), 0.8); }, bad_input, unreadable, "face" },
-  { "word_for_coordinate.off", as_is("OFF\n3 1 0\n0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n"), bad_input, unreadable, "vertex 1" },
+  { "word_for_coordinate.off", as_is("OFF\n3 1 0\n0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n"), bad_input, unreadable,
+    "vertex 1" },
   { "two_coordinates.off", as_is("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n"), bad_input, unreadable, "vertex 1" },
   { "word_for_index.off", as_is("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 one 2\n"), bad_input, unreadable, "face 0" },
   { "nan.off", [] { return OFF(with_coordinate(patch(), 11, NaN)); }, bad_input, no_number, "vertex 11" },
   { "infinite.off", [] { return OFF(with_coordinate(patch(), 11, -infinity)); }, bad_input, no_number, "vertex 11" },
   { "overflowing.off", as_is("OFF\n3 1 0\n0 0 0\n1e999 0 0\n0 1 0\n3 0 1 2\n"), bad_input, no_number, "vertex 1" },
-  { "index_n.off", [] { return OFF(with_index(patch(), 5, 49)); }, bad_input, unreadable, "face 5 refers to vertex 49" },
-  { "index_minus_1.off", [] { return OFF(with_index(patch(), 5, -1)); }, bad_input, unreadable, "face 5 refers to vertex -1" },
-  { "two_corners.off", as_is("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n"), bad_input, no_triangle, "face 1 has 2 corners" },
-  { "no_corners.off", as_is("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n0\n"), bad_input, no_triangle, "face 1 has 0 corners" },
+  { "index_n.off", [] { return OFF(with_index(patch(), 5, 49)); }, bad_input, unreadable,
+    "face 5 refers to vertex 49" },
+  { "index_minus_1.off", [] { return OFF(with_index(patch(), 5, -1)); }, bad_input, unreadable,
+    "face 5 refers to vertex -1" },
+  { "two_corners.off", as_is("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n"), bad_input, no_triangle,
+    "face 1 has 2 corners" },
+  { "no_corners.off", as_is("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n0\n"), bad_input, no_triangle,
+    "face 1 has 0 corners" },
   { "at_infinity.off", [] { return OFF(patch(), "4OFF", "0"); }, bad_input, no_number, "vertex 0" },
   { "noise.off", [] { return "OFF\n" + noise(5000); }, bad_input, unreadable, "numbers of vertices and faces" },
   { "homogeneous.off", [] { return OFF(patch(), "4OFF", "2"); }, good, ok },
@@ -93,22 +104,30 @@ const Row off_files[] = {
   { "binary.off", [] { return binary_OFF(patch()); }, good, ok },
   { "truncated_binary.off", [] { return cut_at(binary_OFF(patch()), 0.7); }, bad_input, unreadable, "face" },
   { "nan_binary.off", [] { return binary_OFF(with_coordinate(patch(), 11, NaN)); }, bad_input, no_number, "vertex 11" },
-  { "huge_count_binary.off", [] { return "OFF BINARY\n" + std::string("\x7f\xff\xff\xff\x7f\xff\xff\xff\0\0\0\0\0\0\0\0", 16); }, bad_input, unreadable, "too short" },
+  { "huge_count_binary.off",
+    [] { return "OFF BINARY\n" + std::string("\x7f\xff\xff\xff\x7f\xff\xff\xff\0\0\0\0\0\0\0\0", 16); }, bad_input,
+    unreadable, "too short" },
   { "carriage_returns.off", [] { return with_line_ends(OFF(patch()), "\r\n"); }, good, ok },
   { "old_line_ends.off", [] { return with_line_ends(OFF(patch()), "\r"); }, good, ok },
   { "comments.off", [] { return with_line_ends(OFF(patch()), " # comment\n\n# comment\n"); }, good, ok },
   { "wrong_ending.obj", [] { return OFF(patch()); }, bad_input, unreadable, "line 2" },
-  { "unknown_ending.txt", [] { return OFF(patch()); }, bad_input, unreadable, "is not named" } };
+  { "unknown_ending.txt", [] { return OFF(patch()); }, bad_input, unreadable, "is not named" }
+};
 
 const Row obj_files[] = {
   { "empty.obj", as_is(""), bad_input, no_faces, "is empty" },
   { "no_faces.obj", as_is("v 0 0 0\n"), bad_input, no_faces, "has no faces" },
   { "index_0.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n"), bad_input, unreadable, "face 0 refers to vertex -1" },
-  { "index_n_plus_1.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"), bad_input, unreadable, "face 0 refers to vertex 3" },
-  { "too_far_back.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -4 -2 -1\n"), bad_input, unreadable, "face 0 refers to vertex -1" },
-  { "overflowing_index.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999999999999999\n"), bad_input, unreadable, "line 4: the vertices of face 0" },
-  { "least_index.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -9223372036854775808\n"), bad_input, unreadable, "face 0 refers to vertex" },
-  { "word_for_index.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 two 3\n"), bad_input, unreadable, "line 4: the vertices of face 0" },
+  { "index_n_plus_1.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"), bad_input, unreadable,
+    "face 0 refers to vertex 3" },
+  { "too_far_back.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -4 -2 -1\n"), bad_input, unreadable,
+    "face 0 refers to vertex -1" },
+  { "overflowing_index.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999999999999999\n"), bad_input, unreadable,
+    "line 4: the vertices of face 0" },
+  { "least_index.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -9223372036854775808\n"), bad_input, unreadable,
+    "face 0 refers to vertex" },
+  { "word_for_index.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 two 3\n"), bad_input, unreadable,
+    "line 4: the vertices of face 0" },
   { "two_corners.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"), bad_input, no_triangle, "face 0 has 2 corners" },
   { "two_coordinates.obj", as_is("v 0 0\n"), bad_input, unreadable, "line 1: the coordinates of vertex 0" },
   { "truncated.obj", [] { return cut_at(OBJ(patch()), 0.9); }, bad_input, no_triangle, "corner" },
@@ -116,9 +135,12 @@ const Row obj_files[] = {
   { "infinite.obj", [] { return OBJ(with_coordinate(patch(), 0, infinity)); }, bad_input, no_number, "vertex 0" },
   { "noise.obj", [] { return noise(5000); }, bad_input, unreadable, "line 1" },
   { "negative_indices.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n"), good, ok },
-  { "textured.obj", as_is("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nusemtl a\nf 1/1/1 2//1 3/1 # comment\nl 1 2\n"), good, ok },
+  { "textured.obj",
+    as_is("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nusemtl a\nf 1/1/1 2//1 3/1 # comment\nl 1 2\n"),
+    good, ok },
   { "tabs.obj", as_is("v\t0\t0\t0\nv\t1\t0\t0\nv\t0\t1\t0\nf\t1\t2\t3\n"), good, ok },
-  { "carriage_returns.obj", [] { return with_line_ends(OBJ(patch()), "\r\n"); }, good, ok } };
+  { "carriage_returns.obj", [] { return with_line_ends(OBJ(patch()), "\r\n"); }, good, ok }
+};
 
 const std::string tiny_ply_points = "0 0 0\n1 0 0\n0 1 0\n";
 
@@ -128,36 +150,67 @@ const Row ply_files[] = {
   { "big_endian.ply", [] { return binary_PLY(patch(), true); }, good, ok },
   { "integers.ply", [] { return PLY(grid(3, 3), "int"); }, good, ok },
   { "short_indices.ply", [] { return replaced(PLY(patch()), "uchar int", "int ushort"); }, good, ok },
-  { "faces_first.ply", as_is("ply\nformat ascii 1.0\nelement face 1\nproperty list uchar uint vertex_index\nelement vertex 3\nproperty float x\nproperty float y\n"
-                             "property float z\nend_header\n3 0 1 2\n" + tiny_ply_points), good, ok },
+  { "faces_first.ply",
+    as_is("ply\nformat ascii 1.0\nelement face 1\nproperty list uchar uint vertex_index\nelement vertex 3\nproperty "
+          "float x\nproperty float y\n"
+          "property float z\nend_header\n3 0 1 2\n" +
+          tiny_ply_points),
+    good, ok },
   { "empty.ply", as_is(""), bad_input, no_faces, "is empty" },
   { "keyword.ply", as_is("polygon\n"), bad_input, unreadable, "'ply' expected" },
   { "truncated_header.ply", [] { return cut_at(PLY(patch()), 0.03); }, bad_input, unreadable, "header" },
-  { "format.ply", [] { return replaced(PLY(patch()), "ascii", "EBCDIC"); }, bad_input, unreadable, "the format 'EBCDIC' is unknown" },
-  { "type.ply", [] { return replaced(PLY(patch()), "double", "quad"); }, bad_input, unreadable, "the type 'quad' is unknown" },
-  { "no_z.ply", [] { return replaced(PLY(patch()), "double z", "double w"); }, bad_input, unreadable, "has no x, y and z" },
-  { "no_list.ply", [] { return replaced(PLY(patch()), "vertex_indices", "corners"); }, bad_input, unreadable, "has no list" },
+  { "format.ply", [] { return replaced(PLY(patch()), "ascii", "EBCDIC"); }, bad_input, unreadable,
+    "the format 'EBCDIC' is unknown" },
+  { "type.ply", [] { return replaced(PLY(patch()), "double", "quad"); }, bad_input, unreadable,
+    "the type 'quad' is unknown" },
+  { "no_z.ply", [] { return replaced(PLY(patch()), "double z", "double w"); }, bad_input, unreadable,
+    "has no x, y and z" },
+  { "no_list.ply", [] { return replaced(PLY(patch()), "vertex_indices", "corners"); }, bad_input, unreadable,
+    "has no list" },
   { "no_faces.ply", [] { return PLY_header(Mesh(), "ascii"); }, bad_input, no_faces, "has no faces" },
-  { "negative_count.ply", [] { return replaced(PLY(patch()), "vertex 49", "vertex -49"); }, bad_input, unreadable, "number of elements" },
-  { "huge_count.ply", [] { return replaced(binary_PLY(patch()), "vertex 49", "vertex 4000000000"); }, bad_input, unreadable, "too short for 4000000000 elements" },
-  { "huge_count_of_nothing.ply", as_is("ply\nformat ascii 1.0\nelement nothing 4000000000\nend_header\n"), bad_input, unreadable, "too short" },
-  { "huge_list.ply", as_is("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
-                           "property list uint int vertex_indices\nend_header\n" + tiny_ply_points + "4000000000 0 1 2\n"), bad_input, unreadable, "'face' 0" },
-  { "huge_list_binary.ply", [] { return replaced(PLY_header(polygon({ { } }), "binary_little_endian", "double", "uint int"), "vertex 1", "vertex 0") + std::string(20, '\xff'); },
+  { "negative_count.ply", [] { return replaced(PLY(patch()), "vertex 49", "vertex -49"); }, bad_input, unreadable,
+    "number of elements" },
+  { "huge_count.ply", [] { return replaced(binary_PLY(patch()), "vertex 49", "vertex 4000000000"); }, bad_input,
+    unreadable, "too short for 4000000000 elements" },
+  { "huge_count_of_nothing.ply", as_is("ply\nformat ascii 1.0\nelement nothing 4000000000\nend_header\n"), bad_input,
+    unreadable, "too short" },
+  { "huge_list.ply",
+    as_is("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face "
+          "1\n"
+          "property list uint int vertex_indices\nend_header\n" +
+          tiny_ply_points + "4000000000 0 1 2\n"),
     bad_input, unreadable, "'face' 0" },
-  { "negative_list.ply", [] { return replaced(replaced(PLY(triangle()), "\n3 0 1 2", "\n-3 0 1 2"), "uchar", "char"); }, bad_input, no_triangle, "face 0 has 0 corners" },
+  { "huge_list_binary.ply",
+    [] {
+      return replaced(PLY_header(polygon({ {} }), "binary_little_endian", "double", "uint int"), "vertex 1",
+                      "vertex 0") +
+             std::string(20, '\xff');
+    },
+    bad_input, unreadable, "'face' 0" },
+  { "negative_list.ply", [] { return replaced(replaced(PLY(triangle()), "\n3 0 1 2", "\n-3 0 1 2"), "uchar", "char"); },
+    bad_input, no_triangle, "face 0 has 0 corners" },
   { "truncated.ply", [] { return cut_at(PLY(patch()), 0.9); }, bad_input, unreadable, "'face'" },
-  { "truncated_binary_vertices.ply", [] { return cut_at(binary_PLY(patch()), 0.4); }, bad_input, unreadable, "'vertex'" },
-  { "truncated_binary_faces.ply", [] { return cut_at(binary_PLY(patch(), true), 0.9); }, bad_input, unreadable, "face" },
+  { "truncated_binary_vertices.ply", [] { return cut_at(binary_PLY(patch()), 0.4); }, bad_input, unreadable,
+    "'vertex'" },
+  { "truncated_binary_faces.ply", [] { return cut_at(binary_PLY(patch(), true), 0.9); }, bad_input, unreadable,
+    "face" },
   { "nan.ply", [] { return PLY(with_coordinate(patch(), 7, NaN)); }, bad_input, no_number, "vertex 7" },
   { "nan_binary.ply", [] { return binary_PLY(with_coordinate(patch(), 7, NaN)); }, bad_input, no_number, "vertex 7" },
-  { "infinite_binary.ply", [] { return binary_PLY(with_coordinate(patch(), 7, infinity), true); }, bad_input, no_number, "vertex 7" },
-  { "index_n.ply", [] { return PLY(with_index(patch(), 71, 49)); }, bad_input, unreadable, "face 71 refers to vertex 49" },
-  { "index_n_binary.ply", [] { return binary_PLY(with_index(patch(), 71, 49)); }, bad_input, unreadable, "face 71 refers to vertex 49" },
-  { "index_minus_1_binary.ply", [] { return binary_PLY(with_index(patch(), 0, -1)); }, bad_input, unreadable, "face 0 refers to vertex -1" },
-  { "half_index.ply", [] { return replaced(PLY(triangle()), "3 0 1 2", "3 0 1.5 2"); }, bad_input, unreadable, "'face' 0" },
-  { "index_nan.ply", [] { return replaced(PLY(triangle()), "3 0 1 2", "3 0 nan 2"); }, bad_input, unreadable, "'face' 0" },
-  { "noise.ply", [] { return PLY_header(patch(), "binary_little_endian") + noise(5000); }, bad_input, unreadable, "face" } };
+  { "infinite_binary.ply", [] { return binary_PLY(with_coordinate(patch(), 7, infinity), true); }, bad_input, no_number,
+    "vertex 7" },
+  { "index_n.ply", [] { return PLY(with_index(patch(), 71, 49)); }, bad_input, unreadable,
+    "face 71 refers to vertex 49" },
+  { "index_n_binary.ply", [] { return binary_PLY(with_index(patch(), 71, 49)); }, bad_input, unreadable,
+    "face 71 refers to vertex 49" },
+  { "index_minus_1_binary.ply", [] { return binary_PLY(with_index(patch(), 0, -1)); }, bad_input, unreadable,
+    "face 0 refers to vertex -1" },
+  { "half_index.ply", [] { return replaced(PLY(triangle()), "3 0 1 2", "3 0 1.5 2"); }, bad_input, unreadable,
+    "'face' 0" },
+  { "index_nan.ply", [] { return replaced(PLY(triangle()), "3 0 1 2", "3 0 nan 2"); }, bad_input, unreadable,
+    "'face' 0" },
+  { "noise.ply", [] { return PLY_header(patch(), "binary_little_endian") + noise(5000); }, bad_input, unreadable,
+    "face" }
+};
 
 const Row stl_files[] = {
   { "ascii.stl", [] { return STL(patch()); }, good, ok },
@@ -166,58 +219,118 @@ const Row stl_files[] = {
   { "empty.stl", as_is(""), bad_input, no_faces, "is empty" },
   { "short.stl", as_is("stl"), bad_input, unreadable, "too short" },
   { "no_faces.stl", as_is("solid nothing\nendsolid nothing\n"), bad_input, no_faces, "has no faces" },
-  { "truncated_between.stl", [] { return replaced(STL(patch()), "endsolid test\n", ""); }, bad_input, unreadable, "'endsolid' expected" },
+  { "truncated_between.stl", [] { return replaced(STL(patch()), "endsolid test\n", ""); }, bad_input, unreadable,
+    "'endsolid' expected" },
   { "truncated.stl", [] { return cut_at(STL(patch()), 0.5); }, bad_input, unreadable, "face" },
-  { "truncated_binary.stl", [] { return cut_at(binary_STL(patch()), 0.5); }, bad_input, unreadable, "too short for 72 triangles" },
-  { "huge_count.stl", [] { return replaced(binary_STL(patch()), bytes(std::uint32_t(72), false), "\xff\xff\xff\xff"); }, bad_input, unreadable, "too short for 4294967295" },
+  { "truncated_binary.stl", [] { return cut_at(binary_STL(patch()), 0.5); }, bad_input, unreadable,
+    "too short for 72 triangles" },
+  { "huge_count.stl", [] { return replaced(binary_STL(patch()), bytes(std::uint32_t(72), false), "\xff\xff\xff\xff"); },
+    bad_input, unreadable, "too short for 4294967295" },
   { "nan.stl", [] { return STL(with_coordinate(patch(), 0, NaN)); }, bad_input, no_number, "vertex 0" },
   { "nan_binary.stl", [] { return binary_STL(with_coordinate(patch(), 0, NaN)); }, bad_input, no_number, "vertex 0" },
-  { "two_vertices.stl", [] { return replaced(STL(triangle()), "endloop", "vertex 0 0 0\nendloop"); }, bad_input, unreadable, "'endloop' of face 0" },
-  { "word_for_coordinate.stl", [] { return replaced(STL(triangle()), "vertex 0", "vertex zero"); }, bad_input, unreadable, "face 0" },
-  { "point.stl", [] { return STL(polygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 } })); }, bad_input, no_disk, "face 0 has vertex 0 twice" },
-  { "noise.stl", [] { return noise(5000); }, bad_input, unreadable, "too short" } };
+  { "two_vertices.stl", [] { return replaced(STL(triangle()), "endloop", "vertex 0 0 0\nendloop"); }, bad_input,
+    unreadable, "'endloop' of face 0" },
+  { "word_for_coordinate.stl", [] { return replaced(STL(triangle()), "vertex 0", "vertex zero"); }, bad_input,
+    unreadable, "face 0" },
+  { "point.stl",
+    [] {
+      return STL(polygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 } }));
+    },
+    bad_input, no_disk, "face 0 has vertex 0 twice" },
+  { "noise.stl", [] { return noise(5000); }, bad_input, unreadable, "too short" }
+};
 
 const std::vector<Point> l_shape = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 } };
 
 const Row no_surfaces[] = {
   { "three_at_an_edge.off", [] { return OFF(three_at_an_edge()); }, bad_input, no_disk, "more than two faces" },
-  { "two_umbrellas.off", [] { return OFF(identified(joined(triangle(), triangle()), 0, 3)); }, bad_input, no_disk, "vertex 0 form several fans" },
-  { "border_twice_at_a_vertex.off", [] { return OFF(cells(2, 2, [](long i, long j) { return i == j; })); }, bad_input, no_disk, "form several fans" },
-  { "hole_that_touches_the_border.off", [] { return OFF(cells(4, 4, [](long i, long j) { return (i != 1 || j != 1) && (i != 0 || j != 0); })); },
-    bad_input, no_disk, "form several fans" },
-  { "closed_fan_and_open_fan.off", [] { return OFF(identified(joined(tetrahedron(), triangle()), 0, 4)); }, bad_input, no_disk, "vertex 0 form several fans" },
+  { "two_umbrellas.off", [] { return OFF(identified(joined(triangle(), triangle()), 0, 3)); }, bad_input, no_disk,
+    "vertex 0 form several fans" },
+  { "border_twice_at_a_vertex.off", [] { return OFF(cells(2, 2, [](long i, long j) { return i == j; })); }, bad_input,
+    no_disk, "form several fans" },
+  { "hole_that_touches_the_border.off",
+    [] { return OFF(cells(4, 4, [](long i, long j) { return (i != 1 || j != 1) && (i != 0 || j != 0); })); }, bad_input,
+    no_disk, "form several fans" },
+  { "closed_fan_and_open_fan.off", [] { return OFF(identified(joined(tetrahedron(), triangle()), 0, 4)); }, bad_input,
+    no_disk, "vertex 0 form several fans" },
   { "two_orientations.off", [] { return OFF(two_orientations()); }, bad_input, no_disk, "different orientations" },
   { "moebius_strip.off", [] { return OFF(moebius_strip()); }, bad_input, no_disk, "different orientations" },
-  { "face_twice.off", [] { return OFF(with_face(patch(), patch().polygons[3])); }, bad_input, no_disk, "face 72 has the same vertices as face 3" },
-  { "face_twice_turned.off", [] { const std::vector<long> t = patch().polygons[3]; return OFF(with_face(patch(), { t[1], t[2], t[0] })); },
+  { "face_twice.off", [] { return OFF(with_face(patch(), patch().polygons[3])); }, bad_input, no_disk,
+    "face 72 has the same vertices as face 3" },
+  { "face_twice_turned.off",
+    [] {
+      const std::vector<long> t = patch().polygons[3];
+      return OFF(with_face(patch(), { t[1], t[2], t[0] }));
+    },
     bad_input, no_disk, "face 72 has the same vertices as face 3" },
-  { "face_and_its_back.off", [] { return OFF(with_face(triangle(), { 0, 2, 1 })); }, bad_input, no_disk, "closed" },
-  { "vertex_twice_in_a_face.off", [] { return OFF(with_face(patch(), { 3, 4, 3 })); }, bad_input, no_disk, "face 72 has vertex 3 twice" },
-  { "quads.off", [] { return OFF(quads()); }, bad_input, no_triangle, "face 0 has 4 corners instead of three; --triangulate" },
+  { "face_and_its_back.off",
+    [] {
+      return OFF(with_face(triangle(), { 0, 2, 1 }));
+    },
+    bad_input, no_disk, "closed" },
+  { "vertex_twice_in_a_face.off",
+    [] {
+      return OFF(with_face(patch(), { 3, 4, 3 }));
+    },
+    bad_input, no_disk, "face 72 has vertex 3 twice" },
+  { "quads.off", [] { return OFF(quads()); }, bad_input, no_triangle,
+    "face 0 has 4 corners instead of three; --triangulate" },
   { "one_quad.obj", [] { return OBJ(joined(patch(), quads())); }, bad_input, no_triangle, "face 72 has 4 corners" },
   { "closed.off", [] { return OFF(octasphere(2)); }, bad_input, no_disk, "cut it open" },
   { "closed_torus.off", [] { return OFF(torus(8, 6)); }, bad_input, no_disk, "cut it open" },
-  { "closed_with_a_patch.off", [] { return OFF(joined(triangle(), octasphere(1))); }, bad_input, no_disk, "cut it open" },
-  { "handle.off", [] { return OFF(without_face(torus(8, 6), 0)); }, bad_input, no_disk, "handle" } };
+  { "closed_with_a_patch.off", [] { return OFF(joined(triangle(), octasphere(1))); }, bad_input, no_disk,
+    "cut it open" },
+  { "handle.off", [] { return OFF(without_face(torus(8, 6), 0)); }, bad_input, no_disk, "handle" }
+};
 
 const Row surfaces[] = {
   { "quads.off", [] { return OFF(quads()); }, good, ok, "", "--triangulate" },
   { "polygon.off", [] { return OFF(polygon(l_shape)); }, good, ok, "", "--triangulate" },
   { "polygon_of_100_corners.off", [] { return OFF(star_polygon(100)); }, good, any, "", "--triangulate" },
-  { "polygon_of_501_corners.off", [] { return OFF(star_polygon(501)); }, bad_input, no_triangle, "face 0 has more than 500 corners", "--triangulate" },
-  { "corner_on_an_edge.off", [] { return OFF(polygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 1, 0 }, { 3, 0, 0 }, { 4, 0, 0 } })); }, good, any, "", "--triangulate" },
-  { "two_corners_at_a_point.off", [] { return OFF(polygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 1, 0 }, { 4, 0, 0 }, { 4, 0, 0 } })); },
+  { "polygon_of_501_corners.off", [] { return OFF(star_polygon(501)); }, bad_input, no_triangle,
+    "face 0 has more than 500 corners", "--triangulate" },
+  { "corner_on_an_edge.off",
+    [] {
+      return OFF(polygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 1, 0 }, { 3, 0, 0 }, { 4, 0, 0 } }));
+    },
+    good, any, "", "--triangulate" },
+  { "two_corners_at_a_point.off",
+    [] {
+      return OFF(polygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 1, 0 }, { 4, 0, 0 }, { 4, 0, 0 } }));
+    },
     bad_input, no_triangle, "face 0 cannot be triangulated", "--triangulate" },
-  { "polygon_on_a_line.off", [] { return OFF(polygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 } })); },
+  { "polygon_on_a_line.off",
+    [] {
+      return OFF(polygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 } }));
+    },
     bad_input, no_triangle, "face 0 cannot be triangulated", "--triangulate" },
-  { "polygon_at_a_point.off", [] { return OFF(polygon(std::vector<Point>(5, Point{ 1, 1, 1 }))); }, bad_input, no_triangle, "face 0 cannot be triangulated", "--triangulate" },
-  { "two_corners.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"), bad_input, no_triangle, "face 0 has 2 corners", "--triangulate" },
+  { "polygon_at_a_point.off",
+    [] {
+      return OFF(polygon(std::vector<Point>(5, Point{ 1, 1, 1 })));
+    },
+    bad_input, no_triangle, "face 0 cannot be triangulated", "--triangulate" },
+  { "two_corners.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"), bad_input, no_triangle, "face 0 has 2 corners",
+    "--triangulate" },
   { "triangle.off", [] { return OFF(triangle()); }, good, ok },
   { "strip.off", [] { return OFF(ribbon(9)); }, good, ok },
-  { "isolated_vertex_first.off", [] { Mesh m; m.add_point(9, 9, 9); return OFF(joined(m, patch())); }, good, ok },
-  { "isolated_vertex_last.off", [] { Mesh m; m.add_point(9, 9, 9); return OFF(joined(patch(), m)); }, good, ok },
-  { "components.off", [] { return OFF(joined(joined(triangle(), patch()), tetrahedron())); }, good, ok, "3 components; the largest" },
-  { "quiet_components.off", [] { return OFF(joined(triangle(), patch())); }, good, ok, "", "--quiet" } };
+  { "isolated_vertex_first.off",
+    [] {
+      Mesh m;
+      m.add_point(9, 9, 9);
+      return OFF(joined(m, patch()));
+    },
+    good, ok },
+  { "isolated_vertex_last.off",
+    [] {
+      Mesh m;
+      m.add_point(9, 9, 9);
+      return OFF(joined(patch(), m));
+    },
+    good, ok },
+  { "components.off", [] { return OFF(joined(joined(triangle(), patch()), tetrahedron())); }, good, ok,
+    "3 components; the largest" },
+  { "quiet_components.off", [] { return OFF(joined(triangle(), patch())); }, good, ok, "", "--quiet" }
+};
 
 INSTANTIATE_TEST_SUITE_P(off, Program_input, testing::ValuesIn(off_files), test_name);
 INSTANTIATE_TEST_SUITE_P(obj, Program_input, testing::ValuesIn(obj_files), test_name);
@@ -250,14 +363,18 @@ const Row unusable_paths[] = {
   { "picture_on_full_disk", nullptr, failed, "", "/dev/full: cannot be written", "patch.off --picture /dev/full" },
   { "report_on_full_disk", nullptr, failed, "", "/dev/full: cannot be written", "patch.off --report /dev/full" },
   { "no_folder", nullptr, failed, "", "none/map.obj: cannot be written", "patch.off --output none/map.obj" },
-  { "no_folder_for_report", nullptr, failed, "", "none/report.json: cannot be written", "patch.off --report none/report.json" },
+  { "no_folder_for_report", nullptr, failed, "", "none/report.json: cannot be written",
+    "patch.off --report none/report.json" },
   { "output_is_a_folder", nullptr, failed, "", "folder.off: cannot be written", "patch.off --output folder.off" },
-  { "file_for_folder", nullptr, failed, "", "patch.off/map.obj: cannot be written", "patch.off --output patch.off/map.obj" },
+  { "file_for_folder", nullptr, failed, "", "patch.off/map.obj: cannot be written",
+    "patch.off --output patch.off/map.obj" },
   { "long_name", nullptr, failed, "", "cannot be written", "patch.off --output " + std::string(300, 'x') },
   { "levels_below_a_file", nullptr, failed, "", "patch.off", "patch.off --levels patch.off/levels" },
-  { "file_size_limit", nullptr, failed, "", "map.obj: cannot be written", "patch.off --output map.obj", "ulimit -f 1; " },
+  { "file_size_limit", nullptr, failed, "", "map.obj: cannot be written", "patch.off --output map.obj",
+    "ulimit -f 1; " },
   { "filled_as_shipped", nullptr, 1, "", "does not fill holes", "patch.off --method lscm --flat --fill-holes" },
-  { "nameless", nullptr, 1, "", "empty", "''" } };
+  { "nameless", nullptr, 1, "", "empty", "''" }
+};
 
 INSTANTIATE_TEST_SUITE_P(unusable, Program_files, testing::ValuesIn(unusable_paths), test_name);
 

@@ -31,7 +31,8 @@ TEST(Progressive_mesh, splitting_back_gives_the_input)
     const auto expect_input = [&](const std::vector<Index_triangle>& triangles) {
       ASSERT_EQ(triangles.size(), m.triangles.size());
       for (Index f = 0; f < triangles.size(); ++f) {
-        Index_triangle t = { h.input_vertex(triangles[f][0]), h.input_vertex(triangles[f][1]), h.input_vertex(triangles[f][2]) };
+        Index_triangle t = { h.input_vertex(triangles[f][0]), h.input_vertex(triangles[f][1]),
+                             h.input_vertex(triangles[f][2]) };
         const Index_triangle& input = m.triangles[h.input_face(f)];
         std::rotate(t.begin(), std::find(t.begin(), t.end(), input[0]), t.end());
         EXPECT_EQ(t, input);

@@ -87,7 +87,8 @@ TEST(Prolongation, of_a_planar_mesh_reproduces_linear_functions_inside)
       ++interior;
       const Index_triangle& parent = h.parent_triangle(v);
       const std::array<double, 3> c = h.barycentric_coordinates(v);
-      const Point_3 combination = CGAL::barycenter(h.point(parent[0]), c[0], h.point(parent[1]), c[1], h.point(parent[2]), c[2]);
+      const Point_3 combination =
+          CGAL::barycenter(h.point(parent[0]), c[0], h.point(parent[1]), c[1], h.point(parent[2]), c[2]);
       EXPECT_NEAR(std::sqrt(CGAL::squared_distance(combination, h.point(v))), 0, 1e-12);
     }
     EXPECT_GT(interior, 150u);

@@ -41,7 +41,10 @@ Singular_values singular_values_of(const Level& level, const Level::Uv& uv, cons
 }
 
 template <class Energy>
-double energy_of(const Singular_values& s) { return Energy().value(s.greatest * s.greatest + s.least * s.least, s.determinant); }
+double energy_of(const Singular_values& s)
+{
+  return Energy().value(s.greatest * s.greatest + s.least * s.least, s.determinant);
+}
 
 template <class Energy>
 class Energy_of_level : public testing::Test { };
@@ -56,7 +59,8 @@ TYPED_TEST_SUITE(Relaxation_of, Energies, );
 
 TYPED_TEST(Energy_of_level, is_the_sum_over_the_triangles)
 {
-  for (const Flat_mesh& m : { grid(12, 9, wavy), crumpled_grid(14, 1), delaunay_patch(400, 2, wavy), grid_with_holes(20), strip(20), three_ears() }) {
+  for (const Flat_mesh& m : { grid(12, 9, wavy), crumpled_grid(14, 1), delaunay_patch(400, 2, wavy),
+                              grid_with_holes(20), strip(20), three_ears() }) {
     const Finest_level f(m);
     const Level::Uv uv = first_map(f.level);
     double sum = 0, weighted = 0, area = 0;
@@ -109,7 +113,8 @@ TYPED_TEST(Relaxation_of, sweeps_lower_the_energy_by_exactly_what_they_return)
       std::mt19937 random(0);
       double before = energy(uv);
       for (int i = 0; i < 12; ++i) {
-        const double decrease = i % 4 == 3 ? relaxation.random_steps(uv, uv.size(), random) : relaxation.sweep(uv), after = energy(uv);
+        const double decrease = i % 4 == 3 ? relaxation.random_steps(uv, uv.size(), random) : relaxation.sweep(uv),
+                     after = energy(uv);
         EXPECT_GE(decrease, 0);
         EXPECT_NEAR(before - after, decrease, 1e-9 * before);
         EXPECT_TRUE(is_map_valid(f.level.rings(), uv));
@@ -153,7 +158,8 @@ TYPED_TEST(Relaxation_of, moves_the_vertices_it_is_told_to)
   const Vertex_relaxation relaxation(energy, 1);
   const Level::Uv start = first_map(f.level);
   for (std::size_t group = 0; group <= f.level.index(); ++group) {
-    const std::size_t first = group == 0 ? 0 : f.hierarchy.number_of_vertices(group - 1), last = f.hierarchy.number_of_vertices(group);
+    const std::size_t first = group == 0 ? 0 : f.hierarchy.number_of_vertices(group - 1),
+                      last = f.hierarchy.number_of_vertices(group);
     Level::Uv uv = start;
     relaxation.sweep_group(group, uv);
     for (std::size_t v = 0; v < uv.size(); ++v)
@@ -164,7 +170,8 @@ TYPED_TEST(Relaxation_of, moves_the_vertices_it_is_told_to)
 TYPED_TEST(Relaxation_of, leaves_pinned_vertices)
 {
   const Flat_mesh m = grid(5, 5, wavy);
-  const Finest_level f(m, parameters::coarsest_size(1000).vertex_is_constrained_map(CGAL::Constant_property_map<std::size_t, bool>(true)));
+  const Finest_level f(m, parameters::coarsest_size(1000).vertex_is_constrained_map(
+                              CGAL::Constant_property_map<std::size_t, bool>(true)));
   const Level_energy_of<TypeParam> energy(f.level, Triangle_weight::ONE);
   Vertex_relaxation relaxation(energy, 1);
   const Level::Uv start = first_map(f.level);

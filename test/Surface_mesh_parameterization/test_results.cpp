@@ -89,9 +89,11 @@ TEST(Parameterization_quality, agrees_with_the_singular_values)
   for (const auto v : vertices(mapped.mesh))
     mapped.uvmap[v] = Kernel::Point_2(uv[v].x(), uv[v].y());
 
-  double mips = 0, dirichlet = 0, inverse_dirichlet = 0, angle = 0, area = 0, image_area = 0, greatest = 0, inverse_determinant = 0;
+  double mips = 0, dirichlet = 0, inverse_dirichlet = 0, angle = 0, area = 0, image_area = 0, greatest = 0,
+         inverse_determinant = 0;
   for (const Index_triangle& t : m.triangles) {
-    const Singular_values s = singular_values(m.points[t[0]], m.points[t[1]], m.points[t[2]], uv[t[0]], uv[t[1]], uv[t[2]]);
+    const Singular_values s =
+        singular_values(m.points[t[0]], m.points[t[1]], m.points[t[2]], uv[t[0]], uv[t[1]], uv[t[2]]);
     ASSERT_GT(s.determinant, 0);
     mips += s.mips();
     area += s.area;
@@ -182,7 +184,9 @@ TEST(Write_OBJ, writes_what_can_be_read_back)
   Mapped_mesh mapped(grid(4, 3, wavy));
   append(single_triangle(), mapped.mesh);     // has no place in the plane
   const auto vpmap = mapped.mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:parameterized", false).first;
-  EXPECT_EQ(Hierarchical_MIPS().parameterize(mapped.mesh, longest_border(mapped.mesh), mapped.uvmap, get(CGAL::vertex_index, mapped.mesh), vpmap), OK);
+  EXPECT_EQ(Hierarchical_MIPS().parameterize(mapped.mesh, longest_border(mapped.mesh), mapped.uvmap,
+                                             get(CGAL::vertex_index, mapped.mesh), vpmap),
+            OK);
   std::stringstream file;
   SMP::IO::write_OBJ(file, mapped.mesh, mapped.uvmap, vpmap);
   std::vector<Kernel::Point_3> points;

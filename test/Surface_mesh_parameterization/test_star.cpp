@@ -93,7 +93,8 @@ TYPED_TEST(Star_of, energy_is_the_sum_over_the_triangles)
     for (const Index_triangle& t : s.mesh.triangles) {
       const std::vector<Point_3>& p = s.mesh.points;
       const Singular_values values = singular_values(p[0], p[t[1]], p[t[2]], place, s.uv[t[1]], s.uv[t[2]]);
-      const double energy = TypeParam().value(values.greatest * values.greatest + values.least * values.least, values.determinant);
+      const double energy =
+          TypeParam().value(values.greatest * values.greatest + values.least * values.least, values.determinant);
       sum += energy;
       weighted += values.area * energy;
     }
@@ -115,7 +116,8 @@ TYPED_TEST(Star_of, gradient_and_hessian_match_differences)
     double room = 1;
     for (int i = 0; i < 16; ++i)
       room = (std::min)(room, star.longest_step(p, polar(1, i * CGAL_PI / 8) - CGAL::ORIGIN));
-    const double h = 1e-5 * room, gradient_tolerance = 1e-5 * d.value / room, hessian_tolerance = gradient_tolerance / room;
+    const double h = 1e-5 * room, gradient_tolerance = 1e-5 * d.value / room,
+                 hessian_tolerance = gradient_tolerance / room;
     for (int i = 0; i < 2; ++i) {
       const Vector_2 step = i == 0 ? Vector_2(h, 0) : Vector_2(0, h);
       EXPECT_NEAR(d.gradient[i], (star.energy(p + step) - star.energy(p - step)) / (2 * h), gradient_tolerance);
@@ -184,7 +186,8 @@ TYPED_TEST(Relax_vertex, never_raises_the_energy_and_keeps_the_star_valid)
       continue;
     const Star<TypeParam> star = s.star<TypeParam>();
     for (int i = 0; i < 20; ++i) {
-      const double before = star.energy(s.uv[0]), decrease = relax_vertex(star, s.rings, 0, i % 2 == 0 ? 1. : 1.8, s.uv);
+      const double before = star.energy(s.uv[0]),
+                   decrease = relax_vertex(star, s.rings, 0, i % 2 == 0 ? 1. : 1.8, s.uv);
       EXPECT_GE(decrease, 0);
       EXPECT_NEAR(star.energy(s.uv[0]), before - decrease, 1e-12 * before);
       EXPECT_TRUE(is_star_valid(s.rings, s.uv, 0));
@@ -223,7 +226,9 @@ TEST(Relax_vertex, keeps_the_angles_at_the_border_below_a_full_turn)
       for (Index v = 0; v <= 6; ++v) {
         std::vector<Rest_corner> corners;
         for (const Index w : rings[v])    // the triangle (v, w, next of w)
-          corners.push_back(v == 0 ? rest_corner(hub, first, second) : w == 0 ? rest_corner(second, hub, first) : rest_corner(first, second, hub));
+          corners.push_back(v == 0   ? rest_corner(hub, first, second)
+                            : w == 0 ? rest_corner(second, hub, first)
+                                     : rest_corner(first, second, hub));
         Star<MIPS_energy_2> star;
         star.gather(rings, uv, v, corners.data(), Triangle_weight::ONE);
         relax_vertex(star, rings, v, 1.8, uv);

@@ -54,8 +54,10 @@ TEST(Turns_too_far, with_collinear_neighbors)
   EXPECT_FALSE(fan_turns_too_far({ east, north, west }, false));           // half a turn, exactly
   EXPECT_FALSE(fan_turns_too_far({ east, north, Point_2(-2, 0), south }, false));
   EXPECT_FALSE(fan_turns_too_far({ east, Point_2(0.5, 0.1), north, Point_2(-1, 0.1) }, false));
-  EXPECT_FALSE(fan_turns_too_far({ Point_2(1, 2), Point_2(-3, 1), Point_2(-1, -2), Point_2(0, -1), Point_2(1, 1.5) }, false));
-  EXPECT_TRUE(fan_turns_too_far({ Point_2(1, 2), Point_2(-3, 1), Point_2(-1, -2), Point_2(0, -1), Point_2(0.5, 1) }, false));
+  EXPECT_FALSE(
+      fan_turns_too_far({ Point_2(1, 2), Point_2(-3, 1), Point_2(-1, -2), Point_2(0, -1), Point_2(1, 1.5) }, false));
+  EXPECT_TRUE(
+      fan_turns_too_far({ Point_2(1, 2), Point_2(-3, 1), Point_2(-1, -2), Point_2(0, -1), Point_2(0.5, 1) }, false));
 }
 
 TEST(Turns_too_far, around_an_interior_vertex_is_one_turn_and_not_two)
@@ -63,7 +65,8 @@ TEST(Turns_too_far, around_an_interior_vertex_is_one_turn_and_not_two)
   const Point_2 east(1, 0), north(0, 1), west(-1, 0), south(0, -1);
   EXPECT_FALSE(fan_turns_too_far({ east, north, west, south }, true));
   EXPECT_FALSE(fan_turns_too_far({ east, Point_2(-1, 1), Point_2(-1, -1) }, true));
-  EXPECT_TRUE(fan_turns_too_far({ east, Point_2(-1, 1), Point_2(-1, -1), Point_2(1, 0.1), Point_2(-1, 1.2), Point_2(-1, -1.2) }, true));
+  EXPECT_TRUE(fan_turns_too_far(
+      { east, Point_2(-1, 1), Point_2(-1, -1), Point_2(1, 0.1), Point_2(-1, 1.2), Point_2(-1, -1.2) }, true));
   std::vector<Point_2> twice;   // two turns of five steps
   for (int i = 0; i < 5; ++i)
     twice.push_back(polar(1, 0.8 * CGAL_PI * i));
@@ -75,7 +78,8 @@ TEST(Star_validity, looks_at_the_border_neighbors_too)
   // Around vertex 0 the neighbors 1..5 turn; vertex 5 moves past vertex 1, no triangle flips.
   const std::vector<Index_triangle> triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 5 } };
   const One_rings rings(6, triangles);
-  std::vector<Point_2> uv = { Point_2(0, 0), Point_2(1, 0), Point_2(0, 1), Point_2(-1, 0), Point_2(0, -1), Point_2(1, -0.25) };
+  std::vector<Point_2> uv = { Point_2(0, 0),  Point_2(1, 0),  Point_2(0, 1),
+                              Point_2(-1, 0), Point_2(0, -1), Point_2(1, -0.25) };
   EXPECT_TRUE(is_star_valid(rings, uv, 5));
   EXPECT_TRUE(is_map_valid(rings, uv));
   uv[5] = Point_2(1, 0.25);

@@ -169,7 +169,8 @@ TEST(Insert_new_vertices, of_a_planar_mesh_puts_interior_vertices_back)
 // An ear goes where its triangle is similar to the one in space.
 TEST(Insert_new_vertices, puts_ears_back_in_shape)
 {
-  const Flat_mesh m = { { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.5, 0.8, 0), Point_3(0.5, -0.5, 0), Point_3(1.2, 0.8, 0), Point_3(-0.2, 0.8, 0) },
+  const Flat_mesh m = { { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.5, 0.8, 0), Point_3(0.5, -0.5, 0),
+                          Point_3(1.2, 0.8, 0), Point_3(-0.2, 0.8, 0) },
                         { { 0, 1, 2 }, { 1, 0, 3 }, { 2, 1, 4 }, { 0, 2, 5 } } };
   int ears = 0;
   for (unsigned int seed = 0; seed < 10; ++seed) {

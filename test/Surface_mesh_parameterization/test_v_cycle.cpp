@@ -54,7 +54,8 @@ struct Random_matrix
   Block_matrix matrix;
   Eigen::MatrixXd dense;
 
-  Random_matrix(const Level& level, Random& random) : dense(Eigen::MatrixXd::Zero(2 * level.number_of_vertices(), 2 * level.number_of_vertices()))
+  Random_matrix(const Level& level, Random& random)
+    : dense(Eigen::MatrixXd::Zero(2 * level.number_of_vertices(), 2 * level.number_of_vertices()))
   {
     const One_rings& rings = level.rings();
     matrix.set_pattern(rings.number_of_vertices(), rings.offsets(), rings.neighbors());
@@ -93,7 +94,8 @@ Block_vectors random_vectors(std::size_t n, Random& random)
 
 bool are_equal(const Block_vectors& x, const Block_vectors& y)
 {
-  return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const Block_vector& a, const Block_vector& b) { return a.x == b.x && a.y == b.y; });
+  return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                    [](const Block_vector& a, const Block_vector& b) { return a.x == b.x && a.y == b.y; });
 }
 
 double norm(const Block_vector& v) { return std::hypot(v.x, v.y); }
@@ -166,9 +168,11 @@ TEST(V_cycle, is_a_symmetric_positive_preconditioner)
     multigrid.setup();
     ASSERT_TRUE(multigrid.is_ready());
     for (int i = 0; i < 5; ++i) {
-      const Block_vectors x = random_vectors(level->number_of_vertices(), random), y = random_vectors(level->number_of_vertices(), random);
+      const Block_vectors x = random_vectors(level->number_of_vertices(), random),
+                          y = random_vectors(level->number_of_vertices(), random);
       const Block_vectors mx = multigrid.cycle(x), my = multigrid.cycle(y);
-      EXPECT_NEAR(inner_product(Loops(), mx, y), inner_product(Loops(), x, my), 1e-10 * std::sqrt(inner_product(Loops(), mx, mx) * inner_product(Loops(), y, y)));
+      EXPECT_NEAR(inner_product(Loops(), mx, y), inner_product(Loops(), x, my),
+                  1e-10 * std::sqrt(inner_product(Loops(), mx, mx) * inner_product(Loops(), y, y)));
       EXPECT_GT(inner_product(Loops(), mx, x), 0);
     }
   }

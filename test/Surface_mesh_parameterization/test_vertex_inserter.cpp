@@ -46,13 +46,15 @@ std::array<double, 3> random_coordinates(Random& random)
 
 // Inserts an interior vertex into the star polygon with the corner W0 at `center`, an angle of `turn` there, and `fan`
 // coarse triangles.
-testing::AssertionResult insert_interior_vertex(Index fan, double turn, double least_radius, const Point_2& center, Random& random)
+testing::AssertionResult insert_interior_vertex(Index fan, double turn, double least_radius, const Point_2& center,
+                                                Random& random)
 {
   // V is vertex 0, W0 vertex 1, Wi vertex i + 1.
   std::vector<Point_2> uv = { center, center };
   const std::vector<double> angles = random_angles(fan + 1, turn * (fan + 1) / fan, CGAL_PI, random);
   for (const double angle : angles)
-    uv.push_back(center + (polar(std::exp(random(std::log(least_radius), 0)), angle * turn / angles.back()) - CGAL::ORIGIN));
+    uv.push_back(center +
+                 (polar(std::exp(random(std::log(least_radius), 0)), angle * turn / angles.back()) - CGAL::ORIGIN));
   for (Index i = 2; i + 1 < uv.size(); ++i)
     if (!turns_left(uv[1], uv[i], uv[i + 1]))
       return testing::AssertionSuccess() << "no coarse map";
@@ -67,7 +69,8 @@ testing::AssertionResult insert_interior_vertex(Index fan, double turn, double l
   Vertex_inserter inserter(rings, uv, is_placed);
   const Index i = 2 + Index(random.below(fan));
   if (!inserter.insert(0, random_rest_shapes(ring_size, random).data(), { 1, i, i + 1 }, random_coordinates(random)))
-    return testing::AssertionFailure() << "no place: turn " << turn << ", fan " << fan << ", least radius " << least_radius;
+    return testing::AssertionFailure() << "no place: turn " << turn << ", fan " << fan << ", least radius "
+                                       << least_radius;
   if (!is_star_positive(rings, uv, 0))
     return testing::AssertionFailure() << "a flip: turn " << turn << ", fan " << fan;
   return testing::AssertionSuccess();
@@ -77,7 +80,8 @@ TEST(Vertex_inserter, finds_a_place_in_every_star_polygon_with_a_positive_fan)
 {
   Random random(20);
   for (int k = 0; k < 2000; ++k)
-    EXPECT_TRUE(insert_interior_vertex(1 + k % 9, random(0.2, (std::min)(1.9, 0.9 * (1 + k % 9)) * CGAL_PI), 0.3, random_point_2(random), random));
+    EXPECT_TRUE(insert_interior_vertex(1 + k % 9, random(0.2, (std::min)(1.9, 0.9 * (1 + k % 9)) * CGAL_PI), 0.3,
+                                       random_point_2(random), random));
 }
 
 TEST(Vertex_inserter, finds_a_place_beside_a_reflex_corner_and_in_thin_kernels)
@@ -85,7 +89,8 @@ TEST(Vertex_inserter, finds_a_place_beside_a_reflex_corner_and_in_thin_kernels)
   Random random(21);
   for (int k = 0; k < 1000; ++k) {
     const Index fan = 3 + k % 7;
-    EXPECT_TRUE(insert_interior_vertex(fan, (2 - std::pow(10, random(-4, 0))) * CGAL_PI, 0.3, random_point_2(random), random));
+    EXPECT_TRUE(
+        insert_interior_vertex(fan, (2 - std::pow(10, random(-4, 0))) * CGAL_PI, 0.3, random_point_2(random), random));
     EXPECT_TRUE(insert_interior_vertex(fan, std::pow(10, random(-4, 0)), 0.3, random_point_2(random), random));
     EXPECT_TRUE(insert_interior_vertex(fan, random(0.5, 1.9) * CGAL_PI, 1e-4, random_point_2(random), random));
   }
@@ -101,7 +106,8 @@ TEST(Vertex_inserter, takes_the_stored_place_if_it_is_best)
     triangles.push_back({ 0, 1 + i, 1 + (i + 1) % 6 });
   }
   const One_rings rings(7, triangles);
-  const std::vector<Rest_corner> corners(6, rest_corner(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.5, std::sqrt(0.75), 0)));
+  const std::vector<Rest_corner> corners(6, rest_corner(Point_3(0, 0, 0), Point_3(1, 0, 0),
+                                                        Point_3(0.5, std::sqrt(0.75), 0)));
   std::vector<bool> is_placed(7, true);
   Vertex_inserter inserter(rings, uv, is_placed);
   ASSERT_TRUE(inserter.insert(0, corners.data(), { 1, 3, 4 }, { 0.5, 0, 0.5 }));    // the middle of opposite corners
@@ -146,10 +152,12 @@ testing::AssertionResult insert_ears(Index n, double turn, bool onto_center, boo
   for (Index v = first_ear; v < uv.size(); ++v) {
     const Index end = v == first_ear ? 1 : n + 1, kept = onto_center ? 0 : end, other = onto_center ? end : 0;
     if (!inserter.insert(v, random_rest_shapes(1, random).data(), { kept, other, other }, { 0.5, 0.25, 0.25 }))
-      return testing::AssertionFailure() << "no place for ear " << v - first_ear << ": turn " << turn << ", onto center " << onto_center;
+      return testing::AssertionFailure() << "no place for ear " << v - first_ear << ": turn " << turn
+                                         << ", onto center " << onto_center;
     is_placed[v] = true;
   }
-  return is_map_valid(rings, uv) ? testing::AssertionSuccess() : testing::AssertionFailure() << "an invalid map: turn " << turn;
+  return is_map_valid(rings, uv) ? testing::AssertionSuccess()
+                                 : testing::AssertionFailure() << "an invalid map: turn " << turn;
 }
 
 TEST(Vertex_inserter, inserts_ears_beside_border_vertices_of_any_turn)
@@ -158,7 +166,8 @@ TEST(Vertex_inserter, inserts_ears_beside_border_vertices_of_any_turn)
   for (int k = 0; k < 300; ++k)
     for (const bool is_second_too : { false, true }) {
       EXPECT_TRUE(insert_ears(3 + k % 5, random(0.5, 1.9) * CGAL_PI, k % 2 == 0, is_second_too, random));
-      EXPECT_TRUE(insert_ears(3 + k % 5, (2 - std::pow(10, random(-6, 0))) * CGAL_PI, k % 2 == 0, is_second_too, random));
+      EXPECT_TRUE(
+          insert_ears(3 + k % 5, (2 - std::pow(10, random(-6, 0))) * CGAL_PI, k % 2 == 0, is_second_too, random));
     }
 }
 
@@ -184,10 +193,12 @@ testing::AssertionResult insert_border_vertex(Index n, double turn, Index taken,
   Vertex_inserter inserter(rings, uv, is_placed);
   const double fraction = random(0, 1);
   const Index_triangle parent = onto_center ? Index_triangle{ 0, last - 1, last } : Index_triangle{ last, 0, last - 1 };
-  const std::array<double, 3> coordinates = onto_center ? std::array<double, 3>{ 1 - fraction, 0, fraction } : std::array<double, 3>{ 1 - fraction, fraction, 0 };
+  const std::array<double, 3> coordinates = onto_center ? std::array<double, 3>{ 1 - fraction, 0, fraction }
+                                                        : std::array<double, 3>{ 1 - fraction, fraction, 0 };
   if (!inserter.insert(v, random_rest_shapes(taken + 1, random).data(), parent, coordinates))
     return testing::AssertionFailure() << "no place: turn " << turn << ", onto center " << onto_center;
-  return is_map_valid(rings, uv) ? testing::AssertionSuccess() : testing::AssertionFailure() << "an invalid map: turn " << turn;
+  return is_map_valid(rings, uv) ? testing::AssertionSuccess()
+                                 : testing::AssertionFailure() << "an invalid map: turn " << turn;
 }
 
 TEST(Vertex_inserter, inserts_border_vertices_beside_border_vertices_of_any_turn)

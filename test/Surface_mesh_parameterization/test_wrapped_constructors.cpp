@@ -40,7 +40,8 @@ struct Mean_parameterizer
   typedef Mesh Triangle_mesh;
 
   template <class Halfedge, class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
-  SMP::Error_code parameterize(Mesh& mesh, Halfedge bhd, VertexUVMap uvmap, VertexIndexMap vimap, VertexParameterizedMap vpmap)
+  SMP::Error_code parameterize(Mesh& mesh, Halfedge bhd, VertexUVMap uvmap, VertexIndexMap vimap,
+                               VertexParameterizedMap vpmap)
   {
     SMP::Circular_border_arc_length_parameterizer_3<Mesh>().parameterize(mesh, bhd, uvmap, vimap, vpmap);
     const std::size_t n = num_vertices(mesh);
@@ -63,7 +64,8 @@ struct Mean_parameterizer
     if (!solver.linear_solver(matrix, right_side_u, u, d) || !solver.linear_solver(matrix, right_side_v, v, d))
       return SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
     for (const auto vertex : vertices(mesh))
-      put(uvmap, vertex, typename boost::property_traits<VertexUVMap>::value_type(u[get(vimap, vertex)], v[get(vimap, vertex)]));
+      put(uvmap, vertex,
+          typename boost::property_traits<VertexUVMap>::value_type(u[get(vimap, vertex)], v[get(vimap, vertex)]));
     return SMP::OK;
   }
 };
@@ -94,7 +96,8 @@ TEST(Wrapped_constructor, takes_the_arguments_and_then_named_parameters)
 {
   Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
   Parameterization_summary summary;
-  const auto np = parameters::tolerance(1e-4).coarsest_size(7).summary(std::ref(summary)).random_seed(3).number_of_iterations(50);
+  const auto np =
+      parameters::tolerance(1e-4).coarsest_size(7).summary(std::ref(summary)).random_seed(3).number_of_iterations(50);
   expect_equal_maps(mesh, Mean_value<Circle>(), Hierarchical_mean_value());
   expect_equal_maps(mesh, Mean_value<Circle>(), Hierarchical_mean_value(Circle()));
 
@@ -103,7 +106,8 @@ TEST(Wrapped_constructor, takes_the_arguments_and_then_named_parameters)
     EXPECT_EQ(Mapped<Surface_mesh>(mesh).parameterize(parameterizer, longest_border(mesh)), OK);
     return summary.linear_solver.residual;
   };
-  for (const Hierarchical_mean_value& parameterizer : { Hierarchical_mean_value(np), Hierarchical_mean_value(Circle(), np) }) {
+  for (const Hierarchical_mean_value& parameterizer :
+       { Hierarchical_mean_value(np), Hierarchical_mean_value(Circle(), np) }) {
     EXPECT_GT(residual(parameterizer), 1e-10);
     EXPECT_LE(residual(parameterizer), 1e-4);
     EXPECT_EQ(summary.linear_solver.right_sides, 2u);
@@ -116,7 +120,8 @@ TEST(Wrapped_constructor, number_of_iterations_limits_the_iteration)
 {
   Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
   Parameterization_summary summary;
-  expect_equal_maps(mesh, Mean_value<Circle>(), Hierarchical_mean_value(parameters::summary(std::ref(summary)).number_of_iterations(1)));
+  expect_equal_maps(mesh, Mean_value<Circle>(),
+                    Hierarchical_mean_value(parameters::summary(std::ref(summary)).number_of_iterations(1)));
   EXPECT_EQ(summary.linear_solver.direct_solutions, 2u);
   EXPECT_EQ(summary.linear_solver.iterations, 1u);
 }
@@ -155,7 +160,8 @@ TEST(Wrapped_constructor, visitor_that_looks_on_changes_nothing)
 {
   Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
   Mapped<Surface_mesh> seen(mesh), unseen(mesh);
-  EXPECT_EQ(seen.parameterize(Hierarchical_mean_value(parameters::visitor(Hierarchy_visitor_3())), longest_border(mesh)), OK);
+  EXPECT_EQ(
+      seen.parameterize(Hierarchical_mean_value(parameters::visitor(Hierarchy_visitor_3())), longest_border(mesh)), OK);
   EXPECT_EQ(unseen.parameterize(Hierarchical_mean_value(), longest_border(mesh)), OK);
   for (const auto v : vertices(mesh))
     ASSERT_EQ(get(seen.uvmap, v), get(unseen.uvmap, v));
@@ -167,8 +173,11 @@ TEST(Wrapped_barycentric, takes_no_more_iterations_on_stretched_triangles)
   Surface_mesh mesh = make<Surface_mesh>(affine_image(grid(120, 120, flat), 6, 0, 0, 1));
   const auto iterations = [&](const auto& np) {
     Parameterization_summary summary;
-    EXPECT_EQ(Mapped<Surface_mesh>(mesh).parameterize(Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Surface_mesh>>(np.summary(std::ref(summary))),
-                                                      longest_border(mesh)), OK);
+    EXPECT_EQ(Mapped<Surface_mesh>(mesh).parameterize(
+                  Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Surface_mesh>>(
+                      np.summary(std::ref(summary))),
+                  longest_border(mesh)),
+              OK);
     return summary.linear_solver.iterations;
   };
   EXPECT_LT(iterations(parameters::tolerance(1e-8)), iterations(parameters::tolerance(1e-8).unit_edges(false)));

@@ -55,15 +55,20 @@ typedef CGAL::Polyhedron_3<Epick>                              Polyhedron;
 
 std::vector<std::pair<std::string, Flat_mesh>> meshes()
 {
-  return { { "grid", grid(20, 16, wavy) }, { "hemisphere", hemisphere() }, { "disk with a hole", disk_with_hole() }, { "fan", fan(7) },
+  return { { "grid", grid(20, 16, wavy) },
+           { "hemisphere", hemisphere() },
+           { "disk with a hole", disk_with_hole() },
+           { "fan", fan(7) },
            { "several grids", cap(40, 80, 0.5 * CGAL_PI) } };
 }
 
 template <class Parameterizer>
 class Wrapped : public testing::Test { };
-typedef testing::Types<Barycentric_mapping_parameterizer_3<Surface_mesh>, Mean_value_coordinates_parameterizer_3<Surface_mesh>,
-                       Discrete_conformal_map_parameterizer_3<Surface_mesh>, Discrete_authalic_parameterizer_3<Surface_mesh>,
-                       LSCM_parameterizer_3<Surface_mesh>> Parameterizers;
+typedef testing::Types<Barycentric_mapping_parameterizer_3<Surface_mesh>,
+                       Mean_value_coordinates_parameterizer_3<Surface_mesh>,
+                       Discrete_conformal_map_parameterizer_3<Surface_mesh>,
+                       Discrete_authalic_parameterizer_3<Surface_mesh>, LSCM_parameterizer_3<Surface_mesh>>
+    Parameterizers;
 TYPED_TEST_SUITE(Wrapped, Parameterizers, );
 
 TYPED_TEST(Wrapped, gives_the_map_of_CGAL)
@@ -92,10 +97,12 @@ TYPED_TEST(Wrapped, leaves_other_components_alone)
 
 TYPED_TEST(Wrapped, leaves_the_maps_untouched_on_errors)
 {
-  const auto expect_error = [](Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, Error_code code, Parameterization_error::Place place, std::size_t index) {
+  const auto expect_error = [](Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, Error_code code,
+                               Parameterization_error::Place place, std::size_t index) {
     Mapped<Surface_mesh> mapped(mesh);
     Parameterization_summary summary;
-    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(parameters::summary(std::ref(summary))), bhd), code);
+    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(parameters::summary(std::ref(summary))), bhd),
+              code);
     EXPECT_EQ(summary.error.code, code);
     EXPECT_EQ(summary.error.place, place);
     EXPECT_EQ(summary.error.index, index);
@@ -103,7 +110,8 @@ TYPED_TEST(Wrapped, leaves_the_maps_untouched_on_errors)
     EXPECT_FALSE(summary.converged);
     EXPECT_TRUE(mapped.is_untouched());
   };
-  Surface_mesh empty, closed = make<Surface_mesh>(sphere(4, 6)), open = make<Surface_mesh>(grid(5, 5, wavy)), torus = make<Surface_mesh>(torus_with_hole(6));
+  Surface_mesh empty, closed = make<Surface_mesh>(sphere(4, 6)), open = make<Surface_mesh>(grid(5, 5, wavy)),
+                      torus = make<Surface_mesh>(torus_with_hole(6));
   expect_error(empty, Surface_mesh::null_halfedge(), ERROR_EMPTY_MESH, Parameterization_error::NOWHERE, 0);
   expect_error(closed, *closed.halfedges().begin(), ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0);
   expect_error(open, open.opposite(longest_border(open)), ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0);
@@ -161,7 +169,9 @@ TEST(Wrapped_borders, that_cannot_be_placed_are_errors_as_in_CGAL)
   const Error_code status = expected.parameterize(Parameterizer(), longest_border(mesh));
   Parameterization_summary summary;
   EXPECT_NE(status, OK);
-  EXPECT_EQ(found.parameterize(Hierarchical_parameterizer_3<Parameterizer>(parameters::summary(std::ref(summary))), longest_border(mesh)), status);
+  EXPECT_EQ(found.parameterize(Hierarchical_parameterizer_3<Parameterizer>(parameters::summary(std::ref(summary))),
+                               longest_border(mesh)),
+            status);
   EXPECT_EQ(summary.error.code, status);
   EXPECT_TRUE(found.is_untouched());
 }
@@ -174,7 +184,10 @@ TEST(Wrapped_LSCM, pins_the_given_vertices)
   const Surface_mesh::Vertex_index v0(7), v1(800);
   check<LSCM>(mesh, Two_vertices(v0, v1));
   Mapped<Surface_mesh> mapped(mesh);
-  EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<LSCM>(Two_vertices(v0, v1), parameters::flip_policy(Flip_policy::KEEP)), longest_border(mesh)), OK);
+  EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<LSCM>(Two_vertices(v0, v1),
+                                                                   parameters::flip_policy(Flip_policy::KEEP)),
+                                longest_border(mesh)),
+            OK);
   EXPECT_EQ(get(mapped.uvmap, v0), Kernel::Point_2(0, 0.5));
   EXPECT_EQ(get(mapped.uvmap, v1), Kernel::Point_2(1, 0.5));
 
@@ -185,7 +198,10 @@ TEST(Wrapped_LSCM, pins_the_given_vertices)
     put(m->vpmap, Surface_mesh::Vertex_index(42), true);
   }
   EXPECT_EQ(expected.parameterize(LSCM(Two_vertices(v0, v1)), longest_border(mesh)), OK);
-  EXPECT_EQ(found.parameterize(Hierarchical_parameterizer_3<LSCM>(Two_vertices(v0, v1), parameters::flip_policy(Flip_policy::KEEP)), longest_border(mesh)), OK);
+  EXPECT_EQ(found.parameterize(Hierarchical_parameterizer_3<LSCM>(Two_vertices(v0, v1),
+                                                                  parameters::flip_policy(Flip_policy::KEEP)),
+                               longest_border(mesh)),
+            OK);
   found.expect_equal(expected, tolerance);
   EXPECT_EQ(get(found.uvmap, Surface_mesh::Vertex_index(42)), Kernel::Point_2(0.3, 0.9));
 }
@@ -202,7 +218,9 @@ TEST(Wrapped_iterative_authalic, iterates_as_CGAL_does)
   unsigned int iterations = 6, hierarchical_iterations = 6;
   double error = -1, hierarchical_error = -1;
   EXPECT_EQ(expected.parameterize(Parameterizer(), bhd, iterations, error), OK);
-  EXPECT_EQ(found.parameterize(Hierarchical_parameterizer_3<Parameterizer>(parameters::summary(std::ref(summary))), bhd, hierarchical_iterations, hierarchical_error), OK);
+  EXPECT_EQ(found.parameterize(Hierarchical_parameterizer_3<Parameterizer>(parameters::summary(std::ref(summary))), bhd,
+                               hierarchical_iterations, hierarchical_error),
+            OK);
   found.expect_equal(expected, tolerance);
   EXPECT_EQ(hierarchical_iterations, iterations);
   EXPECT_NEAR(hierarchical_error, error, 1e-6);

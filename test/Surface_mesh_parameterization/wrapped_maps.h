@@ -45,7 +45,8 @@ struct Mapped
   static Point_2 untouched() { return Point_2(-77, 77); }
 
   explicit Mapped(TriangleMesh& mesh)
-    : mesh(mesh), uvmap(get(CGAL::dynamic_vertex_property_t<Point_2>(), mesh)), vimap(get(CGAL::dynamic_vertex_property_t<int>(), mesh)),
+    : mesh(mesh), uvmap(get(CGAL::dynamic_vertex_property_t<Point_2>(), mesh)),
+      vimap(get(CGAL::dynamic_vertex_property_t<int>(), mesh)),
       vpmap(get(CGAL::dynamic_vertex_property_t<bool>(), mesh))
   {
     int n = 0;
@@ -73,7 +74,8 @@ struct Mapped
   void expect_equal(const Mapped& other, double tolerance) const
   {
     for (const auto v : vertices(mesh)) {
-      ASSERT_LT(CGAL::squared_distance(get(uvmap, v), get(other.uvmap, v)), tolerance * tolerance) << "vertex " << get(vimap, v);
+      ASSERT_LT(CGAL::squared_distance(get(uvmap, v), get(other.uvmap, v)), tolerance * tolerance)
+          << "vertex " << get(vimap, v);
       ASSERT_EQ(get(vpmap, v), get(other.vpmap, v)) << "vertex " << get(vimap, v);
     }
   }
@@ -97,7 +99,9 @@ template <class Parameterizer, class... Arguments>
 void check(typename Parameterizer::Triangle_mesh& mesh, const Arguments&... arguments)
 {
   Parameterization_summary summary;
-  expect_equal_maps(mesh, Parameterizer(arguments...), Hierarchical_parameterizer_3<Parameterizer>(arguments..., parameters::flip_policy(Flip_policy::KEEP).summary(std::ref(summary))));
+  expect_equal_maps(mesh, Parameterizer(arguments...),
+                    Hierarchical_parameterizer_3<Parameterizer>(
+                        arguments..., parameters::flip_policy(Flip_policy::KEEP).summary(std::ref(summary))));
   EXPECT_EQ(summary.error.code, OK);
   EXPECT_TRUE(summary.converged);
   EXPECT_FALSE(summary.stopped);

@@ -68,18 +68,30 @@ public:
   {
     constexpr double least_r = 1e-12, least_slope = 1e-12;
     const double r = (std::max)(mean_singular_value(frobenius, determinant), least_r), t = excess_scale(r), s = 1 + t;
-    const double slope = (std::max)(1 + m_stiffness * (3 * s * s - 1), least_slope);      // of the left side of the equation for s
+    const double slope =
+        (std::max)(1 + m_stiffness * (3 * s * s - 1), least_slope);      // of the left side of the equation for s
 
     // h as a function of r^2 = (f + 2d) / 4
     const double h1 = 2 * (r - 1 - t) / r, h2 = (4 - 4 / slope - 2 * h1) / (4 * r * r);
-    return { anisotropy(frobenius, determinant) + scale_penalty(r, t), 0.5 + 0.25 * h1, 0.5 * h1 - 1, 0.0625 * h2, 0.125 * h2, 0.25 * h2 };
+    return { anisotropy(frobenius, determinant) + scale_penalty(r, t),
+             0.5 + 0.25 * h1,
+             0.5 * h1 - 1,
+             0.0625 * h2,
+             0.125 * h2,
+             0.25 * h2 };
   }
 
 private:
   // (s1 - s2)^2 / 2, not negative by rounding
-  static double anisotropy(double frobenius, double determinant) { return (std::max)(0.5 * frobenius - determinant, 0.); }
+  static double anisotropy(double frobenius, double determinant)
+  {
+    return (std::max)(0.5 * frobenius - determinant, 0.);
+  }
 
-  static double mean_singular_value(double frobenius, double determinant) { return 0.5 * std::sqrt((std::max)(frobenius + 2 * determinant, 0.)); }
+  static double mean_singular_value(double frobenius, double determinant)
+  {
+    return 0.5 * std::sqrt((std::max)(frobenius + 2 * determinant, 0.));
+  }
 
   // From here on the scale of a triangle is its own.
   static constexpr double infinite_stiffness = 1e15;
@@ -105,7 +117,8 @@ private:
 
   double scale_penalty(double r, double t) const
   {
-    const double difference = r - 1 - t, penalty = m_stiffness > infinite_stiffness ? 0 : m_stiffness * t * t * (2 + t) * (2 + t);
+    const double difference = r - 1 - t,
+                 penalty = m_stiffness > infinite_stiffness ? 0 : m_stiffness * t * t * (2 + t) * (2 + t);
     return 2 * difference * difference + penalty;
   }
 

@@ -48,7 +48,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// is the same for every number of threads
 template <class TriangleMesh_, class ConcurrencyTag = Sequential_tag>
 class As_rigid_as_possible_parameterizer_3
-  : public Refinable_parameterizer_base_3<As_rigid_as_possible_parameterizer_3<TriangleMesh_, ConcurrencyTag>, TriangleMesh_, ConcurrencyTag>
+  : public Refinable_parameterizer_base_3<As_rigid_as_possible_parameterizer_3<TriangleMesh_, ConcurrencyTag>,
+                                          TriangleMesh_, ConcurrencyTag>
 {
   typedef Refinable_parameterizer_base_3<As_rigid_as_possible_parameterizer_3, TriangleMesh_, ConcurrencyTag>   Base;
   typedef As_rigid_as_possible_energy_2                                                                         Energy;
@@ -105,7 +106,8 @@ private:
   // with lambda in the units of the level
   internal::Level_energy_of<Energy> level_energy(const Level& level) const
   {
-    return internal::Level_energy_of<Energy>(level, Triangle_weight::AREA, Energy(std::ldexp(m_lambda, 2 * level.scale_exponent())));
+    return internal::Level_energy_of<Energy>(level, Triangle_weight::AREA,
+                                             Energy(std::ldexp(m_lambda, 2 * level.scale_exponent())));
   }
 
   // the energy in the user's units
@@ -119,7 +121,8 @@ private:
     constexpr double tolerance_of_start = 1e-3;
     Refinement_options options = m_options;
     options.tolerance = (std::max)(options.tolerance, tolerance_of_start);
-    internal::minimize_energy(internal::Level_energy_of<Symmetric_Dirichlet_energy_2>(level, m_options.triangle_weight), uv, options, summary);
+    internal::minimize_energy(internal::Level_energy_of<Symmetric_Dirichlet_energy_2>(level, m_options.triangle_weight),
+                              uv, options, summary);
   }
 
   double m_lambda = 1000;

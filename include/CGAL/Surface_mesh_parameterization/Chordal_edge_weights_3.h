@@ -36,7 +36,8 @@ public:
   explicit Chordal_edge_weights_3(double exponent = 1) : m_exponent(exponent) { }
 
   /// computes the weights of the edges of one vertex, see `EdgeWeights_3`
-  void operator()(const internal::Point_3& v, const std::vector<internal::Point_3>& ring, bool, std::vector<double>& weights) const
+  void operator()(const internal::Point_3& v, const std::vector<internal::Point_3>& ring, bool,
+                  std::vector<double>& weights) const
   {
     constexpr double shortest = 1e-9;
     weights.resize(ring.size());

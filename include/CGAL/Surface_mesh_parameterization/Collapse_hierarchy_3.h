@@ -73,7 +73,8 @@ public:
   /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the
   ///         hierarchy is the same with all of them
   template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
-  explicit Collapse_hierarchy_3(Triangulated_surface_3 surface, const NamedParameters& np = parameters::default_values(),
+  explicit Collapse_hierarchy_3(Triangulated_surface_3 surface,
+                                const NamedParameters& np = parameters::default_values(),
                                 ConcurrencyTag = ConcurrencyTag())
   {
     const internal::Hierarchy_options options = internal::hierarchy_options_of(np, surface.points.size());
@@ -81,7 +82,8 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  Collapse_hierarchy_3(Triangulated_surface_3 surface, const internal::Hierarchy_options& options, const internal::Loops& loops);
+  Collapse_hierarchy_3(Triangulated_surface_3 surface, const internal::Hierarchy_options& options,
+                       const internal::Loops& loops);
   /// \endcond
 
   /// the default of the named parameter `coarsest_size`
@@ -97,7 +99,10 @@ public:
   std::size_t number_of_vertices(std::size_t level) const { return m_vertices.level_vertices[level]; }
 
   /// number of triangles of a level: their ranks are the numbers below it
-  std::size_t number_of_faces(std::size_t level) const { return m_faces.first_face[number_of_vertices(level) - number_of_vertices(0) + 1]; }
+  std::size_t number_of_faces(std::size_t level) const
+  {
+    return m_faces.first_face[number_of_vertices(level) - number_of_vertices(0) + 1];
+  }
 
   /// number of vertices of the finest level, the input
   std::size_t number_of_vertices() const { return m_points.size(); }
@@ -168,7 +173,10 @@ public:
   }
 
   /// the faces that vanish with `v`, as a range of ranks [first, second): two, or one if `v` lies on the border
-  std::pair<Index, Index> removed_faces(Index v) const { return { m_faces.first_face[split_index(v) + 1], m_faces.first_face[split_index(v) + 2] }; }
+  std::pair<Index, Index> removed_faces(Index v) const
+  {
+    return { m_faces.first_face[split_index(v) + 1], m_faces.first_face[split_index(v) + 2] };
+  }
 
   /// the ranks of the faces whose corner `v` becomes `kept_vertex(v)`
   boost::iterator_range<const Index*> fan_faces(Index v) const
@@ -198,7 +206,8 @@ private:
   void build(Triangulated_surface_3 surface, const internal::Hierarchy_options& options, const internal::Loops& loops);
 
   // What the surface tells of its vertices, from the input's order to that of the ranks.
-  void number_by_rank(const Triangulated_surface_3& surface, const std::vector<bool>& is_pinned, const internal::Loops& loops);
+  void number_by_rank(const Triangulated_surface_3& surface, const std::vector<bool>& is_pinned,
+                      const internal::Loops& loops);
 
   std::size_t split_index(Index v) const
   {

@@ -47,7 +47,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// is the same for every number of threads
 template <class TriangleMesh_, class Energy, class ConcurrencyTag = Sequential_tag>
 class Distortion_parameterizer_3
-  : public Refinable_parameterizer_base_3<Distortion_parameterizer_3<TriangleMesh_, Energy, ConcurrencyTag>, TriangleMesh_, ConcurrencyTag>
+  : public Refinable_parameterizer_base_3<Distortion_parameterizer_3<TriangleMesh_, Energy, ConcurrencyTag>,
+                                          TriangleMesh_, ConcurrencyTag>
 {
   typedef Refinable_parameterizer_base_3<Distortion_parameterizer_3, TriangleMesh_, ConcurrencyTag>   Base;
   static_assert(Energy::is_flip_free, "Distortion_parameterizer_3<TriangleMesh, Energy>: the energy must keep triangles positive");
@@ -100,7 +101,8 @@ private:
   Error_code minimize(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     const internal::Level_energy_of<E> energy(level, m_options.triangle_weight);
-    return internal::minimize_flip_free(energy, Energy::is_scale_invariant && level.is_finest(), uv, m_options, summary);
+    return internal::minimize_flip_free(energy, Energy::is_scale_invariant && level.is_finest(), uv, m_options,
+                                        summary);
   }
 
   Refinement_options m_options;

@@ -47,10 +47,13 @@ namespace CGAL::Surface_mesh_parameterization {
 /// only
 /// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result
 /// is the same for every number of threads
-template <class TriangleMesh_, class EdgeWeights, class BorderParameterizer = Circular_border_arc_length_parameterizer_3<TriangleMesh_>,
+template <class TriangleMesh_, class EdgeWeights,
+          class BorderParameterizer = Circular_border_arc_length_parameterizer_3<TriangleMesh_>,
           class ConcurrencyTag = Sequential_tag>
 class Edge_energy_parameterizer_3
-  : public Refinable_parameterizer_base_3<Edge_energy_parameterizer_3<TriangleMesh_, EdgeWeights, BorderParameterizer, ConcurrencyTag>, TriangleMesh_, ConcurrencyTag>
+  : public Refinable_parameterizer_base_3<
+        Edge_energy_parameterizer_3<TriangleMesh_, EdgeWeights, BorderParameterizer, ConcurrencyTag>, TriangleMesh_,
+        ConcurrencyTag>
 {
   typedef Refinable_parameterizer_base_3<Edge_energy_parameterizer_3, TriangleMesh_, ConcurrencyTag>   Base;
 
@@ -73,24 +76,29 @@ public:
   /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `FAIL`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
   template <class NamedParameters = parameters::Default_named_parameters>
-  explicit Edge_energy_parameterizer_3(const Border_parameterizer& border_parameterizer = Border_parameterizer(), const Edge_weights& weights = Edge_weights(),
+  explicit Edge_energy_parameterizer_3(const Border_parameterizer& border_parameterizer = Border_parameterizer(),
+                                       const Edge_weights& weights = Edge_weights(),
                                        const NamedParameters& np = parameters::default_values())
     : Base(np), m_border_parameterizer(border_parameterizer), m_weights(weights)
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
     m_tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), m_tolerance);
-    m_number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), m_number_of_iterations);
+    m_number_of_iterations =
+        choose_parameter(get_parameter(np, internal_np::number_of_iterations), m_number_of_iterations);
   }
 
   /// \param np as above; the border parameterizer and the weights are made by their default constructors
   template <class NamedParameters, class = std::enable_if_t<internal::is_named_parameters<NamedParameters>>>
-  explicit Edge_energy_parameterizer_3(const NamedParameters& np) : Edge_energy_parameterizer_3(Border_parameterizer(), Edge_weights(), np) { }
+  explicit Edge_energy_parameterizer_3(const NamedParameters& np)
+    : Edge_energy_parameterizer_3(Border_parameterizer(), Edge_weights(), np)
+  { }
 
   /// lets the border parameterizer place the outer border.
   /// \return what it returns
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
-  Error_code place_border(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap vimap, VertexParameterizedMap vpmap)
+  Error_code place_border(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap vimap,
+                          VertexParameterizedMap vpmap)
   {
     return m_border_parameterizer.parameterize(mesh, bhd, uvmap, vimap, vpmap);
   }
@@ -106,7 +114,8 @@ public:
   /// \return `OK`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the sweeps diverged
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary)
   {
-    return internal::solve_by_sweeps(internal::Edge_system(level, m_weights), m_factor, m_tolerance, m_number_of_iterations, uv, summary);
+    return internal::solve_by_sweeps(internal::Edge_system(level, m_weights), m_factor, m_tolerance,
+                                     m_number_of_iterations, uv, summary);
   }
 
 private:

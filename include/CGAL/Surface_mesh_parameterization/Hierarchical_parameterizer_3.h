@@ -127,7 +127,8 @@ public:
   /// - `coarsest_size`, `random_seed`, `unit_edges`, `visitor`, `fill_holes`, `flip_policy`, `summary`: see
   ///   `Nested_iteration_parameterizer_3`
   template <class NamedParameters = parameters::Default_named_parameters>
-  explicit Hierarchical_parameterizer_3(const Parameterizer& method = Parameterizer(), const NamedParameters& np = parameters::default_values());
+  explicit Hierarchical_parameterizer_3(const Parameterizer& method = Parameterizer(),
+                                        const NamedParameters& np = parameters::default_values());
 
   /// runs `Parameterizer(np)` on every level.
   ///
@@ -157,7 +158,8 @@ public:
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did. It must live as
   ///   long as the parameterizer runs
   template <class... Arguments, class NamedParameters = parameters::Default_named_parameters>
-  explicit Hierarchical_parameterizer_3(const Arguments&... arguments, const NamedParameters& np = parameters::default_values());
+  explicit Hierarchical_parameterizer_3(const Arguments&... arguments,
+                                        const NamedParameters& np = parameters::default_values());
 
   /// @}
   /// \name Constructors for ARAP_parameterizer_3
@@ -179,7 +181,8 @@ public:
   /// \param tolerance the named parameter `tolerance`; 1e-6 if left out
   /// \param np as above
   template <class BorderParameterizer, class NamedParameters = parameters::Default_named_parameters>
-  explicit Hierarchical_parameterizer_3(const BorderParameterizer& border_parameterizer, double lambda, unsigned int iterations, double tolerance,
+  explicit Hierarchical_parameterizer_3(const BorderParameterizer& border_parameterizer, double lambda,
+                                        unsigned int iterations, double tolerance,
                                         const NamedParameters& np = parameters::default_values());
 
   /// @}
@@ -204,7 +207,8 @@ public:
   /// and
   ///         the `Flip_policy` is `FAIL`, if no map without flips was found, or if a visitor stopped the run
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
-  Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap vimap, VertexParameterizedMap vpmap, Others&&... others);
+  Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap vimap,
+                          VertexParameterizedMap vpmap, Others&&... others);
 
   /// parameterizes a `CGAL::Seam_mesh` by `Orbifold_Tutte_parameterizer_3`, and exists for that class only.
   ///
@@ -216,7 +220,8 @@ public:
   ///
   /// \return as above; flips are no error here
   template <class ConeMap, class VertexIndexMap, class VertexUVMap>
-  Error_code parameterize(SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap, VertexUVMap uvmap, VertexIndexMap vimap) const;
+  Error_code parameterize(SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap, VertexUVMap uvmap,
+                          VertexIndexMap vimap) const;
 
   /// @}
 };
@@ -235,9 +240,11 @@ public:
 ///
 /// \return what the parameterizer returns
 template <class TriangleMesh, class Parameterizer, class Halfedge, class VertexUVMap>
-Error_code parameterize(TriangleMesh& mesh, Hierarchical_parameterizer_3<Parameterizer> parameterizer, Halfedge bhd, VertexUVMap uvmap)
+Error_code parameterize(TriangleMesh& mesh, Hierarchical_parameterizer_3<Parameterizer> parameterizer, Halfedge bhd,
+                        VertexUVMap uvmap)
 {
-  return parameterizer.parameterize(mesh, bhd, uvmap, get(CGAL::dynamic_vertex_property_t<int>(), mesh), get(CGAL::dynamic_vertex_property_t<bool>(), mesh));
+  return parameterizer.parameterize(mesh, bhd, uvmap, get(CGAL::dynamic_vertex_property_t<int>(), mesh),
+                                    get(CGAL::dynamic_vertex_property_t<bool>(), mesh));
 }
 
 } // namespace CGAL::Surface_mesh_parameterization

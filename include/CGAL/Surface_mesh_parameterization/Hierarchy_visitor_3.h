@@ -26,7 +26,10 @@ struct Hierarchy_visitor_3
   bool hierarchy_built(const Collapse_hierarchy_3&) { return true; }
 
   /// called after the refinement of each level; `uv` is its map by rank, in units of the level's points
-  bool level_parameterized(const Level& /*level*/, const Level::Uv& /*uv*/, const Level_summary& /*summary*/) { return true; }
+  bool level_parameterized(const Level& /*level*/, const Level::Uv& /*uv*/, const Level_summary& /*summary*/)
+  {
+    return true;
+  }
 };
 
 namespace internal {
@@ -57,7 +60,8 @@ struct Hierarchy_visitor_holder final : Any_hierarchy_visitor
 template <class NamedParameters>
 std::shared_ptr<Any_hierarchy_visitor> hierarchy_visitor_of(const NamedParameters& np)
 {
-  const auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor), Hierarchy_visitor_3());
+  const auto visitor =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor), Hierarchy_visitor_3());
   return std::make_shared<Hierarchy_visitor_holder<std::decay_t<decltype(visitor)>>>(visitor);
 }
 

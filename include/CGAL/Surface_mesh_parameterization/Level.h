@@ -44,11 +44,17 @@ public:
 
   /// makes the level with the given index. The hierarchy is kept by reference.
   /// \pre `index < hierarchy.number_of_levels()`
-  explicit Level(const Collapse_hierarchy_3& hierarchy, std::size_t index = 0) : Level(hierarchy, index, internal::Loops()) { }
+  explicit Level(const Collapse_hierarchy_3& hierarchy, std::size_t index = 0)
+    : Level(hierarchy, index, internal::Loops())
+  { }
 
   /// \cond SKIP_IN_MANUAL
   // `loops` tells whether what is computed on the level may use several threads.
-  Level(const Collapse_hierarchy_3& hierarchy, std::size_t index, const internal::Loops& loops) : m_mesh(hierarchy), m_loops(loops) { go_to(index); }
+  Level(const Collapse_hierarchy_3& hierarchy, std::size_t index, const internal::Loops& loops)
+    : m_mesh(hierarchy), m_loops(loops)
+  {
+    go_to(index);
+  }
   /// \endcond
 
   /// becomes another level of the hierarchy, by vertex splits or collapses from the current level.

@@ -33,7 +33,8 @@ struct Mean_value_edge_weights_3
   static constexpr bool is_positive = true;     ///< no weight is negative
 
   /// computes the weights of the edges of one vertex, see `EdgeWeights_3`
-  void operator()(const internal::Point_3& v, const std::vector<internal::Point_3>& ring, bool is_closed, std::vector<double>& weights) const
+  void operator()(const internal::Point_3& v, const std::vector<internal::Point_3>& ring, bool is_closed,
+                  std::vector<double>& weights) const
   {
     weights.assign(ring.size(), 0.);
     for (std::size_t i = 0; i + (is_closed ? 0 : 1) < ring.size(); ++i) {

@@ -106,7 +106,8 @@ private:
     // Where another component touches this one at a vertex, the mesh may lead from one border to the other.
     for (halfedge_descriptor h : border)
       if (get(index_of, target(next(h, mesh), mesh)) == internal::no_index)
-        return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX, number_of(target(h, mesh), vertices(mesh)));
+        return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX,
+                    number_of(target(h, mesh), vertices(mesh)));
     if (!read_points(mesh))
       return false;
     for (halfedge_descriptor h : halfedges_around_face(bhd, mesh))
@@ -117,7 +118,8 @@ private:
   // Breadth first from one face, with the vertices in the order in which the faces meet them. Adds the halfedges on all
   // borders to `border`.
   template <class VertexIndexMap>
-  bool read_faces(const TriangleMesh& mesh, face_descriptor start, const VertexIndexMap& index_of, std::vector<halfedge_descriptor>& border)
+  bool read_faces(const TriangleMesh& mesh, face_descriptor start, const VertexIndexMap& index_of,
+                  std::vector<halfedge_descriptor>& border)
   {
     const auto is_reached = get(CGAL::dynamic_face_property_t<bool>(), mesh);
     for (face_descriptor f : faces(mesh))
@@ -183,7 +185,8 @@ private:
   {
     const internal::Disk_check check = internal::check_disk_with_holes(m_surface, loops);
     if (check.bad_vertex != internal::no_index)
-      return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX, number_of(m_vertices[check.bad_vertex], vertices(mesh)));
+      return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX,
+                  number_of(m_vertices[check.bad_vertex], vertices(mesh)));
     return check.is_disk_with_holes || fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::NOWHERE, 0);
   }
 

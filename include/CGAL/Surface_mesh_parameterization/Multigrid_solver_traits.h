@@ -69,7 +69,9 @@ public:
   {
   public:
     /// begins the scope of `solver`
-    explicit Scope(const Multigrid_solver_traits& solver) : m_session(solver.m_session), m_outer(std::exchange(innermost(), this)) { }
+    explicit Scope(const Multigrid_solver_traits& solver)
+      : m_session(solver.m_session), m_outer(std::exchange(innermost(), this))
+    { }
     ~Scope() { innermost() = m_outer; }
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
@@ -111,8 +113,8 @@ public:
   ///
   /// If the mesh is rejected, `error()` says why, and the object cannot solve anything.
   template <class TriangleMesh, class VertexIndexMap, class NamedParameters = parameters::Default_named_parameters>
-  Multigrid_solver_traits(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexIndexMap vimap,
-                          const NamedParameters& np = parameters::default_values())
+  Multigrid_solver_traits(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
+                          VertexIndexMap vimap, const NamedParameters& np = parameters::default_values())
   {
     Mesh_component<TriangleMesh> component(mesh, bhd);
     m_error = component.error();
@@ -122,18 +124,21 @@ public:
       std::move(component.surface()), internal::hierarchy_options_of(np, component.vertices_of_component().size()));
     std::vector<std::pair<std::ptrdiff_t, internal::Index>> order;      // index, rank
     for (internal::Index rank = 0; rank < hierarchy->number_of_vertices(); ++rank)
-      if (const std::ptrdiff_t index = get(vimap, component.vertices_of_component()[hierarchy->input_vertex(rank)]); index >= 0)
+      if (const std::ptrdiff_t index = get(vimap, component.vertices_of_component()[hierarchy->input_vertex(rank)]);
+          index >= 0)
         order.push_back({ index, rank });
     std::sort(order.begin(), order.end());
     std::vector<internal::Index> ranks;
     for (const auto& [index, rank] : order)
       ranks.push_back(rank);
-    m_session = std::make_shared<internal::Multigrid_session>(hierarchy, internal::Mesh_unknowns(std::move(ranks)), internal::linear_solver_options_of(np),
+    m_session = std::make_shared<internal::Multigrid_session>(hierarchy, internal::Mesh_unknowns(std::move(ranks)),
+                                                              internal::linear_solver_options_of(np),
                                                               &internal::make_multigrid_linear_solver<>);
   }
 
   /// \cond SKIP_IN_MANUAL
-  explicit Multigrid_solver_traits(std::shared_ptr<internal::Multigrid_session> session) : m_session(std::move(session)) { }
+  explicit Multigrid_solver_traits(std::shared_ptr<internal::Multigrid_session> session) : m_session(std::move(session))
+  { }
   /// \endcond
 
   /// `OK`, or the error of `Mesh_component`

@@ -57,13 +57,17 @@ public:
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as
   ///   long as the parameterizer runs
   template <class NamedParameters = parameters::Default_named_parameters>
-  explicit Nested_iteration_parameterizer_3(const Method& method = Method(), const NamedParameters& np = parameters::default_values())
-    : m_method(method), m_visitor(internal::hierarchy_visitor_of(np)), m_summary(internal::summary_of(np)), m_options(internal::nested_iteration_options_of(np))
+  explicit Nested_iteration_parameterizer_3(const Method& method = Method(),
+                                            const NamedParameters& np = parameters::default_values())
+    : m_method(method), m_visitor(internal::hierarchy_visitor_of(np)), m_summary(internal::summary_of(np)),
+      m_options(internal::nested_iteration_options_of(np))
   { }
 
   /// \param np the named parameters of `Method`, if its constructor takes any, and those above
   template <class NamedParameters, class = std::enable_if_t<internal::is_named_parameters<NamedParameters>>>
-  explicit Nested_iteration_parameterizer_3(const NamedParameters& np) : Nested_iteration_parameterizer_3(make_method(np), np) { }
+  explicit Nested_iteration_parameterizer_3(const NamedParameters& np)
+    : Nested_iteration_parameterizer_3(make_method(np), np)
+  { }
 
   /// parameterizes the connected component of `mesh` that contains `bhd`.
   ///
@@ -79,10 +83,12 @@ public:
   ///         because its neighbors lie too close together for doubles, if there are flips and the `Flip_policy` is
   ///         `FAIL`, or if the visitor stopped the run
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
-  Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap, VertexParameterizedMap vpmap)
+  Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
+                          VertexParameterizedMap vpmap)
   {
     Parameterization_summary unused_summary;
-    return internal::run_nested_iteration(m_method, m_options, *m_visitor, m_summary ? *m_summary : unused_summary, mesh, bhd, uvmap, vpmap);
+    return internal::run_nested_iteration(m_method, m_options, *m_visitor, m_summary ? *m_summary : unused_summary,
+                                          mesh, bhd, uvmap, vpmap);
   }
 
 private:

@@ -51,9 +51,11 @@ struct Linear_solver_summary
 {
   std::size_t setups = 0;             ///< matrices for which the grids were set up
   std::size_t right_sides = 0;        ///< right-hand sides that were solved
-  std::size_t iterations = 0;         ///< the most iterations for one right-hand side, of conjugate gradients or BiCGSTAB
-  double residual = 0;                ///< the greatest relative residual at the end, recomputed from the solution; rows scaled to unit diagonal
-  std::size_t direct_solutions = 0;   ///< right-hand sides for which the iteration did not converge, so that a direct solver took over
+  std::size_t iterations = 0;      ///< the most iterations for one right-hand side, of conjugate gradients or BiCGSTAB
+  double residual =
+      0;      ///< the greatest relative residual at the end, recomputed from the solution; rows scaled to unit diagonal
+  std::size_t direct_solutions =
+      0;      ///< right-hand sides for which the iteration did not converge, so that a direct solver took over
   double seconds_setup = 0;           ///< wall-clock time of the setups
   double seconds_solve = 0;           ///< wall-clock time of the iterations and direct solutions
 };
@@ -64,11 +66,12 @@ struct Linear_solver_summary
 struct Parameterization_summary
 {
   Parameterization_error error;           ///< what went wrong, and where
-  bool converged = false;                 ///< whether the finest level converged; the guarantees about flips do not depend on it
+  bool converged = false;      ///< whether the finest level converged; the guarantees about flips do not depend on it
   bool stopped = false;                   ///< whether a visitor stopped the run
-  double energy = 0;                      ///< the method's energy of the result: the sum over the triangles, or the mean over the area
+  double energy = 0;      ///< the method's energy of the result: the sum over the triangles, or the mean over the area
   std::vector<Level_summary> levels;      ///< from the coarsest level to the finest
-  std::size_t flips = 0;                  ///< triangles that the method flipped, before a repair; not counted if the `Flip_policy` is `KEEP`
+  std::size_t flips =
+      0;      ///< triangles that the method flipped, before a repair; not counted if the `Flip_policy` is `KEEP`
   std::size_t moved_vertices = 0;         ///< vertices that the repair moved
   Linear_solver_summary linear_solver;    ///< of a method that solves linear systems by multigrid
   double seconds_hierarchy = 0;           ///< wall-clock time of reading the mesh and of building the hierarchy

@@ -32,7 +32,8 @@ template <class Parameterizer, class SolverTraits>
 struct Rebind_solver { };
 
 /// \cond SKIP_IN_MANUAL
-template <template <class, class, class> class Parameterizer, class TriangleMesh, class BorderParameterizer, class OldSolverTraits, class SolverTraits>
+template <template <class, class, class> class Parameterizer, class TriangleMesh, class BorderParameterizer,
+          class OldSolverTraits, class SolverTraits>
 struct Rebind_solver<Parameterizer<TriangleMesh, BorderParameterizer, OldSolverTraits>, SolverTraits>
 {
   typedef Parameterizer<TriangleMesh, BorderParameterizer, SolverTraits>   type;

@@ -57,11 +57,13 @@ public:
   ///
   /// \return `OK`, or an error of `Mesh_component` or of the method
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
-  Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap, VertexParameterizedMap vpmap)
+  Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
+                          VertexParameterizedMap vpmap)
   {
     Parameterization_summary unused_summary;
     internal::Hierarchy_visitor_holder<Hierarchy_visitor_3> no_visitor{ Hierarchy_visitor_3() };
-    return internal::run_nested_iteration(static_cast<Method&>(*this), m_options, no_visitor, m_summary ? *m_summary : unused_summary, mesh, bhd, uvmap, vpmap);
+    return internal::run_nested_iteration(static_cast<Method&>(*this), m_options, no_visitor,
+                                          m_summary ? *m_summary : unused_summary, mesh, bhd, uvmap, vpmap);
   }
 
 protected:

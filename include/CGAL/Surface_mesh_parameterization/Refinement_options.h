@@ -63,7 +63,8 @@ struct Refinement_options
     optimizer = choose_parameter(get_parameter(np, internal_np::optimizer), optimizer);
     tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), tolerance);
     number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), number_of_iterations);
-    number_of_local_steps = choose_parameter(get_parameter(np, internal_np::number_of_local_steps), number_of_local_steps);
+    number_of_local_steps =
+        choose_parameter(get_parameter(np, internal_np::number_of_local_steps), number_of_local_steps);
     triangle_weight = choose_parameter(get_parameter(np, internal_np::triangle_weight), triangle_weight);
     is_globally_injective = choose_parameter(get_parameter(np, internal_np::globally_injective), is_globally_injective);
     random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), random_seed);

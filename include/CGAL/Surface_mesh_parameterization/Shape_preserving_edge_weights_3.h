@@ -36,7 +36,8 @@ public:
   static constexpr bool is_positive = true;     ///< no weight is negative
 
   /// computes the weights of the edges of one vertex, see `EdgeWeights_3`
-  void operator()(const internal::Point_3& v, const std::vector<internal::Point_3>& ring, bool, std::vector<double>& weights)
+  void operator()(const internal::Point_3& v, const std::vector<internal::Point_3>& ring, bool,
+                  std::vector<double>& weights)
   {
     // None of the angles exceeds the sum of the others, so that in the plane none exceeds half a turn.
     internal::discrete_exponential_map(v, ring, true, m_flat_ring);
@@ -60,7 +61,9 @@ private:
       k = next(k);
     }
     const internal::Vector_2 &wj = m_flat_ring[j], &wk = m_flat_ring[k];
-    const std::array<double, 3> areas = { (std::max)(0., internal::cross(wj, wk)), (std::max)(0., internal::cross(wk, wi)), (std::max)(0., internal::cross(wi, wj)) };
+    const std::array<double, 3> areas = { (std::max)(0., internal::cross(wj, wk)),
+                                          (std::max)(0., internal::cross(wk, wi)),
+                                          (std::max)(0., internal::cross(wi, wj)) };
     const double area = areas[0] + areas[1] + areas[2];
     if (area > 0) {
       weights[i] += factor * areas[0] / area;

@@ -34,7 +34,10 @@ struct Symmetric_Dirichlet_energy_2
   const Symmetric_Dirichlet_energy_2& of_area(double) const { return *this; }
 
   /// the energy of a map with the given squared Frobenius norm `s1^2 + s2^2` and determinant `s1 s2 > 0`
-  static double value(double frobenius, double determinant) { return frobenius * (1 + 1 / (determinant * determinant)); }
+  static double value(double frobenius, double determinant)
+  {
+    return frobenius * (1 + 1 / (determinant * determinant));
+  }
 
   /// the energy's value and derivatives with respect to both arguments
   static Distortion_derivatives_2 derivatives(double frobenius, double determinant)

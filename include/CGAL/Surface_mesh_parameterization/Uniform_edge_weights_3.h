@@ -25,7 +25,8 @@ struct Uniform_edge_weights_3
   static constexpr bool is_positive = true;     ///< no weight is negative
 
   /// computes the weights of the edges of one vertex, see `EdgeWeights_3`
-  void operator()(const internal::Point_3&, const std::vector<internal::Point_3>& ring, bool, std::vector<double>& weights) const
+  void operator()(const internal::Point_3&, const std::vector<internal::Point_3>& ring, bool,
+                  std::vector<double>& weights) const
   {
     weights.assign(ring.size(), 1.);
   }

@@ -27,8 +27,10 @@ inline std::string error_message(const Parameterization_error& error)
     case ERROR_NON_TRIANGULAR_MESH: message = "not all faces are triangles"; break;
     case ERROR_NO_TOPOLOGICAL_DISC:
       message = is_at_vertex ? "several fans of triangles meet at a vertex"
-                             : "the surface is closed or has a handle: cut it open first, by leaving out a face or by a seam along a path of edges; a handle "
-                               "needs two loops"; break;
+                             : "the surface is closed or has a handle: cut it open first, by leaving out a face or by "
+                               "a seam along a path of edges; a handle "
+                               "needs two loops";
+      break;
     case ERROR_NO_TOPOLOGICAL_BALL: message = "the surface is no sphere"; break;
     case ERROR_BORDER_TOO_SHORT: message = "the border has no length"; break;
     case ERROR_NON_CONVEX_BORDER: message = "the border of the map crosses itself"; break;
@@ -36,7 +38,9 @@ inline std::string error_message(const Parameterization_error& error)
     case ERROR_NO_1_TO_1_MAPPING: message = "no map without flips was found"; break;
     case ERROR_WRONG_PARAMETER:
       message = is_at_vertex ? "a coordinate is not a finite number"
-                             : "the halfedge is not on a border, a place on the border of the map is not finite, or the holes of such a mesh cannot be filled"; break;
+                             : "the halfedge is not on a border, a place on the border of the map is not finite, or "
+                               "the holes of such a mesh cannot be filled";
+      break;
   }
   if (error.place != Parameterization_error::NOWHERE)
     message += (is_at_vertex ? " (vertex " : " (face ") + std::to_string(error.index) + ")";

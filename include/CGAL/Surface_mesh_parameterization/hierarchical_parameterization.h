@@ -43,8 +43,10 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \return what the run did: the error if there was one, whether the map converged, its energy, the levels, seconds.
 /// The
 ///         error of a closed surface is `ERROR_NO_TOPOLOGICAL_DISC`
-template <template <class...> class Method = MIPS_parameterizer_3, class TriangleMesh, class VertexUVMap, class NamedParameters = parameters::Default_named_parameters>
-Parameterization_summary hierarchical_parameterization(TriangleMesh& mesh, VertexUVMap uvmap, const NamedParameters& np = parameters::default_values())
+template <template <class...> class Method = MIPS_parameterizer_3, class TriangleMesh, class VertexUVMap,
+          class NamedParameters = parameters::Default_named_parameters>
+Parameterization_summary hierarchical_parameterization(TriangleMesh& mesh, VertexUVMap uvmap,
+                                                       const NamedParameters& np = parameters::default_values())
 {
   Parameterization_summary result;
   if (faces(mesh).first == faces(mesh).second) {
@@ -56,7 +58,9 @@ Parameterization_summary hierarchical_parameterization(TriangleMesh& mesh, Verte
     result.error.code = ERROR_NO_TOPOLOGICAL_DISC;
     return result;
   }
-  const internal::Named_parameters<std::reference_wrapper<Parameterization_summary>, internal_np::summary_t, NamedParameters> with_summary(std::ref(result), np);
+  const internal::Named_parameters<std::reference_wrapper<Parameterization_summary>, internal_np::summary_t,
+                                   NamedParameters>
+      with_summary(std::ref(result), np);
   parameterize(mesh, Hierarchical_parameterizer_3<Method<TriangleMesh>>(with_summary), border, uvmap);
   return result;
 }

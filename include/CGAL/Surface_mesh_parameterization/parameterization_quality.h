@@ -32,16 +32,21 @@ namespace CGAL::Surface_mesh_parameterization {
 /// measures except the counts are infinite if a triangle is not positive.
 struct Parameterization_quality
 {
-  std::size_t flips = 0;        ///< triangles that are not positive, by exact predicates: flipped, degenerate, or with a coordinate that is not finite
+  std::size_t flips =
+      0;      ///< triangles that are not positive, by exact predicates: flipped, degenerate, or with a coordinate that is not finite
   std::size_t degenerate = 0;   ///< those of them whose corners lie on a line
-  std::size_t overlaps = 0;     ///< pairs of triangles whose interiors meet, by exact predicates; if a map overlaps itself many times, only a part is counted
+  std::size_t overlaps =
+      0;      ///< pairs of triangles whose interiors meet, by exact predicates; if a map overlaps itself many times, only a part is counted
   double mips = 0;              ///< sum over the triangles of `s1/s2 + s2/s1`
   double mips_excess = 0;       ///< `mips` less its minimum, which is 2 per triangle
-  double symmetric_dirichlet = 0;   ///< mean over the surface's area of `s1^2 + s2^2 + 1/s1^2 + 1/s2^2`, after the best uniform scaling; at least 4
-  double l2_stretch = 0;        ///< root mean square stretch (Sander et al. 2001), after scaling to equal areas; at least 1
+  double symmetric_dirichlet =
+      0;      ///< mean over the surface's area of `s1^2 + s2^2 + 1/s1^2 + 1/s2^2`, after the best uniform scaling; at least 4
+  double l2_stretch =
+      0;      ///< root mean square stretch (Sander et al. 2001), after scaling to equal areas; at least 1
   double linf_stretch = 0;      ///< greatest stretch (Sander et al. 2001), after scaling to equal areas; at least 1
   double angle = 0;             ///< mean over the area of `(s1/s2 + s2/s1) / 2`; at least 1, for a conformal map
-  double area = 0;              ///< mean over the area of `(r + 1/r) / 2`, with `r = s1 s2` after scaling to equal areas; at least 1
+  double area =
+      0;      ///< mean over the area of `(r + 1/r) / 2`, with `r = s1 s2` after scaling to equal areas; at least 1
 };
 
 namespace internal {
@@ -75,7 +80,8 @@ public:
   {
     Parameterization_quality q = m_quality;
     if (q.flips > 0) {
-      q.mips = q.mips_excess = q.symmetric_dirichlet = q.l2_stretch = q.linf_stretch = q.angle = q.area = (std::numeric_limits<double>::infinity)();
+      q.mips = q.mips_excess = q.symmetric_dirichlet = q.l2_stretch = q.linf_stretch = q.angle = q.area =
+          (std::numeric_limits<double>::infinity)();
       return q;
     }
     const double scale = m_image_area / m_area;
@@ -127,7 +133,9 @@ public:
 
     std::sort(border_vertices.begin(), border_vertices.end());
     border_vertices.erase(std::unique(border_vertices.begin(), border_vertices.end()), border_vertices.end());
-    const auto index = [&](vertex_descriptor v) { return Index(std::lower_bound(border_vertices.begin(), border_vertices.end(), v) - border_vertices.begin()); };
+    const auto index = [&](vertex_descriptor v) {
+      return Index(std::lower_bound(border_vertices.begin(), border_vertices.end(), v) - border_vertices.begin());
+    };
     for (const vertex_descriptor v : border_vertices)
       uv.emplace_back(CGAL::to_double(get(uvmap, v).x()), CGAL::to_double(get(uvmap, v).y()));
     for (const halfedge_descriptor h : halfedges)
@@ -138,7 +146,8 @@ public:
 // The number of pairs of faces that overlap in the plane. Where there is no flip the borders tell mostly that there is
 // none.
 template <class TriangleMesh, class FaceRange, class VertexUVMap>
-std::size_t number_of_overlapping_faces(const TriangleMesh& mesh, const FaceRange& face_range, VertexUVMap uvmap, bool has_flips)
+std::size_t number_of_overlapping_faces(const TriangleMesh& mesh, const FaceRange& face_range, VertexUVMap uvmap,
+                                        bool has_flips)
 {
   if (!has_flips) {
     const Borders_of_faces<TriangleMesh, VertexUVMap> borders(mesh, face_range, uvmap);
@@ -164,7 +173,8 @@ std::size_t number_of_overlapping_faces(const TriangleMesh& mesh, const FaceRang
 /// \param face_range the faces to measure, at least one
 /// \param uvmap a readable property map from vertices to points of the plane
 template <class TriangleMesh, class FaceRange, class VertexUVMap>
-Parameterization_quality parameterization_quality(const TriangleMesh& mesh, const FaceRange& face_range, VertexUVMap uvmap)
+Parameterization_quality parameterization_quality(const TriangleMesh& mesh, const FaceRange& face_range,
+                                                  VertexUVMap uvmap)
 {
   internal::Quality_sums sums;
   for (const auto f : face_range)

@@ -70,9 +70,12 @@ constexpr bool is_named_parameters = decltype(test_named_parameters(static_cast<
 
 namespace parameters {
 
-#define CGAL_SURFACE_MESH_PARAMETERIZATION_FUNCTION(name) \
-  template <class K> \
-  Surface_mesh_parameterization::internal::Named_parameters<K, internal_np::name##_t> name(const K& value) { return { value }; }
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_FUNCTION(name)                                                              \
+  template <class K>                                                                                                   \
+  Surface_mesh_parameterization::internal::Named_parameters<K, internal_np::name##_t> name(const K& value)             \
+  {                                                                                                                    \
+    return { value };                                                                                                  \
+  }
 
 CGAL_SURFACE_MESH_PARAMETERIZATION_NAMED_PARAMETERS(CGAL_SURFACE_MESH_PARAMETERIZATION_FUNCTION)
 #undef CGAL_SURFACE_MESH_PARAMETERIZATION_FUNCTION

@@ -43,8 +43,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \return `OK`; an error of `Mesh_component`; `ERROR_NO_1_TO_1_MAPPING` if there are flips and the policy is `FAIL`,
 /// or if they could not be repaired
 template <class TriangleMesh, class VertexUVMap, class NamedParameters = parameters::Default_named_parameters>
-Error_code settle_flips(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap, Flip_policy policy,
-                        const NamedParameters& np = parameters::default_values())
+Error_code settle_flips(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
+                        VertexUVMap uvmap, Flip_policy policy, const NamedParameters& np = parameters::default_values())
 {
   typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
 
@@ -62,7 +62,8 @@ Error_code settle_flips(const TriangleMesh& mesh, typename boost::graph_traits<T
     uv.emplace_back(CGAL::to_double(get(uvmap, v).x()), CGAL::to_double(get(uvmap, v).y()));
 
   const internal::One_rings rings(uv.size(), component.surface().triangles);
-  summary.error.code = internal::apply_flip_policy(policy, rings, [&] { return std::move(component.surface()); }, uv, summary);
+  summary.error.code = internal::apply_flip_policy(
+      policy, rings, [&] { return std::move(component.surface()); }, uv, summary);
   if (summary.error.code == OK && summary.moved_vertices > 0)
     for (std::size_t i = 0; i < uv.size(); ++i)
       put(uvmap, component.vertices_of_component()[i], User_point_2(uv[i].x(), uv[i].y()));

@@ -45,8 +45,8 @@ public:
     const double scale = extent > 0 ? size / extent : 1;
     const double map_width = scale * (m_box.xmax() - m_box.xmin()), map_height = scale * (m_box.ymax() - m_box.ymin());
     const double height = (std::max)(map_height, bar_height + 2 * bar_room);
-    os << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << rounded(map_width + bar_space + 2 * margin) << ' '
-       << rounded(height + 2 * margin) << "\" stroke=\"#222\" stroke-width=\"0.4\" stroke-linejoin=\"round\">\n";
+    os << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << rounded(map_width + bar_space + 2 * margin)
+       << ' ' << rounded(height + 2 * margin) << "\" stroke=\"#222\" stroke-width=\"0.4\" stroke-linejoin=\"round\">\n";
     write_triangles(os, scale, margin + 0.5 * (height - map_height));
     write_bar(os, margin + map_width + bar_space - bar_width, margin + 0.5 * (height - bar_height));
     os << "</svg>\n";
@@ -67,7 +67,8 @@ private:
       for (const std::array<Point_2, 3>& t : m_triangles[i]) {
         char command = 'M';
         for (const Point_2& p : t) {
-          os << command << rounded(margin + scale * (p.x() - m_box.xmin())) << ' ' << rounded(top + scale * (m_box.ymax() - p.y()));
+          os << command << rounded(margin + scale * (p.x() - m_box.xmin())) << ' '
+             << rounded(top + scale * (m_box.ymax() - p.y()));
           command = 'L';
         }
         os << 'Z';
@@ -82,13 +83,18 @@ private:
     constexpr double step = bar_height / double(number_of_colors);
     os << "<g stroke=\"none\" shape-rendering=\"crispEdges\">\n";
     for (std::size_t i = 0; i < number_of_colors; ++i)
-      os << "<rect x=\"" << rounded(left) << "\" y=\"" << rounded(top + bar_height - double(i + 1) * step) << "\" width=\"" << bar_width << "\" height=\"" << rounded(step)
-         << "\" fill=\"" << color(double(i) / double(number_of_colors - 1)) << "\"/>\n";
-    os << "</g>\n<rect x=\"" << rounded(left) << "\" y=\"" << rounded(top) << "\" width=\"" << bar_width << "\" height=\"" << bar_height << "\" fill=\"none\"/>\n"
+      os << "<rect x=\"" << rounded(left) << "\" y=\"" << rounded(top + bar_height - double(i + 1) * step)
+         << "\" width=\"" << bar_width << "\" height=\"" << rounded(step) << "\" fill=\""
+         << color(double(i) / double(number_of_colors - 1)) << "\"/>\n";
+    os << "</g>\n<rect x=\"" << rounded(left) << "\" y=\"" << rounded(top) << "\" width=\"" << bar_width
+       << "\" height=\"" << bar_height << "\" fill=\"none\"/>\n"
        << "<g font-family=\"sans-serif\" font-size=\"18\" fill=\"#222\" stroke=\"none\" text-anchor=\"end\">\n";
-    static const std::array<std::pair<double, const char*>, 4> labels = { { { 1, "1" }, { 1.25, "1.25" }, { 1.5, "1.5" }, { 2, "\u2265 2" } } };
+    static const std::array<std::pair<double, const char*>, 4> labels = {
+      { { 1, "1" }, { 1.25, "1.25" }, { 1.5, "1.5" }, { 2, "\u2265 2" } }
+    };
     for (const auto& [distortion, text] : labels)
-      os << "<text x=\"" << rounded(left - 7) << "\" y=\"" << rounded(top + (1 - std::log2(distortion)) * bar_height + 6) << "\">" << text << "</text>\n";
+      os << "<text x=\"" << rounded(left - 7) << "\" y=\""
+         << rounded(top + (1 - std::log2(distortion)) * bar_height + 6) << "\">" << text << "</text>\n";
     os << "</g>\n";
   }
 
@@ -98,7 +104,9 @@ private:
   // From nearly white over orange to dark red.
   static std::string color(double position)
   {
-    static const std::array<std::array<double, 3>, 3> stops = { { { 247, 247, 240 }, { 244, 165, 96 }, { 150, 10, 30 } } };
+    static const std::array<std::array<double, 3>, 3> stops = {
+      { { 247, 247, 240 }, { 244, 165, 96 }, { 150, 10, 30 } }
+    };
     const std::size_t segment = position < 0.5 ? 0 : 1;
     const double fraction = 2 * position - double(segment);
     std::ostringstream text;

@@ -69,10 +69,13 @@ public:
       const double gap = gap_of(p), d = p.distance;
       if (!(d < gap))
         return;
-      const double first = -2 * m_stiffness * (gap / d - 1) * gap / (d * d), second = 2 * m_stiffness * gap * (3 * gap - 2 * d) / (d * d * d * d);
+      const double first = -2 * m_stiffness * (gap / d - 1) * gap / (d * d),
+                   second = 2 * m_stiffness * gap * (3 * gap - 2 * d) / (d * d * d * d);
       const Block_vector normal(p.from_edge.x() / d, p.from_edge.y() / d);
       const Block across(normal.x * normal.x, normal.x * normal.y, normal.y * normal.x, normal.y * normal.y);
-      const auto add_at = [&](Index v, double part) { add(v, (first * part) * normal, (2 * std::abs(part) * second) * across); };
+      const auto add_at = [&](Index v, double part) {
+        add(v, (first * part) * normal, (2 * std::abs(part) * second) * across);
+      };
       add_at(p.vertex, 1);
       add_at(p.edge.source, p.t - 1);
       add_at(p.edge.target, -p.t);
@@ -129,7 +132,10 @@ private:
     double distance;
   };
 
-  double gap_of(const Close_pair& p) const { return (std::min)({ m_gap[p.vertex], m_gap[p.edge.source], m_gap[p.edge.target] }); }
+  double gap_of(const Close_pair& p) const
+  {
+    return (std::min)({ m_gap[p.vertex], m_gap[p.edge.source], m_gap[p.edge.target] });
+  }
 
   // Calls f(v, l) for every border vertex with the length of the shorter one of its border edges.
   template <class Function>
@@ -150,7 +156,9 @@ private:
   template <class Function>
   void for_each_close_pair(const Level::Uv& uv, const std::vector<double>& range, const Function& f) const
   {
-    const auto widened = [](const CGAL::Bbox_2& box, double r) { return CGAL::Bbox_2(box.xmin() - r, box.ymin() - r, box.xmax() + r, box.ymax() + r); };
+    const auto widened = [](const CGAL::Bbox_2& box, double r) {
+      return CGAL::Bbox_2(box.xmin() - r, box.ymin() - r, box.xmax() + r, box.ymax() + r);
+    };
     std::vector<Bbox_2> vertices, edges;
     for (const auto& [v, w] : m_edges) {
       vertices.push_back(widened(uv[v].bbox(), range[v]));
@@ -171,11 +179,14 @@ private:
   template <class Moved>
   static double time_of_meeting(const Level::Uv& uv, const Moved& moved, Index v, const Border_edge& e)
   {
-    const Vector_2 p = uv[e.source] - uv[v], q = uv[e.target] - uv[v], dp = (moved(e.source) - moved(v)) - p, dq = (moved(e.target) - moved(v)) - q;
-    const double c0 = cross(p, q), c1 = cross(p, dq) + cross(dp, q), c2 = cross(dp, dq), discriminant = c1 * c1 - 4 * c0 * c2;
+    const Vector_2 p = uv[e.source] - uv[v], q = uv[e.target] - uv[v], dp = (moved(e.source) - moved(v)) - p,
+                   dq = (moved(e.target) - moved(v)) - q;
+    const double c0 = cross(p, q), c1 = cross(p, dq) + cross(dp, q), c2 = cross(dp, dq),
+                 discriminant = c1 * c1 - 4 * c0 * c2;
     if (discriminant < 0)
       return 1;
-    const double s = -0.5 * (c1 + std::copysign(std::sqrt(discriminant), c1));    // the roots of c0 + c1 t + c2 t^2 are s / c2 and c0 / s
+    const double s = -0.5 * (c1 + std::copysign(std::sqrt(discriminant),
+                                                c1));      // the roots of c0 + c1 t + c2 t^2 are s / c2 and c0 / s
     double first = 1;
     for (const double t : { s / c2, c0 / s })
       if (t >= 0 && t < first) {

@@ -65,7 +65,8 @@ private:
   bool turns_too_far_at(Index v, const Level::Uv& uv, const Level::Uv& trial) const
   {
     const One_rings& rings = m_level.rings();
-    return internal::turns_too_far(rings, Place_of_vertex{ trial }, v) || (leaves_no_room(rings, trial, v) && !leaves_no_room(rings, uv, v));
+    return internal::turns_too_far(rings, Place_of_vertex{ trial }, v) ||
+           (leaves_no_room(rings, trial, v) && !leaves_no_room(rings, uv, v));
   }
 
   // A step may take a part of what the gap has above a small angle.
@@ -77,10 +78,14 @@ private:
       const Vector_2 a = map[first] - map[v], b = map[last] - map[v];
       return std::atan2(cross(b, a), b * a);
     };
-    const double before = angle(uv), gap = before < 0 ? before + 2 * CGAL_PI : before, change = std::remainder(angle(trial) - before, 2 * CGAL_PI);
+    const double before = angle(uv), gap = before < 0 ? before + 2 * CGAL_PI : before,
+                 change = std::remainder(angle(trial) - before, 2 * CGAL_PI);
     const Vector_2 a = uv[first] - uv[v], b = uv[last] - uv[v];
-    const Block_vector at_first = Block_vector(-a.y(), a.x()) / a.squared_length(), at_last = Block_vector(b.y(), -b.x()) / b.squared_length();
-    return { { v, first, last }, { -at_first - at_last, at_first, at_last }, -part_to_lose * (std::max)(gap - least_gap, 0.) - change };
+    const Block_vector at_first = Block_vector(-a.y(), a.x()) / a.squared_length(),
+                       at_last = Block_vector(b.y(), -b.x()) / b.squared_length();
+    return { { v, first, last },
+             { -at_first - at_last, at_first, at_last },
+             -part_to_lose * (std::max)(gap - least_gap, 0.) - change };
   }
 
   const Level& m_level;

@@ -24,7 +24,8 @@ std::vector<Border_edge> border_edges(const One_rings& rings);
 
 // Calls f(i, j) for any two edges that meet in the plane, but for a vertex that they share. Exact, and near-linear
 // where few edges are near each other. Precondition: no coordinate is infinite or no number.
-void for_each_crossing(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv, Function_ref<void(std::size_t, std::size_t)> f);
+void for_each_crossing(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv,
+                       Function_ref<void(std::size_t, std::size_t)> f);
 
 bool has_crossings(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv);
 

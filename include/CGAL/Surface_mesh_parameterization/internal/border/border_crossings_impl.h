@@ -38,7 +38,8 @@ inline bool do_cross(const Border_edge& e, const Border_edge& f, const std::vect
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void for_each_crossing(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv, Function_ref<void(std::size_t, std::size_t)> f)
+void for_each_crossing(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv,
+                       Function_ref<void(std::size_t, std::size_t)> f)
 {
   std::vector<Bbox_2> boxes;
   boxes.reserve(edges.size());

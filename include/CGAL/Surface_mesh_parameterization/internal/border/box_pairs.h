@@ -19,7 +19,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 void for_each_pair_of_boxes(const std::vector<Bbox_2>& boxes, Function_ref<void(std::size_t, std::size_t)> f);
 
 // Calls f(i, j) for any box of the first list and any one of the second that meet.
-void for_each_pair_of_boxes(const std::vector<Bbox_2>& boxes, const std::vector<Bbox_2>& others, Function_ref<void(std::size_t, std::size_t)> f);
+void for_each_pair_of_boxes(const std::vector<Bbox_2>& boxes, const std::vector<Bbox_2>& others,
+                            Function_ref<void(std::size_t, std::size_t)> f);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

@@ -25,11 +25,13 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void for_each_pair_of_boxes(const std::vector<Bbox_2>& boxes, Function_ref<void(std::size_t, std::size_t)> f)
 {
   std::vector<Numbered_box> numbered = numbered_boxes(boxes);
-  CGAL::box_self_intersection_d(numbered.begin(), numbered.end(), [f](const Numbered_box& a, const Numbered_box& b) { f(a.info(), b.info()); });
+  CGAL::box_self_intersection_d(numbered.begin(), numbered.end(),
+                                [f](const Numbered_box& a, const Numbered_box& b) { f(a.info(), b.info()); });
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void for_each_pair_of_boxes(const std::vector<Bbox_2>& boxes, const std::vector<Bbox_2>& others, Function_ref<void(std::size_t, std::size_t)> f)
+void for_each_pair_of_boxes(const std::vector<Bbox_2>& boxes, const std::vector<Bbox_2>& others,
+                            Function_ref<void(std::size_t, std::size_t)> f)
 {
   std::vector<Numbered_box> numbered = numbered_boxes(boxes), numbered_others = numbered_boxes(others);
   CGAL::box_intersection_d(numbered.begin(), numbered.end(), numbered_others.begin(), numbered_others.end(),

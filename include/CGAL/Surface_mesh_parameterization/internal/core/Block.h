@@ -24,7 +24,10 @@ struct alignas(16) Block_vector
   friend Block_vector operator-(Block_vector a, const Block_vector& b) { return a -= b; }
   friend Block_vector operator-(const Block_vector& a) { return Block_vector(-a.x, -a.y); }
   friend Block_vector operator*(double factor, Block_vector v) { return v *= factor; }
-  friend Block_vector operator/(const Block_vector& v, double divisor) { return Block_vector(v.x / divisor, v.y / divisor); }
+  friend Block_vector operator/(const Block_vector& v, double divisor)
+  {
+    return Block_vector(v.x / divisor, v.y / divisor);
+  }
 
   static Block_vector zero() { return Block_vector(0, 0); }
 

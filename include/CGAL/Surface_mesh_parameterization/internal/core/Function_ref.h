@@ -19,7 +19,9 @@ class Function_ref<Result(Arguments...)>
 public:
   template <class Function, class = std::enable_if_t<!std::is_same<Function, Function_ref>::value>>
   Function_ref(const Function& f)
-    : m_object(&f), m_call([](const void* object, Arguments... arguments) -> Result { return (*static_cast<const Function*>(object))(arguments...); })
+    : m_object(&f), m_call([](const void* object, Arguments... arguments) -> Result {
+        return (*static_cast<const Function*>(object))(arguments...);
+      })
   { }
 
   Result operator()(Arguments... arguments) const { return m_call(m_object, arguments...); }

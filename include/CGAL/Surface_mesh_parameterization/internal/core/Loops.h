@@ -44,15 +44,18 @@ public:
   Index number_of_parts() const { return m_is_parallel ? 4 : 1; }
 
   // Calls f(begin, end) for every block.
-  void for_each_block(Index first, Index last, Function_ref<void(Index, Index)> f, Index block_size = default_block_size) const;
+  void for_each_block(Index first, Index last, Function_ref<void(Index, Index)> f,
+                      Index block_size = default_block_size) const;
 
   // Calls f(begin, end, scratch) for every block; make_scratch() makes the scratch of a thread.
   template <class Make_scratch, class Function>
-  void for_each_block_with_scratch(Index first, Index last, const Make_scratch& make_scratch, const Function& f, Index block_size = default_block_size) const
+  void for_each_block_with_scratch(Index first, Index last, const Make_scratch& make_scratch, const Function& f,
+                                   Index block_size = default_block_size) const
   {
     typedef decltype(make_scratch())   Scratch;
-    for_each_block_with_any_scratch(first, last, block_size, [&] { return std::shared_ptr<void>(std::make_shared<Scratch>(make_scratch())); },
-                                    [&](Index begin, Index end, void* scratch) { f(begin, end, *static_cast<Scratch*>(scratch)); });
+    for_each_block_with_any_scratch(
+        first, last, block_size, [&] { return std::shared_ptr<void>(std::make_shared<Scratch>(make_scratch())); },
+        [&](Index begin, Index end, void* scratch) { f(begin, end, *static_cast<Scratch*>(scratch)); });
   }
 
   // Calls f(i) for every index.
@@ -70,7 +73,9 @@ public:
   Result reduce(Index first, Index last, Result result, const Function& f, const Add& add) const
   {
     std::vector<Slot<Result>> results(number_of_blocks(first, last, default_block_size), Slot<Result>{ result });
-    for_each_block(first, last, [&](Index begin, Index end) { results[(begin - first) / default_block_size].value = f(begin, end); });
+    for_each_block(first, last, [&](Index begin, Index end) {
+      results[(begin - first) / default_block_size].value = f(begin, end);
+    });
     for (const Slot<Result>& slot : results)
       add(result, slot.value);
     return result;
@@ -78,7 +83,8 @@ public:
 
   // The same with the results of f(begin, end, scratch).
   template <class Result, class Make_scratch, class Function, class Add>
-  Result reduce_with_scratch(Index first, Index last, Result result, const Make_scratch& make_scratch, const Function& f, const Add& add) const
+  Result reduce_with_scratch(Index first, Index last, Result result, const Make_scratch& make_scratch,
+                             const Function& f, const Add& add) const
   {
     std::vector<Slot<Result>> results(number_of_blocks(first, last, default_block_size), Slot<Result>{ result });
     for_each_block_with_scratch(first, last, make_scratch, [&](Index begin, Index end, auto& scratch) {
@@ -124,10 +130,14 @@ private:
   template <class Result>
   struct Slot { Result value; };      // a vector of bool would share its bytes among threads
 
-  void for_each_block_with_any_scratch(Index first, Index last, Index block_size, Function_ref<std::shared_ptr<void>()> make_scratch,
+  void for_each_block_with_any_scratch(Index first, Index last, Index block_size,
+                                       Function_ref<std::shared_ptr<void>()> make_scratch,
                                        Function_ref<void(Index, Index, void*)> f) const;
 
-  static Index number_of_blocks(Index first, Index last, Index block_size) { return last <= first ? 0 : (last - first - 1) / block_size + 1; }
+  static Index number_of_blocks(Index first, Index last, Index block_size)
+  {
+    return last <= first ? 0 : (last - first - 1) / block_size + 1;
+  }
 
   bool m_is_parallel = false;
 };

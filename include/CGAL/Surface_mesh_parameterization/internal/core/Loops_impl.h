@@ -37,7 +37,8 @@ void Loops::for_each_block(Index first, Index last, Function_ref<void(Index, Ind
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void Loops::for_each_block_with_any_scratch(Index first, Index last, Index block_size, Function_ref<std::shared_ptr<void>()> make_scratch,
+void Loops::for_each_block_with_any_scratch(Index first, Index last, Index block_size,
+                                            Function_ref<std::shared_ptr<void>()> make_scratch,
                                             Function_ref<void(Index, Index, void*)> f) const
 {
 #ifdef CGAL_LINKED_WITH_TBB
@@ -55,7 +56,8 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 double Loops::sum_of_blocks(Index first, Index last, Function_ref<double(Index, Index)> f) const
 {
   std::vector<double> sums(number_of_blocks(first, last, default_block_size));
-  for_each_block(first, last, [&](Index begin, Index end) { sums[(begin - first) / default_block_size] = f(begin, end); });
+  for_each_block(first, last,
+                 [&](Index begin, Index end) { sums[(begin - first) / default_block_size] = f(begin, end); });
   double result = 0;
   for (const double sum : sums)
     result += sum;

@@ -107,7 +107,8 @@ private:
   void merge() const;
 
   // Of the columns that the row has met, `place` tells where in `row` they are; of others, anything.
-  void merge_row(Index i, const Index* begin, const Index* end, std::vector<Index>& place, std::vector<std::pair<Index, double>>& row, Rows& merged) const;
+  void merge_row(Index i, const Index* begin, const Index* end, std::vector<Index>& place,
+                 std::vector<std::pair<Index, double>>& row, Rows& merged) const;
 
   std::size_t m_columns;
   mutable std::shared_ptr<Rows> m_rows;

@@ -20,7 +20,8 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Sparse_matrix::append(std::size_t i, std::size_t j, double value, bool replaces)
 {
   CGAL_precondition(i < m_rows->number_of_rows() && j < m_columns);
-  const std::size_t most_waiting = (std::max)({ fewest_waiting, m_rows->values.size(), m_rows->first.size() * expected_row_size });
+  const std::size_t most_waiting =
+      (std::max)({ fewest_waiting, m_rows->values.size(), m_rows->first.size() * expected_row_size });
   if (m_waiting.size() >= most_waiting)
     merge();
   if (m_waiting.empty())
@@ -61,7 +62,8 @@ void Sparse_matrix::merge() const
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void Sparse_matrix::merge_row(Index i, const Index* begin, const Index* end, std::vector<Index>& place, std::vector<std::pair<Index, double>>& row, Rows& merged) const
+void Sparse_matrix::merge_row(Index i, const Index* begin, const Index* end, std::vector<Index>& place,
+                              std::vector<std::pair<Index, double>>& row, Rows& merged) const
 {
   row.clear();
   const auto at = [&](Index column) -> double& {

@@ -60,19 +60,31 @@ struct Values
   friend Values operator*(const Values& a, const Values& b) { return map(a, b, [](Real x, Real y) { return x * y; }); }
   friend Values abs(const Values& a) { return map(a, a, [](Real x, Real) { return std::abs(x); }); }
   friend Values sqrt(const Values& a) { return map(a, a, [](Real x, Real) { return std::sqrt(x); }); }
-  friend Values max(const Values& a, const Values& b) { return map(a, b, [](Real x, Real y) { return (std::max)(x, y); }); }
+  friend Values max(const Values& a, const Values& b)
+  {
+    return map(a, b, [](Real x, Real y) { return (std::max)(x, y); });
+  }
 
   // As many of them as there are right sides: nothing is summed.
   friend Values inner_product(const Values& a, const Values& b) { return a * b; }
 
   // 0 where the divisor is.
-  friend Values quotient(const Values& a, const Values& b) { return map(a, b, [](Real x, Real y) { return y != 0 ? x / y : Real(0); }); }
+  friend Values quotient(const Values& a, const Values& b)
+  {
+    return map(a, b, [](Real x, Real y) { return y != 0 ? x / y : Real(0); });
+  }
 
   // 0 where it is not positive.
-  friend Values quotient_by_positive(const Values& a, const Values& b) { return map(a, b, [](Real x, Real y) { return y > 0 ? x / y : Real(0); }); }
+  friend Values quotient_by_positive(const Values& a, const Values& b)
+  {
+    return map(a, b, [](Real x, Real y) { return y > 0 ? x / y : Real(0); });
+  }
 
   // For all elements; a NaN is neither.
-  friend bool is_less_or_equal(const Values& a, const Values& b) { return all_of(a, b, [](Real x, Real y) { return x <= y; }); }
+  friend bool is_less_or_equal(const Values& a, const Values& b)
+  {
+    return all_of(a, b, [](Real x, Real y) { return x <= y; });
+  }
   friend bool is_finite(const Values& a) { return all_of(a, a, [](Real x, Real) { return std::isfinite(x); }); }
 
   friend Real sum(const Values& a)

@@ -20,7 +20,8 @@ inline Orientation exact_orientation(const Point_2& a, const Point_2& b, const P
   // A determinant of rounded differences is off by less than 4 * 2^-53 times the sum of its two products, unless these
   // underflow.
   constexpr double relative_error = 1e-15, least_determinant = 1e-290;
-  const double plus = (b.x() - a.x()) * (c.y() - a.y()), minus = (b.y() - a.y()) * (c.x() - a.x()), determinant = plus - minus;
+  const double plus = (b.x() - a.x()) * (c.y() - a.y()), minus = (b.y() - a.y()) * (c.x() - a.x()),
+               determinant = plus - minus;
   const double bound = relative_error * (std::abs(plus) + std::abs(minus)) + least_determinant;
   if (determinant > bound)
     return LEFT_TURN;
@@ -29,10 +30,16 @@ inline Orientation exact_orientation(const Point_2& a, const Point_2& b, const P
   return unfiltered_orientation(a, b, c);
 }
 
-inline bool is_left_turn(const Point_2& a, const Point_2& b, const Point_2& c) { return exact_orientation(a, b, c) == LEFT_TURN; }
+inline bool is_left_turn(const Point_2& a, const Point_2& b, const Point_2& c)
+{
+  return exact_orientation(a, b, c) == LEFT_TURN;
+}
 
 // The lexicographical order.
-inline bool is_less_xy(const Point_2& p, const Point_2& q) { return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y()); }
+inline bool is_less_xy(const Point_2& p, const Point_2& q)
+{
+  return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
+}
 
 inline bool are_strictly_ordered_xy(const Point_2& p, const Point_2& q, const Point_2& r)
 {

@@ -18,7 +18,8 @@ Orientation unfiltered_orientation(const Point_2& a, const Point_2& b, const Poi
   if (!is_finite(a) || !is_finite(b) || !is_finite(c))
     return COLLINEAR;
   const MP_Float ax(a.x()), ay(a.y());
-  return CGAL::compare((MP_Float(b.x()) - ax) * (MP_Float(c.y()) - ay), (MP_Float(b.y()) - ay) * (MP_Float(c.x()) - ax));
+  return CGAL::compare((MP_Float(b.x()) - ax) * (MP_Float(c.y()) - ay),
+                       (MP_Float(b.y()) - ay) * (MP_Float(c.x()) - ax));
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -33,7 +34,8 @@ bool do_segments_meet(const Point_2& a, const Point_2& b, const Point_2& c, cons
   if (side_a != COLLINEAR || side_b != COLLINEAR || side_c != COLLINEAR || side_d != COLLINEAR)
     return true;
   // On one line, or in one point, they meet unless one ends before the other begins.
-  return !is_less_xy((std::max)(a, b, is_less_xy), (std::min)(c, d, is_less_xy)) && !is_less_xy((std::max)(c, d, is_less_xy), (std::min)(a, b, is_less_xy));
+  return !is_less_xy((std::max)(a, b, is_less_xy), (std::min)(c, d, is_less_xy)) &&
+         !is_less_xy((std::max)(c, d, is_less_xy), (std::min)(a, b, is_less_xy));
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -24,7 +24,8 @@ BOOST_FORCEINLINE void prefetch([[maybe_unused]] const void* address)
 // In a loop over a list of indices into an array, at place k: asks for the element that is needed some places later.
 // Neighbors come from many groups of ranks, of which the processor alone cannot see in advance where they lie.
 template <class Array>
-BOOST_FORCEINLINE void prefetch_element_after(std::size_t k, const Index* indices, std::size_t number_of_indices, const Array& array)
+BOOST_FORCEINLINE void prefetch_element_after(std::size_t k, const Index* indices, std::size_t number_of_indices,
+                                              const Array& array)
 {
   constexpr std::size_t ahead = 64;
   if (k + ahead < number_of_indices)

@@ -30,13 +30,18 @@ public:
   typedef std::function<void(const Point_3&, const std::vector<Point_3>&, bool, std::vector<double>&)>   Weight_function;
 
   template <class EdgeWeights>
-  Edge_system(const Level& level, const EdgeWeights& weights) : Edge_system(level, Make_weight_function([&] { return Weight_function(EdgeWeights(weights)); })) { }
+  Edge_system(const Level& level, const EdgeWeights& weights)
+    : Edge_system(level, Make_weight_function([&] { return Weight_function(EdgeWeights(weights)); }))
+  { }
 
   const Level& level() const { return m_level; }
   Index size() const { return Index(m_row_sums.size()); }
 
   // c_ij of the neighbor at a position in the ring of i; the diagonal.
-  double weight(Index i, std::size_t position) const { return m_row_sums[i] * m_weights[m_level.rings().first_slot(i) + position]; }
+  double weight(Index i, std::size_t position) const
+  {
+    return m_row_sums[i] * m_weights[m_level.rings().first_slot(i) + position];
+  }
   double sum_of_weights(Index i) const { return m_row_sums[i]; }
 
   Vector_2 residual(Index i, const Level::Uv& uv) const
@@ -73,7 +78,10 @@ private:
 
   double squared_residual_in_one_point() const;
 
-  double relative(double squared_residual) const { return squared_residual > 0 ? std::sqrt(squared_residual / m_unit) : 0; }
+  double relative(double squared_residual) const
+  {
+    return squared_residual > 0 ? std::sqrt(squared_residual / m_unit) : 0;
+  }
 
   const Level& m_level;
   std::vector<double> m_weights;      // of every slot of the rings, scaled

@@ -20,22 +20,29 @@ Edge_system::Edge_system(const Level& level, const Make_weight_function& make_we
   : m_level(level), m_weights(level.rings().number_of_slots()), m_row_sums(level.number_of_vertices())
 {
   struct Scratch { Weight_function compute_weights; std::vector<Point_3> ring; std::vector<double> row; };
-  level.loops().for_each_block_with_scratch(0, size(), [&] { return Scratch{ make_weight_function(), {}, {} }; }, [&](Index begin, Index end, Scratch& scratch) {
-    for (Index i = begin; i < end; ++i) {
-      scratch.ring.clear();
-      for (Index j : level.one_ring(i))
-        scratch.ring.push_back(level.point(j));
-      scratch.compute_weights(level.point(i), scratch.ring, !level.is_border(i), scratch.row);
-      set_row(i, scratch.row);
-    }
-  });
+  level.loops().for_each_block_with_scratch(
+      0, size(),
+      [&] {
+        return Scratch{ make_weight_function(), {}, {} };
+      },
+      [&](Index begin, Index end, Scratch& scratch) {
+        for (Index i = begin; i < end; ++i) {
+          scratch.ring.clear();
+          for (Index j : level.one_ring(i))
+            scratch.ring.push_back(level.point(j));
+          scratch.compute_weights(level.point(i), scratch.ring, !level.is_border(i), scratch.row);
+          set_row(i, scratch.row);
+        }
+      });
   m_unit = squared_residual_in_one_point();
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 double Edge_system::relative_residual(const Level::Uv& uv) const
 {
-  return relative(m_level.loops().sum(0, size(), 0., [&](Index i) { return m_level.is_fixed(i) ? 0 : residual(i, uv).squared_length(); }));
+  return relative(m_level.loops().sum(0, size(), 0., [&](Index i) {
+    return m_level.is_fixed(i) ? 0 : residual(i, uv).squared_length();
+  }));
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -69,7 +69,8 @@ Error_code solve_directly(const Edge_system& system, Level::Uv& uv)
 // The residuals that a sweep meets are about those that it leaves; only when they are small enough the true ones are
 // computed.
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code solve_by_sweeps(const Edge_system& system, Relaxation_factor& factor, double tolerance, std::size_t most_sweeps, Level::Uv& uv, Level_summary& summary)
+Error_code solve_by_sweeps(const Edge_system& system, Relaxation_factor& factor, double tolerance,
+                           std::size_t most_sweeps, Level::Uv& uv, Level_summary& summary)
 {
   constexpr double coarse_residual = 1e-3;      // the levels below the finest only have to hand on a good start
   const double wanted_residual = system.level().is_finest() ? tolerance : (std::max)(tolerance, coarse_residual);

@@ -123,12 +123,15 @@ private:
   {
     m_prospects.resize((std::max)(m_prospects.size(), std::size_t(end - begin)));
     constexpr Index block_size = 256;       // a vertex is much work
-    loops.for_each_block_with_scratch(begin, end, [] { return Scratch(); }, [&](Index block_begin, Index block_end, Scratch& scratch) {
-      for (Index i = block_begin; i < block_end; ++i) {
-        prefetch_vertices_after(mesh, i);
-        m_prospects[i - begin] = m_is_locked[m_order[i]] ? no_collapse : best_collapse(mesh, m_order[i], scratch);
-      }
-    }, block_size);
+    loops.for_each_block_with_scratch(
+        begin, end, [] { return Scratch(); },
+        [&](Index block_begin, Index block_end, Scratch& scratch) {
+          for (Index i = block_begin; i < block_end; ++i) {
+            prefetch_vertices_after(mesh, i);
+            m_prospects[i - begin] = m_is_locked[m_order[i]] ? no_collapse : best_collapse(mesh, m_order[i], scratch);
+          }
+        },
+        block_size);
   }
 
   static constexpr Collapse no_collapse = { no_index, {}, {} };
@@ -154,7 +157,8 @@ private:
       if (w0 == no_index)
         return no_collapse;
       if (satisfies_link_condition(mesh, v, w0)) {
-        const Parent_triangle parent = ring.is_closed ? find_parent_triangle(scratch.flat_ring, w0) : find_parent_border_edge(scratch.flat_ring, w0);
+        const Parent_triangle parent = ring.is_closed ? find_parent_triangle(scratch.flat_ring, w0)
+                                                      : find_parent_border_edge(scratch.flat_ring, w0);
         return { v, { ring[parent.slots[0]], ring[parent.slots[1]], ring[parent.slots[2]] }, parent.coordinates };
       }
       scratch.is_forbidden[w0] = true;
@@ -165,12 +169,14 @@ private:
   static Index best_neighbor(bool is_closed, const Scratch& scratch)
   {
     constexpr double least_quality = 1e-4;
-    const Index size = Index(scratch.flat_ring.size()), step = is_closed ? 1 : size - 1;   // a border vertex has two candidates, the ends of its ring
+    const Index size = Index(scratch.flat_ring.size()),
+                step = is_closed ? 1 : size - 1;      // a border vertex has two candidates, the ends of its ring
     Index best = no_index;
     double best_quality = least_quality;
     for (Index w0 = 0; w0 < size; w0 += step)
       if (!scratch.is_forbidden[w0])
-        if (const double quality = worst_quality_after_collapse(scratch.flat_ring, w0, best_quality); quality > best_quality) {
+        if (const double quality = worst_quality_after_collapse(scratch.flat_ring, w0, best_quality);
+            quality > best_quality) {
           best = w0;
           best_quality = quality;
         }

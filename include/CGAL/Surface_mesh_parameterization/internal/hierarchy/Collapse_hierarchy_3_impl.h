@@ -37,13 +37,15 @@ void append_row(Matrix& matrix, Index v, std::vector<Entry>& row)
 } // namespace internal
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Collapse_hierarchy_3::Collapse_hierarchy_3(Triangulated_surface_3 surface, const internal::Hierarchy_options& options, const internal::Loops& loops)
+Collapse_hierarchy_3::Collapse_hierarchy_3(Triangulated_surface_3 surface, const internal::Hierarchy_options& options,
+                                           const internal::Loops& loops)
 {
   build(std::move(surface), options, loops);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void Collapse_hierarchy_3::build(Triangulated_surface_3 surface, const internal::Hierarchy_options& options, const internal::Loops& loops)
+void Collapse_hierarchy_3::build(Triangulated_surface_3 surface, const internal::Hierarchy_options& options,
+                                 const internal::Loops& loops)
 {
   const std::vector<bool> is_pinned = internal::pinned_vertices(surface, options.is_constrained);
   m_vertices = internal::Hierarchy_builder(surface.points, is_pinned, surface.triangles, loops).build(options, loops);
@@ -56,7 +58,8 @@ const Collapse_hierarchy_3::Point_2& Collapse_hierarchy_3::fixed_place(Index v) 
 {
   CGAL_precondition(is_fixed(v));
   return std::lower_bound(m_fixed_places.begin(), m_fixed_places.end(), v,
-                          [](const std::pair<Index, Point_2>& fixed, Index rank) { return fixed.first < rank; })->second;
+                          [](const std::pair<Index, Point_2>& fixed, Index rank) { return fixed.first < rank; })
+      ->second;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -85,13 +88,15 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 std::size_t Collapse_hierarchy_3::memory() const
 {
   const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
-  return bytes(m_vertices.level_vertices) + bytes(m_vertices.input_vertex) + bytes(m_vertices.splits) + bytes(m_faces.last_triangle) + bytes(m_faces.input_face)
-       + bytes(m_faces.first_face) + bytes(m_faces.first_fan_face) + bytes(m_faces.fan_faces) + bytes(m_points) + bytes(m_fixed_places)
-       + (m_is_pinned.capacity() + m_is_fixed.capacity() + m_is_on_outer_border.capacity()) / 8;
+  return bytes(m_vertices.level_vertices) + bytes(m_vertices.input_vertex) + bytes(m_vertices.splits) +
+         bytes(m_faces.last_triangle) + bytes(m_faces.input_face) + bytes(m_faces.first_face) +
+         bytes(m_faces.first_fan_face) + bytes(m_faces.fan_faces) + bytes(m_points) + bytes(m_fixed_places) +
+         (m_is_pinned.capacity() + m_is_fixed.capacity() + m_is_on_outer_border.capacity()) / 8;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void Collapse_hierarchy_3::number_by_rank(const Triangulated_surface_3& surface, const std::vector<bool>& is_pinned, const internal::Loops& loops)
+void Collapse_hierarchy_3::number_by_rank(const Triangulated_surface_3& surface, const std::vector<bool>& is_pinned,
+                                          const internal::Loops& loops)
 {
   const std::vector<Index> rank = m_vertices.ranks();
   m_scale_exponent = surface.scale_exponent;
@@ -109,7 +114,8 @@ void Collapse_hierarchy_3::number_by_rank(const Triangulated_surface_3& surface,
     m_is_fixed[rank[fixed.vertex]] = true;
     m_fixed_places.push_back({ rank[fixed.vertex], fixed.place });
   }
-  std::sort(m_fixed_places.begin(), m_fixed_places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::sort(m_fixed_places.begin(), m_fixed_places.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
 }
 
 } // namespace CGAL::Surface_mesh_parameterization

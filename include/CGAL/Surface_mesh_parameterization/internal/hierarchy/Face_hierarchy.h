@@ -49,7 +49,8 @@ struct Face_hierarchy
     for (std::size_t f = 0; f < triangles.size(); ++f) {
       const Index rank = next_face[place[f]]++;
       input_face[rank] = Index(f);
-      last_triangle[rank] = walk_down(vertices, triangles[f], [&](Index split) { fan_faces[next_fan_face[split]++] = rank; }).triangle;
+      last_triangle[rank] =
+          walk_down(vertices, triangles[f], [&](Index split) { fan_faces[next_fan_face[split]++] = rank; }).triangle;
     }
   }
 
@@ -67,7 +68,8 @@ private:
       if (v < coarsest_vertices)
         return { t, 0 };
       const Index split = v - coarsest_vertices, w0 = vertices.splits[split].parent[0];
-      const int corners_at_w0 = (t[0] == w0) + (t[1] == w0) + (t[2] == w0);     // with one branch: which corner it is cannot be foreseen
+      const int corners_at_w0 =
+          (t[0] == w0) + (t[1] == w0) + (t[2] == w0);      // with one branch: which corner it is cannot be foreseen
       if (corners_at_w0 > 0)
         return { t, split + 1 };
       be_taken_over(split);

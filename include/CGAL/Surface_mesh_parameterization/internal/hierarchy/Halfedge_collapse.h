@@ -44,7 +44,8 @@ inline double shape_quality(const Vector_2& a, const Vector_2& b, const Vector_2
 // The quality of the worst triangle that a collapse onto ring position w0, an end of an open ring, leaves, with the
 // flattened ring; of an ear's, that leaves none, 1. It stops at the first triangle that is not better than `bound`, and
 // returns what it has found then.
-inline double worst_quality_after_collapse(const std::vector<Vector_2>& flat_ring, std::size_t w0, double bound = -(std::numeric_limits<double>::infinity)())
+inline double worst_quality_after_collapse(const std::vector<Vector_2>& flat_ring, std::size_t w0,
+                                           double bound = -(std::numeric_limits<double>::infinity)())
 {
   const std::size_t size = flat_ring.size();
   const auto following = [size](std::size_t i) { return i + 1 == size ? 0 : i + 1; };
@@ -75,7 +76,8 @@ inline Parent_triangle find_parent_triangle(const std::vector<Vector_2>& flat_ri
     if (!(least > best_least))
       continue;
     best_least = least;
-    const std::array<double, 3> inside = { (std::max)(areas[0], 0.), (std::max)(areas[1], 0.), (std::max)(areas[2], 0.) };
+    const std::array<double, 3> inside = { (std::max)(areas[0], 0.), (std::max)(areas[1], 0.),
+                                           (std::max)(areas[2], 0.) };
     const double sum = inside[0] + inside[1] + inside[2];
     best.slots = { Index(w0), Index(i), Index(j) };
     best.coordinates = { inside[1] / sum, inside[2] / sum };
@@ -91,7 +93,8 @@ inline Parent_triangle find_parent_border_edge(const std::vector<Vector_2>& flat
   const std::size_t last = flat_ring.size() - 1, other = w0 == 0 ? last : 0;
   const bool is_ear = last == 1;
   const std::size_t beside = is_ear ? other : w0 == 0 ? last - 1 : 1;     // of the coarse triangle at the edge
-  const double to_kept = std::sqrt(flat_ring[w0].squared_length()), to_other = std::sqrt(flat_ring[other].squared_length());
+  const double to_kept = std::sqrt(flat_ring[w0].squared_length()),
+               to_other = std::sqrt(flat_ring[other].squared_length());
   const double fraction = to_kept + to_other > 0 ? to_kept / (to_kept + to_other) : 0.5;
   Parent_triangle parent;
   if (w0 == 0) {

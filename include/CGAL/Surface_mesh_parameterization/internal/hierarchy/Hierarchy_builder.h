@@ -25,7 +25,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Hierarchy_builder
 {
 public:
-  Hierarchy_builder(std::vector<Point_3> points, std::vector<bool> is_pinned, const std::vector<Index_triangle>& triangles, const Loops& loops)
+  Hierarchy_builder(std::vector<Point_3> points, std::vector<bool> is_pinned,
+                    const std::vector<Index_triangle>& triangles, const Loops& loops)
     : m_points(std::move(points)), m_is_pinned(std::move(is_pinned)), m_mesh(m_points.size(), triangles, loops)
   {
     m_splits.reserve(m_points.size());
@@ -46,7 +47,8 @@ public:
       m_level_vertices.push_back(m_points.size());
       if (m_points.size() <= options.coarsest_size)
         break;
-      m_group.choose({ m_mesh, m_points, m_is_pinned, options.has_unit_edges ? &metric : nullptr }, fewest_vertices, random, loops);
+      m_group.choose({ m_mesh, m_points, m_is_pinned, options.has_unit_edges ? &metric : nullptr }, fewest_vertices,
+                     random, loops);
       if (m_group.collapses().empty())
         break;
       perform_group(loops);
@@ -99,7 +101,8 @@ private:
     std::size_t end = m_splits.size();
     for (std::size_t level = 1; level < result.level_vertices.size(); ++level) {
       const std::size_t begin = end - (result.level_vertices[level] - result.level_vertices[level - 1]);
-      result.input_vertex.insert(result.input_vertex.end(), m_removed_vertices.begin() + begin, m_removed_vertices.begin() + end);
+      result.input_vertex.insert(result.input_vertex.end(), m_removed_vertices.begin() + begin,
+                                 m_removed_vertices.begin() + end);
       result.splits.insert(result.splits.end(), m_splits.begin() + begin, m_splits.begin() + end);
       end = begin;
     }

@@ -26,7 +26,8 @@ Hierarchy_interpolation::Hierarchy_interpolation(Vertex_hierarchy vertices)
 inline Vertex_hierarchy build_vertex_hierarchy(Triangulated_surface_3 surface, const Hierarchy_options& options)
 {
   std::vector<bool> is_pinned = pinned_vertices(surface, options.is_constrained);
-  return Hierarchy_builder(std::move(surface.points), std::move(is_pinned), surface.triangles, Loops()).build(options, Loops());
+  return Hierarchy_builder(std::move(surface.points), std::move(is_pinned), surface.triangles, Loops())
+      .build(options, Loops());
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -24,7 +24,8 @@ struct Hierarchy_options
 
 // `defaults` with what named parameters hold, but for the constrained vertices.
 template <class NamedParameters>
-Hierarchy_options hierarchy_options_of(const NamedParameters& np, const Hierarchy_options& defaults = Hierarchy_options())
+Hierarchy_options hierarchy_options_of(const NamedParameters& np,
+                                       const Hierarchy_options& defaults = Hierarchy_options())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;

@@ -29,7 +29,8 @@ void Level::go_to(std::size_t index)
     const Ring ring = one_ring(v);
     m_rings.prefetch_neighbors_after(v, hierarchy().points());
     for (std::size_t i = 0; i < m_rings.number_of_triangles(v); ++i)
-      m_rest_corners[m_rings.first_slot(v) + i] = internal::rest_corner(point(v), point(ring[i]), point(ring[i + 1 == ring.size() ? 0 : i + 1]));
+      m_rest_corners[m_rings.first_slot(v) + i] =
+          internal::rest_corner(point(v), point(ring[i]), point(ring[i + 1 == ring.size() ? 0 : i + 1]));
   });
 }
 

@@ -25,7 +25,8 @@ public:
   struct Row
   {
     std::array<Index, row_size> columns;     // one with the weight 0 may come twice
-    std::array<float, row_size> weights;       // single precision: they are transposed as they are, so the cycle stays symmetric
+    std::array<float, row_size>
+        weights;      // single precision: they are transposed as they are, so the cycle stays symmetric
   };
 
   struct Entry { Index row; float weight; };  // of the transpose
@@ -39,11 +40,12 @@ public:
     m_rows.resize(hierarchy.number_of_vertices(fine));
     loops.for_each(0, Index(m_coarse_size), [&](Index v) { m_rows[v] = { { v, v, v }, { 1, 0, 0 } }; });
     for (std::size_t l = coarse + 1; l <= fine; ++l)      // the rows of a group depend on those of earlier groups
-      loops.for_each_block_with_scratch(Index(hierarchy.number_of_vertices(l - 1)), Index(hierarchy.number_of_vertices(l)), [] { return Entries(); },
-                           [&](Index begin, Index end, Entries& entries) {
-        for (Index v = begin; v < end; ++v)
-          m_rows[v] = composed_row(hierarchy, v, entries);
-      });
+      loops.for_each_block_with_scratch(
+          Index(hierarchy.number_of_vertices(l - 1)), Index(hierarchy.number_of_vertices(l)), [] { return Entries(); },
+          [&](Index begin, Index end, Entries& entries) {
+            for (Index v = begin; v < end; ++v)
+              m_rows[v] = composed_row(hierarchy, v, entries);
+          });
     transpose();
   }
 
@@ -82,7 +84,8 @@ private:
         entries[size++] = e;
     entries.resize(size);
     const auto end = entries.begin() + (std::min)(std::size_t(row_size), size);
-    std::partial_sort(entries.begin(), end, entries.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+    std::partial_sort(entries.begin(), end, entries.end(),
+                      [](const auto& a, const auto& b) { return a.second > b.second; });
     double sum = 0;
     for (auto e = entries.begin(); e != end; ++e)
       sum += e->second;

@@ -36,7 +36,10 @@ public:
     bool contains(Index w) const { return position_of(w) != size; }
 
     Index following(Index i) const { return i + 1 == size ? 0 : i + 1; }
-    bool are_adjacent(Index i, Index j) const { return i + 1 == j || j + 1 == i || (is_closed && (following(i) == j || following(j) == i)); }
+    bool are_adjacent(Index i, Index j) const
+    {
+      return i + 1 == j || j + 1 == i || (is_closed && (following(i) == j || following(j) == i));
+    }
   };
 
   Ring_mesh() = default;
@@ -55,7 +58,10 @@ public:
   }
 
   std::size_t number_of_vertices() const { return m_is_border.size(); }
-  Ring operator[](Index v) const { return { m_neighbors.data() + m_first[v], m_first[v + 1] - m_first[v], !m_is_border[v] }; }
+  Ring operator[](Index v) const
+  {
+    return { m_neighbors.data() + m_first[v], m_first[v + 1] - m_first[v], !m_is_border[v] };
+  }
 
   // Where the rings begin: what has to be known of a vertex before its ring.
   const Index* offsets() const { return m_first.data(); }
@@ -90,11 +96,14 @@ public:
   }
 
 private:
-  void append_new_ring(Index w, const std::vector<unsigned char>& is_removed, const std::vector<Index>& number, std::vector<Index>& result) const
+  void append_new_ring(Index w, const std::vector<unsigned char>& is_removed, const std::vector<Index>& number,
+                       std::vector<Index>& result) const
   {
     const std::size_t first = result.size();
     const Ring ring = (*this)[w];
-    Index i = ring.is_closed && is_removed[ring[0]] ? 1 : 0;      // a closed ring may start anywhere, so it does at a neighbor that stays
+    Index i = ring.is_closed && is_removed[ring[0]]
+                  ? 1
+                  : 0;      // a closed ring may start anywhere, so it does at a neighbor that stays
     for (Index k = 0; k < ring.size; ++k, i = ring.following(i))
       if (number[ring[i]] == number[w])
         append_fan(w, ring[i], number, result);

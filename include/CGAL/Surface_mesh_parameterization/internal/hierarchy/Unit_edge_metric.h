@@ -38,7 +38,8 @@ public:
 
   // Turns the ring of V, laid flat around the origin, from the metric of space into this one, up to a scale. A star
   // without width stays as it is.
-  void transform(Index v, const Point_3& point, const std::vector<Point_3>& ring_points, std::vector<Vector_2>& flat_ring) const
+  void transform(Index v, const Point_3& point, const std::vector<Point_3>& ring_points,
+                 std::vector<Vector_2>& flat_ring) const
   {
     // The vectors in space that the axes of the plane stand for, by least squares.
     Vector_3 sum_x(0, 0, 0), sum_y(0, 0, 0);
@@ -94,7 +95,8 @@ private:
 
   static Vector_3 times(const Tensor& t, const Vector_3& e)
   {
-    return Vector_3(t[0] * e.x() + t[1] * e.y() + t[2] * e.z(), t[1] * e.x() + t[3] * e.y() + t[4] * e.z(), t[2] * e.x() + t[4] * e.y() + t[5] * e.z());
+    return Vector_3(t[0] * e.x() + t[1] * e.y() + t[2] * e.z(), t[1] * e.x() + t[3] * e.y() + t[4] * e.z(),
+                    t[2] * e.x() + t[4] * e.y() + t[5] * e.z());
   }
 
   std::vector<Tensor> m_tensors;

@@ -28,7 +28,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 struct Map_repair_options
 {
   int sweeps_of_level = 5, sweeps_of_result = 50;       // of the vertices that are not at their places
-  double least_relative_length = 1e-9;                  // of the edges at a vertex: where they are shorter, the map has collapsed
+  double least_relative_length = 1e-9;      // of the edges at a vertex: where they are shorter, the map has collapsed
 };
 
 // Turns a map with flips into one without that is the same wherever it can be. The hierarchy leads there: flips are
@@ -39,9 +39,10 @@ class Map_repair
 {
 public:
   // `map` has the places by rank; they may be anything.
-  Map_repair(const Collapse_hierarchy_3& hierarchy, const Level::Uv& map, const Map_repair_options& options = Map_repair_options())
-    : m_options(options), m_hierarchy(hierarchy), m_level(hierarchy, hierarchy.number_of_levels() - 1), m_wanted(map), m_conformal_energy(m_level, Triangle_weight::ONE),
-      m_isometric_energy(m_level, Triangle_weight::ONE)
+  Map_repair(const Collapse_hierarchy_3& hierarchy, const Level::Uv& map,
+             const Map_repair_options& options = Map_repair_options())
+    : m_options(options), m_hierarchy(hierarchy), m_level(hierarchy, hierarchy.number_of_levels() - 1), m_wanted(map),
+      m_conformal_energy(m_level, Triangle_weight::ONE), m_isometric_energy(m_level, Triangle_weight::ONE)
   {
     set_units();
     for (Point_2& p : m_wanted)
@@ -110,7 +111,10 @@ private:
 
   Point_2 to_own_units(const Point_2& p) const { return scaled(p, m_exponent); }
   Point_2 from_own_units(const Point_2& p) const { return scaled(p, -m_exponent); }
-  Point_2 scaled(const Point_2& p, int exponent) const { return Point_2(std::ldexp(m_is_mirrored ? -p.x() : p.x(), exponent), std::ldexp(p.y(), exponent)); }
+  Point_2 scaled(const Point_2& p, int exponent) const
+  {
+    return Point_2(std::ldexp(m_is_mirrored ? -p.x() : p.x(), exponent), std::ldexp(p.y(), exponent));
+  }
 
   // The finest level on which the wanted places are valid; if there is none, Tutte's map of the coarsest, as near to
   // the wanted one as a similarity brings it.
@@ -173,14 +177,16 @@ private:
 
   void improve(Level::Uv& uv, int most_sweeps)
   {
-    const std::unique_ptr<Vertex_relaxer> conformal = m_conformal_energy.make_vertex_relaxer(), isometric = m_isometric_energy.make_vertex_relaxer();
+    const std::unique_ptr<Vertex_relaxer> conformal = m_conformal_energy.make_vertex_relaxer(),
+                                          isometric = m_isometric_energy.make_vertex_relaxer();
     for (int i = 0; i < most_sweeps; ++i) {
       advance(uv);
       if (m_displaced.empty())
         return;
       double decrease = 0;
       for (const Index v : m_displaced)
-        decrease += (has_wanted_place(v) ? *conformal : *isometric).relax(v, 1, (std::numeric_limits<double>::infinity)(), uv);
+        decrease +=
+            (has_wanted_place(v) ? *conformal : *isometric).relax(v, 1, (std::numeric_limits<double>::infinity)(), uv);
       if (!(decrease > 0))
         return;
     }
@@ -215,7 +221,8 @@ private:
             move_back(w);
         }
     }
-    m_displaced.erase(std::remove_if(m_displaced.begin(), m_displaced.end(), [&](Index v) { return !is_displaced(v); }), m_displaced.end());
+    m_displaced.erase(std::remove_if(m_displaced.begin(), m_displaced.end(), [&](Index v) { return !is_displaced(v); }),
+                      m_displaced.end());
   }
 
   Map_repair_options m_options;

@@ -37,7 +37,8 @@ public:
   virtual bool leave_room() = 0;
 
   // Does with the flips of a finished map what the policy says, see apply_flip_policy().
-  virtual Error_code settle_flips(Flip_policy policy, const One_rings& rings, Function_ref<Triangulated_surface_3()> make_surface, Level::Uv& uv,
+  virtual Error_code settle_flips(Flip_policy policy, const One_rings& rings,
+                                  Function_ref<Triangulated_surface_3()> make_surface, Level::Uv& uv,
                                   Parameterization_summary& summary) const = 0;
 };
 
@@ -46,12 +47,14 @@ struct Nested_iteration_options
   Hierarchy_options hierarchy;                      // a flat run: `coarsest_size` is at least the number of vertices
   bool fills_holes = false;
   Flip_policy flip_policy = Flip_policy::FAIL;      // for what methods leave that do not keep triangles positive
-  unsigned int most_seeds = 3;                      // so many hierarchies are tried where doubles leave no room for a vertex
+  unsigned int most_seeds = 3;      // so many hierarchies are tried where doubles leave no room for a vertex
 };
 
 // `defaults` with what named parameters hold.
 template <class NamedParameters>
-Nested_iteration_options nested_iteration_options_of(const NamedParameters& np, const Nested_iteration_options& defaults = Nested_iteration_options())
+Nested_iteration_options
+nested_iteration_options_of(const NamedParameters& np,
+                            const Nested_iteration_options& defaults = Nested_iteration_options())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -68,7 +71,8 @@ class Nested_iteration
 {
 public:
   // The method may be changed by leave_room().
-  Nested_iteration(Refinable_method& method, const Nested_iteration_options& options, Any_hierarchy_visitor& visitor, Parameterization_summary& summary);
+  Nested_iteration(Refinable_method& method, const Nested_iteration_options& options, Any_hierarchy_visitor& visitor,
+                   Parameterization_summary& summary);
 
   // Writes the places of the surface's vertices, in their order, if all went well. The timer runs since the surface
   // began to be read.

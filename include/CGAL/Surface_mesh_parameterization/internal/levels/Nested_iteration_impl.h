@@ -15,7 +15,8 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Nested_iteration::Nested_iteration(Refinable_method& method, const Nested_iteration_options& options, Any_hierarchy_visitor& visitor, Parameterization_summary& summary)
+Nested_iteration::Nested_iteration(Refinable_method& method, const Nested_iteration_options& options,
+                                   Any_hierarchy_visitor& visitor, Parameterization_summary& summary)
   : m_method(method), m_options(options), m_visitor(visitor), m_summary(summary)
 {
   m_timer_of_level.start();

@@ -17,7 +17,10 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-inline double space_edge_length(const Level& level, Index a, Index b) { return std::sqrt(CGAL::squared_distance(level.point(a), level.point(b))); }
+inline double space_edge_length(const Level& level, Index a, Index b)
+{
+  return std::sqrt(CGAL::squared_distance(level.point(a), level.point(b)));
+}
 
 inline double space_border_length(const Level& level, const std::vector<Index>& border)
 {
@@ -32,10 +35,12 @@ inline double space_border_length(const Level& level, const std::vector<Index>& 
 inline void place_on_circle(const Level& level, const std::vector<Index>& border, Level::Uv& uv)
 {
   constexpr double shortest_edge = 0.1;      // of the mean one
-  const double mean = space_border_length(level, border) / double(border.size()), shortest = mean > 0 ? shortest_edge * mean : 1;
+  const double mean = space_border_length(level, border) / double(border.size()),
+               shortest = mean > 0 ? shortest_edge * mean : 1;
   std::vector<double> arc(1, 0.);
   for (std::size_t i = 0; i < border.size(); ++i)
-    arc.push_back(arc.back() + (std::max)(shortest, space_edge_length(level, border[i], border[(i + 1) % border.size()])));
+    arc.push_back(arc.back() +
+                  (std::max)(shortest, space_edge_length(level, border[i], border[(i + 1) % border.size()])));
   for (std::size_t i = 0; i < border.size(); ++i) {
     const double angle = 2 * CGAL_PI * arc[i] / arc.back();
     uv[border[i]] = Point_2(std::cos(angle), std::sin(angle));
@@ -44,7 +49,8 @@ inline void place_on_circle(const Level& level, const std::vector<Index>& border
 
 
 // Solves the graph Laplacian of all vertices but those of borders[0], with one more vertex for every other border.
-inline Error_code solve_graph_Laplacian(const Level& level, const std::vector<std::vector<Index>>& borders, Level::Uv& uv)
+inline Error_code solve_graph_Laplacian(const Level& level, const std::vector<std::vector<Index>>& borders,
+                                        Level::Uv& uv)
 {
   const Index n = Index(level.number_of_vertices());
   std::vector<Index> unknown(n, 0);
@@ -59,7 +65,8 @@ inline Error_code solve_graph_Laplacian(const Level& level, const std::vector<st
     return OK;
 
   std::vector<Matrix_entry> entries;
-  std::vector<double> diagonal(number_of_unknowns, 0.), right_sides(2 * std::size_t(number_of_unknowns), 0.), solutions(right_sides.size());
+  std::vector<double> diagonal(number_of_unknowns, 0.), right_sides(2 * std::size_t(number_of_unknowns), 0.),
+      solutions(right_sides.size());
   double *const x = right_sides.data(), *const y = x + number_of_unknowns;
   const auto join = [&](Index u, Index w) {
     diagonal[u] += 1;

@@ -24,7 +24,8 @@ bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const 
 // Does with the flips of a map what the policy says. `rings` are those of the surface that `make_surface()` makes, if
 // it is needed. Returns `OK`, `ERROR_NO_1_TO_1_MAPPING` if there are flips that the policy forbids or that cannot be
 // repaired, or another error of the repair.
-Error_code apply_flip_policy(Flip_policy policy, const One_rings& rings, Function_ref<Triangulated_surface_3()> make_surface, std::vector<Point_2>& uv,
+Error_code apply_flip_policy(Flip_policy policy, const One_rings& rings,
+                             Function_ref<Triangulated_surface_3()> make_surface, std::vector<Point_2>& uv,
                              Parameterization_summary& summary);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

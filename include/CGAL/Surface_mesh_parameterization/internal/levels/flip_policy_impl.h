@@ -52,11 +52,12 @@ inline std::size_t number_of_flips(const One_rings& rings, const std::vector<Poi
 }
 
 // Makes a map with flips, given by the surface's points, free of them, and counts the vertices that were moved.
-inline Error_code repair_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv, std::size_t& moved_vertices)
+inline Error_code repair_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv,
+                             std::size_t& moved_vertices)
 {
   constexpr unsigned int most_seeds = 3;      // where doubles leave no room for a vertex, in another hierarchy they may
   Hierarchy_options options;
-  options.coarsest_size = 4;                  // as coarse as possible: there Tutte's map has surely no flip, if a start is needed
+  options.coarsest_size = 4;      // as coarse as possible: there Tutte's map has surely no flip, if a start is needed
   Error_code status = OK;
   for (; options.random_seed < most_seeds; ++options.random_seed) {
     const Collapse_hierarchy_3 hierarchy(surface, options, Loops());
@@ -77,7 +78,8 @@ inline Error_code repair_map(const Triangulated_surface_3& surface, std::vector<
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code apply_flip_policy(Flip_policy policy, const One_rings& rings, Function_ref<Triangulated_surface_3()> make_surface, std::vector<Point_2>& uv,
+Error_code apply_flip_policy(Flip_policy policy, const One_rings& rings,
+                             Function_ref<Triangulated_surface_3()> make_surface, std::vector<Point_2>& uv,
                              Parameterization_summary& summary)
 {
   if (policy == Flip_policy::KEEP || has_no_flips(rings, uv))

@@ -32,14 +32,18 @@ Index insert_new_vertices(const Level& level, Level::Uv& uv, const Level::Uv* wa
   const auto make_inserter = [&] { return Vertex_inserter(level.rings(), uv, is_placed); };
   const auto insert = [&](Index v, Vertex_inserter& inserter) {
     return (wanted && inserter.insert_at(v, (*wanted)[v])) ||
-           inserter.insert(v, level.rest_corners(v), hierarchy.parent_triangle(v), hierarchy.barycentric_coordinates(v));
+           inserter.insert(v, level.rest_corners(v), hierarchy.parent_triangle(v),
+                           hierarchy.barycentric_coordinates(v));
   };
-  const Index failed = level.loops().reduce_with_scratch(first_new, end, no_index, make_inserter, [&](Index block_begin, Index block_end, Vertex_inserter& inserter) {
-    for (Index v = block_begin; v < block_end; ++v)
-      if (!level.is_border(v) && !insert(v, inserter))
-        return v;
-    return no_index;
-  }, [](Index& first, Index v) { first = (std::min)(first, v); });
+  const Index failed = level.loops().reduce_with_scratch(
+      first_new, end, no_index, make_inserter,
+      [&](Index block_begin, Index block_end, Vertex_inserter& inserter) {
+        for (Index v = block_begin; v < block_end; ++v)
+          if (!level.is_border(v) && !insert(v, inserter))
+            return v;
+        return no_index;
+      },
+      [](Index& first, Index v) { first = (std::min)(first, v); });
   if (failed != no_index)
     return failed;
 

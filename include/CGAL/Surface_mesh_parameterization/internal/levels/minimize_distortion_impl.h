@@ -31,7 +31,8 @@ void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv
 {
   double area = 0, image_area = 0;
   for (const Level::Triangle& t : level.triangles()) {
-    area += std::sqrt(CGAL::cross_product(level.point(t[1]) - level.point(t[0]), level.point(t[2]) - level.point(t[0])).squared_length());
+    area += std::sqrt(CGAL::cross_product(level.point(t[1]) - level.point(t[0]), level.point(t[2]) - level.point(t[0]))
+                          .squared_length());
     image_area += cross(uv[t[1]] - uv[t[0]], uv[t[2]] - uv[t[0]]);
   }
   if (!(area > 0))
@@ -40,7 +41,8 @@ void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv
   Level::Uv scaled = uv;
   for (Point_2& p : scaled)
     p = Point_2(scale * p.x(), scale * p.y());
-  const bool is_spoilt = !is_map_valid(level.rings(), scaled, level.loops()) || (borders_must_not_meet && has_crossings(border_edges(level.rings()), scaled));
+  const bool is_spoilt = !is_map_valid(level.rings(), scaled, level.loops()) ||
+                         (borders_must_not_meet && has_crossings(border_edges(level.rings()), scaled));
   if (is_spoilt) {
     const double power_of_two = std::exp2(std::round(std::log2(scale)));
     for (std::size_t v = 0; v < uv.size(); ++v)
@@ -50,13 +52,15 @@ void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void minimize_energy(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options, Level_summary& summary)
+void minimize_energy(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
+                     Level_summary& summary)
 {
   Level_refiner(energy, uv, options, summary).run();
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, Level::Uv& uv, const Refinement_options& options, Level_summary& summary)
+Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, Level::Uv& uv,
+                              const Refinement_options& options, Level_summary& summary)
 {
   const Level& level = energy.level();
   const bool borders_must_not_meet = options.is_globally_injective;
@@ -69,7 +73,8 @@ Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, L
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void minimize_conformal_energy(const Level& level, Level::Uv& uv, const Refinement_options& options, Level_summary& summary)
+void minimize_conformal_energy(const Level& level, Level::Uv& uv, const Refinement_options& options,
+                               Level_summary& summary)
 {
   Conformal_refiner(level, uv, options, summary).run();
 }

@@ -33,12 +33,19 @@ public:
 
   bool is_flip_free() const override { return Method::is_flip_free; }
   Loops loops() const override { return Loops::of<typename Method::Concurrency_tag>(); }
-  Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) override { return m_method.parameterize_coarsest(level, uv); }
-  Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) override { return m_method.refine(level, uv, summary); }
+  Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) override
+  {
+    return m_method.parameterize_coarsest(level, uv);
+  }
+  Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) override
+  {
+    return m_method.refine(level, uv, summary);
+  }
   bool leave_room() override { return leave_room(m_method, 0); }
 
   // Who keeps triangles positive needs no repair, and does not compile it.
-  Error_code settle_flips(Flip_policy policy, const One_rings& rings, Function_ref<Triangulated_surface_3()> make_surface, Level::Uv& uv,
+  Error_code settle_flips(Flip_policy policy, const One_rings& rings,
+                          Function_ref<Triangulated_surface_3()> make_surface, Level::Uv& uv,
                           Parameterization_summary& summary) const override
   {
     if constexpr (Method::is_flip_free)
@@ -61,8 +68,9 @@ private:
 // Runs a model of RefinableParameterizer_3 coarse to fine on the component of a mesh, and writes to the property maps
 // if all went well.
 template <class Method, class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
-Error_code run_nested_iteration(Method method, const Nested_iteration_options& options, Any_hierarchy_visitor& visitor, Parameterization_summary& summary,
-                                const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap,
+Error_code run_nested_iteration(Method method, const Nested_iteration_options& options, Any_hierarchy_visitor& visitor,
+                                Parameterization_summary& summary, const TriangleMesh& mesh,
+                                typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap,
                                 VertexParameterizedMap vpmap)
 {
   summary = Parameterization_summary();
@@ -79,7 +87,8 @@ Error_code run_nested_iteration(Method method, const Nested_iteration_options& o
 
   Refinable_method_of<Method> engine_method(method);
   std::vector<Point_2> uv;
-  const Error_code status = Nested_iteration(engine_method, options, visitor, summary).run(std::move(component.surface()), timer, uv);
+  const Error_code status =
+      Nested_iteration(engine_method, options, visitor, summary).run(std::move(component.surface()), timer, uv);
   if (status == OK)
     write_map(component, component.surface().scale_exponent, uv, uvmap, vpmap);
   return status;

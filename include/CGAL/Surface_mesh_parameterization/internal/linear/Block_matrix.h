@@ -51,7 +51,10 @@ struct Block_matrix
     diagonal[i] = 0.5 * factor * Block_vector(block.xx() - block.yy(), block.xy() + block.yx());
   }
 
-  Block diagonal_block(Index i) const { return Block(1 + diagonal[i].x, diagonal[i].y, diagonal[i].y, 1 - diagonal[i].x); }
+  Block diagonal_block(Index i) const
+  {
+    return Block(1 + diagonal[i].x, diagonal[i].y, diagonal[i].y, 1 - diagonal[i].x);
+  }
   Block unscaled_diagonal_block(Index i) const { return diagonal_block(i) / (scale[i] * scale[i]); }
 
   // Scales the blocks beside the diagonal, when all scales are fixed.
@@ -84,7 +87,8 @@ struct Block_matrix
   }
 
   // The same on all rows of a range at once: a Jacobi step where they are joined.
-  void relax_at_once(const Loops& loops, Index begin, Index end, const Block_vectors& b, Block_vectors& x, Block_vectors& scratch) const
+  void relax_at_once(const Loops& loops, Index begin, Index end, const Block_vectors& b, Block_vectors& x,
+                     Block_vectors& scratch) const
   {
     scratch.resize(number_of_rows());
     loops.for_each(begin, end, [&](Index i) { scratch[i] = relaxed_row(i, b, x); });

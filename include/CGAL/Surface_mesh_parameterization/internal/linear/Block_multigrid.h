@@ -25,7 +25,8 @@ struct Block_multigrid_options
   std::size_t groups_per_grid = 5;        // collapse groups from one grid to the next
   std::size_t coarsest_size = 1000;       // a grid of so many vertices is solved directly
   int sweeps = 2;                         // of the smoother, before and after the coarse grids
-  double shift = 1e-10;                   // of the coarsest matrix, that is singular: the energies do not change when the plane is moved
+  double shift =
+      1e-10;      // of the coarsest matrix, that is singular: the energies do not change when the plane is moved
 };
 
 // V-cycles for a block matrix on a level, as preconditioner of conjugate gradients: Galerkin operators over every fifth
@@ -34,7 +35,8 @@ struct Block_multigrid_options
 class Block_multigrid
 {
 public:
-  explicit Block_multigrid(const Level& level, const Block_multigrid_options& options = Block_multigrid_options()) : m_options(options), m_loops(level.loops()), m_hierarchy(level.hierarchy())
+  explicit Block_multigrid(const Level& level, const Block_multigrid_options& options = Block_multigrid_options())
+    : m_options(options), m_loops(level.loops()), m_hierarchy(level.hierarchy())
   {
     m_grids.emplace_back();
     for (std::size_t l = 0; l <= level.index(); ++l)
@@ -48,7 +50,8 @@ public:
   }
 
   // Whether a level has one of the grids of the finest one.
-  static bool has_grid_of_finest_level(const Level& level, const Block_multigrid_options& options = Block_multigrid_options())
+  static bool has_grid_of_finest_level(const Level& level,
+                                       const Block_multigrid_options& options = Block_multigrid_options())
   {
     const std::size_t groups_above = level.hierarchy().number_of_levels() - 1 - level.index();
     return groups_above % options.groups_per_grid == 0 || level.index() == 0;
@@ -120,7 +123,8 @@ public:
     Grid &fine = m_grids[g], &coarse = m_grids[g + 1];
     const Pruned_prolongation& p = *fine.prolongation;
     fine.residual.resize(x.size());
-    m_loops.for_each(0, fine.matrix.number_of_rows(), [&](Index i) { fine.residual[i] = (b[i] - fine.matrix.row_times(i, x)) / fine.matrix.scale[i]; });
+    m_loops.for_each(0, fine.matrix.number_of_rows(),
+                     [&](Index i) { fine.residual[i] = (b[i] - fine.matrix.row_times(i, x)) / fine.matrix.scale[i]; });
     m_loops.for_each(0, coarse.matrix.number_of_rows(), [&](Index i) {
       Block_vector sum(0, 0);
       for (const auto* e = p.column_begin(i); e != p.column_end(i); ++e)

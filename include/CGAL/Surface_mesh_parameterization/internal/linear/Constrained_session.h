@@ -25,13 +25,16 @@ class Constrained_session : public Multigrid_session
 {
 public:
   // `ranks` holds the ranks of the vertices in their order in the system.
-  Constrained_session(std::shared_ptr<const Hierarchy_interpolation> interpolation, std::vector<Index> ranks, const Linear_solver_options& options,
-                      Make_linear_solver make_solver)
-    : Multigrid_session(std::move(interpolation), Mesh_unknowns(ranks, [this](std::size_t i) { return !m_is_free[i]; }), options, make_solver), m_ranks(std::move(ranks))
+  Constrained_session(std::shared_ptr<const Hierarchy_interpolation> interpolation, std::vector<Index> ranks,
+                      const Linear_solver_options& options, Make_linear_solver make_solver)
+    : Multigrid_session(std::move(interpolation), Mesh_unknowns(ranks, [this](std::size_t i) { return !m_is_free[i]; }),
+                        options, make_solver),
+      m_ranks(std::move(ranks))
   { }
 
   // The multipliers, for which nobody asks, become 0.
-  CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE bool solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution) override;
+  CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE bool solve(const Sparse_matrix& matrix, const Vector& right_side,
+                                                       Vector& solution) override;
 
 private:
   std::vector<Index> m_ranks;

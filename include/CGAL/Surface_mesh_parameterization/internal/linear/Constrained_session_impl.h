@@ -31,8 +31,8 @@ bool Constrained_session::solve(const Sparse_matrix& matrix, const Vector& right
 
   Vector reduced_right_side, free_points(elimination.number_of_unknowns());
   reduced_right_side.values() = elimination.reduced_right_side();
-  if (elimination.number_of_unknowns() > 0
-      && !(set_up(elimination.reduced_matrix(), tied_vertices) && Multigrid_session::solve(reduced_right_side, free_points)))
+  if (elimination.number_of_unknowns() > 0 && !(set_up(elimination.reduced_matrix(), tied_vertices) &&
+                                                Multigrid_session::solve(reduced_right_side, free_points)))
     return false;
   solution.values() = elimination.expand(free_points.values());
   solution.values().resize(right_side.size(), 0.);

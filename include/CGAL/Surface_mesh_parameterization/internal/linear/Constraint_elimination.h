@@ -68,7 +68,9 @@ public:
       for_each_in_row(i, [&](Index unknown, double weight) {
         for (Index k = m_rows.first[i]; k < m_rows.first[i + 1]; ++k)
           if (const Index j = m_rows.columns[k]; j < m_coordinates)
-            for_each_in_row(j, [&](Index other, double other_weight) { result.add_coef(unknown, other, -weight * m_rows.values[k] * other_weight); });
+            for_each_in_row(j, [&](Index other, double other_weight) {
+              result.add_coef(unknown, other, -weight * m_rows.values[k] * other_weight);
+            });
       });
     return result;
   }
@@ -134,13 +136,16 @@ private:
       const Complex coefficient = is_second ? Complex(0, -m_rows.values[k]) : Complex(m_rows.values[k], 0);
       const Tie t = tie(m_rows.columns[k] / 2);
       value -= coefficient * t.offset;
-      const auto term = std::find_if(terms.begin(), terms.end(), [&t](const auto& other) { return other.first == t.to; });
+      const auto term =
+          std::find_if(terms.begin(), terms.end(), [&t](const auto& other) { return other.first == t.to; });
       if (term != terms.end())
         term->second += coefficient * t.factor;
       else if (t.to != no_index)
         terms.push_back({ t.to, coefficient * t.factor });
     }
-    terms.erase(std::remove_if(terms.begin(), terms.end(), [](const auto& term) { return std::abs(term.second) <= negligible; }), terms.end());
+    terms.erase(std::remove_if(terms.begin(), terms.end(),
+                               [](const auto& term) { return std::abs(term.second) <= negligible; }),
+                terms.end());
     if (terms.empty() || terms.size() > 2)
       return false;
     if (terms.size() == 1)
@@ -171,7 +176,8 @@ private:
     if (t.to == no_index)
       return;
     const bool is_second = i % 2 == 1;
-    const double weights[2] = { is_second ? t.factor.imag() : t.factor.real(), is_second ? t.factor.real() : -t.factor.imag() };
+    const double weights[2] = { is_second ? t.factor.imag() : t.factor.real(),
+                                is_second ? t.factor.real() : -t.factor.imag() };
     for (int k = 0; k < 2; ++k)
       if (weights[k] != 0)
         f(m_first_unknown[t.to] + k, weights[k]);

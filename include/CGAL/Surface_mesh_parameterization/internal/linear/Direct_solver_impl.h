@@ -21,7 +21,10 @@ class Eigen_direct_solver final
   : public Direct_solver
 {
 public:
-  explicit Eigen_direct_solver(const typename Solver::MatrixType& matrix) : m_size(matrix.rows()) { m_solver.compute(matrix); }
+  explicit Eigen_direct_solver(const typename Solver::MatrixType& matrix) : m_size(matrix.rows())
+  {
+    m_solver.compute(matrix);
+  }
 
   bool is_ready() const { return m_solver.info() == Eigen::Success; }
 
@@ -60,7 +63,9 @@ std::unique_ptr<Direct_solver> factorize(Index n, const std::vector<Matrix_entry
   std::vector<bool> has_row(n, false), has_column(n, false);
   for (const Matrix_entry& entry : entries)
     has_row[entry.i] = has_column[entry.j] = true;
-  const auto is_full = [](const std::vector<bool>& has) { return std::find(has.begin(), has.end(), false) == has.end(); };
+  const auto is_full = [](const std::vector<bool>& has) {
+    return std::find(has.begin(), has.end(), false) == has.end();
+  };
   if (!is_full(has_row) || !is_full(has_column))
     return nullptr;
   return factorize_by_Eigen<Eigen::SparseLU<Eigen::SparseMatrix<Real>>>(n, entries);

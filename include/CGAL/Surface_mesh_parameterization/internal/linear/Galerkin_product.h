@@ -23,7 +23,8 @@ class Galerkin_product
 public:
   // `order` holds the coarse rows in an order in which neighbors are close to each other: they share what is fetched
   // into the cache.
-  Galerkin_product(const Block_matrix& fine, const Pruned_prolongation& prolongation, std::vector<Index> order, const Loops& loops)
+  Galerkin_product(const Block_matrix& fine, const Pruned_prolongation& prolongation, std::vector<Index> order,
+                   const Loops& loops)
     : m_prolongation(prolongation), m_order(std::move(order))
   {
     m_first.assign(m_order.size() + 1, 0);
@@ -80,13 +81,18 @@ private:
   void for_each_row(const Loops& loops, const Function& f) const
   {
     const Index n = Index(m_order.size());
-    loops.for_each_block_with_scratch(0, n, [n] { return Scratch{ {}, {}, std::vector<Index>(n, no_index) }; }, [&](Index begin, Index end, Scratch& scratch) {
-      for (Index k = begin; k < end; ++k) {
-        scratch.begin(m_order[k]);
-        f(m_order[k], scratch);
-        scratch.end();
-      }
-    });
+    loops.for_each_block_with_scratch(
+        0, n,
+        [n] {
+          return Scratch{ {}, {}, std::vector<Index>(n, no_index) };
+        },
+        [&](Index begin, Index end, Scratch& scratch) {
+          for (Index k = begin; k < end; ++k) {
+            scratch.begin(m_order[k]);
+            f(m_order[k], scratch);
+            scratch.end();
+          }
+        });
   }
 
   // But for the diagonal.

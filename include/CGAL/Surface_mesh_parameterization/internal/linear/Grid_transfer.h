@@ -25,7 +25,8 @@ public:
   // The coarse unknowns are those of the `fine_unknowns` that sit at coarse vertices, in the same order, and then those
   // of some `tied_vertices`: these, though coarse vertices, have no fine unknowns, since the values of others give
   // theirs.
-  Grid_transfer(const Pruned_prolongation& prolongation, const std::vector<Mesh_unknown>& fine_unknowns, const std::vector<Index>& tied_vertices = {})
+  Grid_transfer(const Pruned_prolongation& prolongation, const std::vector<Mesh_unknown>& fine_unknowns,
+                const std::vector<Index>& tied_vertices = {})
   {
     std::size_t components = 1;
     for (const Mesh_unknown& u : fine_unknowns)
@@ -127,7 +128,8 @@ private:
 
   // The unknowns at tied vertices that get most of the weight in the row of a fine unknown. With these only, the
   // columns of P are linearly independent.
-  static std::vector<Mesh_unknown> needed_unknowns(const Pruned_prolongation& prolongation, const std::vector<Mesh_unknown>& fine_unknowns,
+  static std::vector<Mesh_unknown> needed_unknowns(const Pruned_prolongation& prolongation,
+                                                   const std::vector<Mesh_unknown>& fine_unknowns,
                                                    const std::vector<Index>& tied_vertices)
   {
     std::vector<Mesh_unknown> result;

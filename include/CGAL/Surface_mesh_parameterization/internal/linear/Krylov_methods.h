@@ -33,7 +33,8 @@ inline bool is_less_or_equal(double a, double b) { return a <= b; }
 inline bool is_finite(double a) { return std::isfinite(a); }
 
 template <class Vector>
-using Product_of = decltype(inner_product(std::declval<const typename Vector::value_type&>(), std::declval<const typename Vector::value_type&>()));
+using Product_of = decltype(inner_product(std::declval<const typename Vector::value_type&>(),
+                                          std::declval<const typename Vector::value_type&>()));
 
 template <class Product>
 Product zero_product()
@@ -55,7 +56,8 @@ template <class System, class Vector>
 Product_of<Vector> squared_norm(const System& system, const Vector& r)
 {
   typedef Product_of<Vector>   Product;
-  return system.loops().sum(0, Index(r.size()), zero_product<Product>(), [&](Index i) { return system.squared_size(i, r[i]); });
+  return system.loops().sum(0, Index(r.size()), zero_product<Product>(),
+                            [&](Index i) { return system.squared_size(i, r[i]); });
 }
 
 // y := A x; returns the inner product of `z` and y.
@@ -71,7 +73,8 @@ Product_of<Vector> multiply(const System& system, const Vector& x, Vector& y, co
 
 // x := x + alpha p, r := r - alpha q; returns the squared norm of r.
 template <class System, class Vector>
-Product_of<Vector> go_along(const System& system, const Product_of<Vector>& alpha, const Vector& p, const Vector& q, Vector& x, Vector& r)
+Product_of<Vector> go_along(const System& system, const Product_of<Vector>& alpha, const Vector& p, const Vector& q,
+                            Vector& x, Vector& r)
 {
   typedef Product_of<Vector>   Product;
   return system.loops().sum(0, system.number_of_rows(), zero_product<Product>(), [&](Index i) {
@@ -120,7 +123,8 @@ std::size_t stabilized_biconjugate_gradients(System& system, Vector& x, Vector& 
   std::size_t iterations = 0;
   while (iterations < most_iterations && !system.is_finished(norm2)) {
     ++iterations;
-    const Product rho_before = std::exchange(rho, inner_product(loops, shadow, r)), beta = quotient(rho, rho_before) * quotient(alpha, omega);
+    const Product rho_before = std::exchange(rho, inner_product(loops, shadow, r)),
+                  beta = quotient(rho, rho_before) * quotient(alpha, omega);
     loops.for_each(0, n, [&](Index i) { p[i] = r[i] + beta * (p[i] - omega * v[i]); });
     const Vector& mp = system.precondition(p);
     alpha = quotient(rho, multiply(system, mp, v, shadow));

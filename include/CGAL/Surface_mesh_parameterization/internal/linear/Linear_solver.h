@@ -18,13 +18,16 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 struct Linear_solver_options
 {
-  double tolerance = 1e-10;                    // of the residual, relative to that of the free unknowns at 0; rows scaled to unit diagonal
+  double tolerance =
+      1e-10;      // of the residual, relative to that of the free unknowns at 0; rows scaled to unit diagonal
   std::size_t most_iterations = 300;
   // Rounding lets the residual that an iteration carries along drift away from the true one: then it starts again from
   // there, at most so often.
   int most_starts = 3;
-  int patience = 60;                           // the most iterations in which the residual is not halved: of an indefinite matrix it may wander about for ever
-  double worst_backward_error = 1e-10;         // of a solution without iteration: of a nearly singular matrix, no solution has a small residual
+  int patience =
+      60;      // the most iterations in which the residual is not halved: of an indefinite matrix it may wander about for ever
+  double worst_backward_error =
+      1e-10;      // of a solution without iteration: of a nearly singular matrix, no solution has a small residual
 };
 
 struct Linear_solver_result
@@ -45,7 +48,8 @@ public:
 
   // Solves for one right side, or for two side by side; writes the solutions, of the right sides' size, if all is
   // solved.
-  virtual Linear_solver_result solve(const std::vector<const double*>& right_sides, const std::vector<double*>& solutions, const Linear_solver_options& options) = 0;
+  virtual Linear_solver_result solve(const std::vector<const double*>& right_sides,
+                                     const std::vector<double*>& solutions, const Linear_solver_options& options) = 0;
 };
 
 // A Multigrid_linear_solver for a matrix. `unknowns[i]` tells where unknown i sits. At `tied_vertices` there is none,
@@ -53,14 +57,16 @@ public:
 //
 // A template for the sake of who uses the package header-only: what does not solve linear systems need not compile it.
 template <class Grid_real = float>
-std::unique_ptr<Linear_solver> make_multigrid_linear_solver(const Hierarchy_interpolation& hierarchy, std::shared_ptr<const Sparse_rows<double>> rows,
-                                                            std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices);
+std::unique_ptr<Linear_solver>
+make_multigrid_linear_solver(const Hierarchy_interpolation& hierarchy, std::shared_ptr<const Sparse_rows<double>> rows,
+                             std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices);
 
 typedef decltype(&make_multigrid_linear_solver<float>)   Make_linear_solver;
 
 #ifdef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
-extern template std::unique_ptr<Linear_solver> make_multigrid_linear_solver<float>(const Hierarchy_interpolation&, std::shared_ptr<const Sparse_rows<double>>,
-                                                                                    std::vector<Mesh_unknown>, const std::vector<Index>&);
+extern template std::unique_ptr<Linear_solver>
+make_multigrid_linear_solver<float>(const Hierarchy_interpolation&, std::shared_ptr<const Sparse_rows<double>>,
+                                    std::vector<Mesh_unknown>, const std::vector<Index>&);
 #endif
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -31,7 +31,8 @@ public:
   typedef Sparse_rows<double>   Rows;
 
   // `unknowns[i]` tells where unknown i sits.
-  Mesh_system(const Hierarchy_interpolation& hierarchy, std::shared_ptr<const Rows> rows, const std::vector<Mesh_unknown>& unknowns)
+  Mesh_system(const Hierarchy_interpolation& hierarchy, std::shared_ptr<const Rows> rows,
+              const std::vector<Mesh_unknown>& unknowns)
     : m_rows(std::move(rows))
   {
     read_diagonal();
@@ -70,7 +71,8 @@ public:
     for (const Index i : m_free) {
       row.clear();
       for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k)
-        if (const Index column = number[m_rows->columns[k]]; column != no_index && std::abs(m_rows->values[k] * m_inverse_diagonal[i]) > negligible)
+        if (const Index column = number[m_rows->columns[k]];
+            column != no_index && std::abs(m_rows->values[k] * m_inverse_diagonal[i]) > negligible)
           row.push_back({ column, row_scale(i) * m_free_part_scale * m_rows->values[k] });
       if (!keeps_order)
         std::sort(row.begin(), row.end());
@@ -196,7 +198,9 @@ private:
         greatest = (std::max)(greatest, std::abs(row_scale(i) / m_inverse_diagonal[i]));
       }
     m_free_part_scale = greatest > 0 ? 1 / greatest : 1;
-    const auto place = [&](Index i) { return std::make_pair(hierarchy.input_vertex(unknowns[i].vertex), unknowns[i].component); };
+    const auto place = [&](Index i) {
+      return std::make_pair(hierarchy.input_vertex(unknowns[i].vertex), unknowns[i].component);
+    };
     const auto is_before = [&](Index i, Index j) { return place(i) < place(j); };
     if (!std::is_sorted(m_free.begin(), m_free.end(), is_before))
       std::sort(m_free.begin(), m_free.end(), is_before);

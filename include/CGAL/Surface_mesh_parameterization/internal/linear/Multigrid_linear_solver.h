@@ -36,8 +36,8 @@ class Multigrid_linear_solver final
 {
 public:
   // `unknowns[i]` tells where unknown i sits. At `tied_vertices` there is none, since the values of others give theirs.
-  Multigrid_linear_solver(const Hierarchy_interpolation& hierarchy, std::shared_ptr<const Sparse_rows<double>> rows, std::vector<Mesh_unknown> unknowns,
-                          const std::vector<Index>& tied_vertices = {})
+  Multigrid_linear_solver(const Hierarchy_interpolation& hierarchy, std::shared_ptr<const Sparse_rows<double>> rows,
+                          std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices = {})
     : m_system(hierarchy, std::move(rows), unknowns)
   {
     const std::vector<Index>& free_unknowns = m_system.free_unknowns();
@@ -48,14 +48,17 @@ public:
     for (const Index i : free_unknowns)
       grid_unknowns.push_back(unknowns[i]);
     std::vector<Mesh_unknown>().swap(unknowns);
-    m_multigrid = std::make_unique<Multigrid>(hierarchy, grid_unknowns, m_system.template free_part<Real>(), tied_vertices);
+    m_multigrid =
+        std::make_unique<Multigrid>(hierarchy, grid_unknowns, m_system.template free_part<Real>(), tied_vertices);
   }
 
   const std::shared_ptr<const Sparse_rows<double>>& rows() const override { return m_system.rows(); }
 
-  Linear_solver_result solve(const std::vector<const double*>& right_sides, const std::vector<double*>& solutions, const Linear_solver_options& options) override
+  Linear_solver_result solve(const std::vector<const double*>& right_sides, const std::vector<double*>& solutions,
+                             const Linear_solver_options& options) override
   {
-    return right_sides.size() == 1 ? solve_side_by_side<1>(right_sides, solutions, options) : solve_side_by_side<2>(right_sides, solutions, options);
+    return right_sides.size() == 1 ? solve_side_by_side<1>(right_sides, solutions, options)
+                                   : solve_side_by_side<2>(right_sides, solutions, options);
   }
 
 private:
@@ -77,7 +80,8 @@ private:
   };
 
   template <int columns>
-  Linear_solver_result solve_side_by_side(const std::vector<const double*>& right_sides, const std::vector<double*>& solutions, const Linear_solver_options& options)
+  Linear_solver_result solve_side_by_side(const std::vector<const double*>& right_sides,
+                                          const std::vector<double*>& solutions, const Linear_solver_options& options)
   {
     const Side_by_side<columns> b{ right_sides };
     Value_vector<double, columns> x;
@@ -109,7 +113,8 @@ private:
 
   public:
     Iteration(const Multigrid_linear_solver& solver, const Value& target, int patience)
-      : m_system(solver.m_system), m_multigrid(*solver.m_multigrid), m_space(m_multigrid), m_correction(m_system.size()), m_target(target), m_patience(patience)
+      : m_system(solver.m_system), m_multigrid(*solver.m_multigrid), m_space(m_multigrid),
+        m_correction(m_system.size()), m_target(target), m_patience(patience)
     { }
 
     Index number_of_rows() const { return m_system.size(); }
@@ -179,7 +184,8 @@ private:
 
   // Changes x, where the free unknowns are 0, and its residual r, whose norms are `start`.
   template <class Right_sides, class Vector, class Value>
-  Linear_solver_result iterate(const Right_sides& b, Vector& x, Vector& r, const Value& start, const Linear_solver_options& options) const
+  Linear_solver_result iterate(const Right_sides& b, Vector& x, Vector& r, const Value& start,
+                               const Linear_solver_options& options) const
   {
     Iteration<Value::size> iteration(*this, options.tolerance * start, options.patience);
     iteration.full_multigrid(r, x);
@@ -189,7 +195,8 @@ private:
       m_system.compute_residual(b, x, r);
     }
     Linear_solver_result result;
-    for (int i = 0; i < options.most_starts && result.iterations < options.most_iterations && !iteration.is_solved(r); ++i) {
+    for (int i = 0; i < options.most_starts && result.iterations < options.most_iterations && !iteration.is_solved(r);
+         ++i) {
       const std::size_t left = options.most_iterations - result.iterations;
       if (m_system.is_symmetric()) {
         Vector direction(x.size());
@@ -199,13 +206,15 @@ private:
       m_system.compute_residual(b, x, r);
     }
     result.residual = greatest(quotient(m_system.norm(r), start));
-    result.is_solved = result.residual <= options.tolerance && iteration.is_solved(r);     // the residual may pass over a NaN, the norms over infinity
+    result.is_solved = result.residual <= options.tolerance &&
+                       iteration.is_solved(r);      // the residual may pass over a NaN, the norms over infinity
     return result;
   }
 
   // Writes x, its residual r, and what `result` tells of them.
   template <class Right_sides, class Vector, class Value>
-  void solve_directly(const Right_sides& b, Vector& x, Vector& r, const Value& start, const Linear_solver_options& options, Linear_solver_result& result)
+  void solve_directly(const Right_sides& b, Vector& x, Vector& r, const Value& start,
+                      const Linear_solver_options& options, Linear_solver_result& result)
   {
     result.is_direct = true;
     if (!m_direct_solver)

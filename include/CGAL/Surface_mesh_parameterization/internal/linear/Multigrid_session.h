@@ -27,8 +27,8 @@ public:
 
   // `defers`: a first solution with a matrix is put off until it is read, or until the next right side comes: two of
   // them are solved side by side in little more than the time of one. Whether that succeeds is told by finish() only.
-  Multigrid_session(std::shared_ptr<const Hierarchy_interpolation> interpolation, Mesh_unknowns unknowns, const Linear_solver_options& options,
-                    Make_linear_solver make_solver, bool defers = false);
+  Multigrid_session(std::shared_ptr<const Hierarchy_interpolation> interpolation, Mesh_unknowns unknowns,
+                    const Linear_solver_options& options, Make_linear_solver make_solver, bool defers = false);
 
   Multigrid_session(const Multigrid_session&) = delete;
   Multigrid_session& operator=(const Multigrid_session&) = delete;
@@ -41,7 +41,8 @@ public:
   bool set_up(const Sparse_matrix& matrix, const std::vector<Index>& tied_vertices = {});
 
   // Solves with a matrix for one right side.
-  CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE virtual bool solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution);
+  CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE virtual bool solve(const Sparse_matrix& matrix, const Vector& right_side,
+                                                               Vector& solution);
 
   // Solves for one right side with the last matrix.
   bool solve(const Vector& right_side, Vector& solution);
@@ -52,7 +53,8 @@ public:
 private:
   void solve_now() override { finish(); }
   bool put_off(const Vector& right_side, Vector& solution);
-  bool solve(const std::vector<const std::vector<double>*>& right_sides, const std::vector<std::vector<double>*>& solutions);
+  bool solve(const std::vector<const std::vector<double>*>& right_sides,
+             const std::vector<std::vector<double>*>& solutions);
   std::shared_ptr<Vector::Numbers> take_waiting_solution();
 
   std::shared_ptr<const Hierarchy_interpolation> m_interpolation;

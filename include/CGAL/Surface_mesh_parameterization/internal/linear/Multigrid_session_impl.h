@@ -16,9 +16,11 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Multigrid_session::Multigrid_session(std::shared_ptr<const Hierarchy_interpolation> interpolation, Mesh_unknowns unknowns, const Linear_solver_options& options,
+Multigrid_session::Multigrid_session(std::shared_ptr<const Hierarchy_interpolation> interpolation,
+                                     Mesh_unknowns unknowns, const Linear_solver_options& options,
                                      Make_linear_solver make_solver, bool defers)
-  : m_interpolation(std::move(interpolation)), m_unknowns(std::move(unknowns)), m_options(options), m_make_solver(make_solver), m_defers(defers)
+  : m_interpolation(std::move(interpolation)), m_unknowns(std::move(unknowns)), m_options(options),
+    m_make_solver(make_solver), m_defers(defers)
 { }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -91,13 +93,15 @@ std::shared_ptr<Solver_vector::Numbers> Multigrid_session::take_waiting_solution
 {
   if (m_waiting_solution) {
     m_waiting_solution->solver = nullptr;
-    std::fill(m_waiting_solution->values.begin(), m_waiting_solution->values.end(), std::numeric_limits<double>::quiet_NaN());
+    std::fill(m_waiting_solution->values.begin(), m_waiting_solution->values.end(),
+              std::numeric_limits<double>::quiet_NaN());
   }
   return std::exchange(m_waiting_solution, nullptr);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool Multigrid_session::solve(const std::vector<const std::vector<double>*>& right_sides, const std::vector<std::vector<double>*>& solutions)
+bool Multigrid_session::solve(const std::vector<const std::vector<double>*>& right_sides,
+                              const std::vector<std::vector<double>*>& solutions)
 {
   CGAL::Real_timer timer;
   timer.start();

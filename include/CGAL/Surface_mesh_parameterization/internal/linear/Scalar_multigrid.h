@@ -41,13 +41,15 @@ class Scalar_multigrid
 public:
   // `matrix` has a row, with ascending columns, for each of `unknowns`. These are best in the order of the hierarchy's
   // input, for the cache. `tied_vertices` have none, but may have some on coarser grids, see Grid_transfer.
-  Scalar_multigrid(const Hierarchy_interpolation& hierarchy, const std::vector<Mesh_unknown>& unknowns, Sparse_rows<Real> matrix,
-                   const std::vector<Index>& tied_vertices = {}, const Scalar_multigrid_options& options = Scalar_multigrid_options())
+  Scalar_multigrid(const Hierarchy_interpolation& hierarchy, const std::vector<Mesh_unknown>& unknowns,
+                   Sparse_rows<Real> matrix, const std::vector<Index>& tied_vertices = {},
+                   const Scalar_multigrid_options& options = Scalar_multigrid_options())
   {
     std::size_t fine = hierarchy.number_of_levels() - 1;
     const Real enlargement = has_positive_entries(matrix) ? Real(options.enlargement_of_diagonal) : Real(1);
     m_grids.emplace_back(std::move(matrix), enlargement);
-    for (const std::vector<Mesh_unknown>* fine_unknowns = &unknowns; fine > 0 && fine_unknowns->size() > options.coarsest_size;) {
+    for (const std::vector<Mesh_unknown>* fine_unknowns = &unknowns;
+         fine > 0 && fine_unknowns->size() > options.coarsest_size;) {
       const std::size_t coarse = fine > options.groups_per_grid ? fine - options.groups_per_grid : 0;
       m_transfers.emplace_back(Pruned_prolongation(hierarchy, coarse, fine, Loops()), *fine_unknowns, tied_vertices);
       m_grids.emplace_back(m_transfers.back().template galerkin_product<Real>(m_grids.back()), enlargement);
@@ -85,10 +87,14 @@ public:
 
     void restrict_residual(std::size_t g, const Vector& b, const Vector& x)
     {
-      m_multigrid.m_transfers[g].restrict([&](Index i) { return m_multigrid.m_grids[g].residual(i, b, x); }, m_right_side[g + 1]);
+      m_multigrid.m_transfers[g].restrict([&](Index i) { return m_multigrid.m_grids[g].residual(i, b, x); },
+                                          m_right_side[g + 1]);
     }
 
-    void add_correction(std::size_t g, Vector& x) const { m_multigrid.m_transfers[g].add_prolongation(m_solution[g + 1], x); }
+    void add_correction(std::size_t g, Vector& x) const
+    {
+      m_multigrid.m_transfers[g].add_prolongation(m_solution[g + 1], x);
+    }
 
   private:
     const Scalar_multigrid& m_multigrid;
@@ -97,7 +103,10 @@ public:
 
   // One cycle from 0: `space.solution(0)` for `space.right_side(0)`.
   template <int columns>
-  void cycle(Space<columns>& space, std::size_t g = 0) const { v_cycle(space, g, space.right_side(g), space.solution(g)); }
+  void cycle(Space<columns>& space, std::size_t g = 0) const
+  {
+    v_cycle(space, g, space.right_side(g), space.solution(g));
+  }
 
   // Full multigrid: the solution of every grid starts from that of the next coarser one, and is improved by a cycle.
   // Changes `space.right_side(0)`.

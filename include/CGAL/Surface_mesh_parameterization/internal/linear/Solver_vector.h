@@ -31,9 +31,15 @@ public:
     Deferring_solver* solver = nullptr;       // who has still to find the values; it lives at least until it has
   };
 
-  explicit Solver_vector(std::size_t dimension = 0) : m_numbers(std::make_shared<Numbers>()) { m_numbers->values.resize(dimension, 0.); }
+  explicit Solver_vector(std::size_t dimension = 0) : m_numbers(std::make_shared<Numbers>())
+  {
+    m_numbers->values.resize(dimension, 0.);
+  }
 
-  Solver_vector(const Solver_vector& other) : m_numbers(std::make_shared<Numbers>()) { m_numbers->values = other.values(); }
+  Solver_vector(const Solver_vector& other) : m_numbers(std::make_shared<Numbers>())
+  {
+    m_numbers->values = other.values();
+  }
 
   Solver_vector& operator=(const Solver_vector& other)
   {

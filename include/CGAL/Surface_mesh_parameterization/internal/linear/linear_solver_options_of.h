@@ -17,7 +17,8 @@ Linear_solver_options linear_solver_options_of(const NamedParameters& np)
   using parameters::get_parameter;
   Linear_solver_options options;
   options.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), options.tolerance);
-  options.most_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), options.most_iterations);
+  options.most_iterations =
+      choose_parameter(get_parameter(np, internal_np::number_of_iterations), options.most_iterations);
   return options;
 }
 

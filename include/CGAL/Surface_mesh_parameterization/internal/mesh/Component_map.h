@@ -24,7 +24,10 @@ struct Component_map
   std::vector<Value>* values;
 
   friend const Value& get(const Component_map& map, const key_type& v) { return (*map.values)[get(map.index, v)]; }
-  friend void put(const Component_map& map, const key_type& v, const Value& value) { (*map.values)[get(map.index, v)] = value; }
+  friend void put(const Component_map& map, const key_type& v, const Value& value)
+  {
+    (*map.values)[get(map.index, v)] = value;
+  }
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

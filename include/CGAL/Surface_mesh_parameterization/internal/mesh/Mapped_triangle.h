@@ -61,9 +61,11 @@ struct Map_invariants
     const int exponent = longest > 0 ? std::ilogb(longest) : 0;
     const auto scaled = [&](double x) { return std::ldexp(x, -exponent); };
 
-    const Rest_corner c = rest_corner(Point_3(0, 0, 0), Point_3(scaled(p.x()), scaled(p.y()), scaled(p.z())), Point_3(scaled(q.x()), scaled(q.y()), scaled(q.z())));
+    const Rest_corner c = rest_corner(Point_3(0, 0, 0), Point_3(scaled(p.x()), scaled(p.y()), scaled(p.z())),
+                                      Point_3(scaled(q.x()), scaled(q.y()), scaled(q.z())));
     const Vector_2 to_b = t.uv[2] - t.uv[1], to_v = t.uv[0] - t.uv[1];
-    const Vector_2 ab(scaled(to_b.x()), scaled(to_b.y())), av(scaled(to_v.x()), scaled(to_v.y())), from_foot = av - c.foot * ab;
+    const Vector_2 ab(scaled(to_b.x()), scaled(to_b.y())), av(scaled(to_v.x()), scaled(to_v.y())),
+        from_foot = av - c.foot * ab;
     frobenius = 0.5 * c.inverse_area * (from_foot.squared_length() / c.height + c.height * ab.squared_length());
     determinant = 0.5 * c.inverse_area * cross(ab, av);
     area = std::ldexp(1 / c.inverse_area, 2 * exponent);
@@ -71,7 +73,8 @@ struct Map_invariants
 
   double greatest_singular_value() const
   {
-    return std::sqrt(0.5 * (frobenius + std::sqrt((std::max)(0., (frobenius - 2 * determinant) * (frobenius + 2 * determinant)))));
+    return std::sqrt(
+        0.5 * (frobenius + std::sqrt((std::max)(0., (frobenius - 2 * determinant) * (frobenius + 2 * determinant)))));
   }
 
   // (s1/s2 + s2/s1) / 2

@@ -43,8 +43,9 @@ Longest_border<TriangleMesh> longest_border(const TriangleMesh& mesh, const Is_w
       visited.insert(h);
       const auto& p = get(point_map, source(h, mesh));
       const auto& q = get(point_map, target(h, mesh));
-      length += std::hypot(CGAL::to_double(q.x()) - CGAL::to_double(p.x()), CGAL::to_double(q.y()) - CGAL::to_double(p.y()),
-                           CGAL::to_double(q.z()) - CGAL::to_double(p.z()));
+      length +=
+          std::hypot(CGAL::to_double(q.x()) - CGAL::to_double(p.x()), CGAL::to_double(q.y()) - CGAL::to_double(p.y()),
+                     CGAL::to_double(q.z()) - CGAL::to_double(p.z()));
     }
     if (!(length <= greatest_length)) {
       greatest_length = length;

@@ -39,8 +39,8 @@ public:
   Map<bool> is_placed;
 
   explicit Border_maps(const TriangleMesh& mesh, const Mesh_component<TriangleMesh>& component)
-    : place(get(dynamic_vertex_property_t<typename Kernel::Point_2>(), mesh)), index(get(dynamic_vertex_property_t<int>(), mesh)),
-      is_placed(get(dynamic_vertex_property_t<bool>(), mesh))
+    : place(get(dynamic_vertex_property_t<typename Kernel::Point_2>(), mesh)),
+      index(get(dynamic_vertex_property_t<int>(), mesh)), is_placed(get(dynamic_vertex_property_t<bool>(), mesh))
   {
     for (std::size_t i = 0; i < component.vertices_of_component().size(); ++i) {
       put(index, component.vertices_of_component()[i], int(i));
@@ -65,7 +65,8 @@ struct Places_border<Method, std::void_t<decltype(std::declval<Method&>().place_
 // Lets a method that has a place_border() fix vertices of the component, in the user's units.
 // Returns the method's error, or `ERROR_WRONG_PARAMETER` for a place that is not finite.
 template <class Method, class TriangleMesh>
-Error_code place_border(Method& method, const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
+Error_code place_border(Method& method, const TriangleMesh& mesh,
+                        typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
                         Mesh_component<TriangleMesh>& component)
 {
   if constexpr (Places_border<Method>::value) {
@@ -80,7 +81,8 @@ Error_code place_border(Method& method, const TriangleMesh& mesh, typename boost
       if (!get(maps.is_placed, v))
         continue;
       const auto& place = get(maps.place, v);
-      const Point_2 scaled(std::ldexp(CGAL::to_double(place.x()), surface.scale_exponent), std::ldexp(CGAL::to_double(place.y()), surface.scale_exponent));
+      const Point_2 scaled(std::ldexp(CGAL::to_double(place.x()), surface.scale_exponent),
+                           std::ldexp(CGAL::to_double(place.y()), surface.scale_exponent));
       if (!is_finite(scaled))
         return ERROR_WRONG_PARAMETER;
       surface.fixed_vertices.push_back({ Index(i), scaled });

@@ -39,13 +39,15 @@ void normalize(Triangulated_surface_3& surface)
   for (const Point_3& p : surface.points)
     box += p.bbox();
   // Halves, so that the sums of huge coordinates stay finite.
-  const double center[3] = { 0.5 * box.xmin() + 0.5 * box.xmax(), 0.5 * box.ymin() + 0.5 * box.ymax(), 0.5 * box.zmin() + 0.5 * box.zmax() };
+  const double center[3] = { 0.5 * box.xmin() + 0.5 * box.xmax(), 0.5 * box.ymin() + 0.5 * box.ymax(),
+                             0.5 * box.zmin() + 0.5 * box.zmax() };
   double half_width = 0;
   for (int i = 0; i < 3; ++i)
     half_width = (std::max)(half_width, 0.5 * box.max(i) - 0.5 * box.min(i));
   const int exponent = half_width > 0 ? -std::ilogb(half_width) : 0;
   for (Point_3& p : surface.points)
-    p = Point_3(std::ldexp(p.x() - center[0], exponent), std::ldexp(p.y() - center[1], exponent), std::ldexp(p.z() - center[2], exponent));
+    p = Point_3(std::ldexp(p.x() - center[0], exponent), std::ldexp(p.y() - center[1], exponent),
+                std::ldexp(p.z() - center[2], exponent));
   surface.scale_exponent = exponent;
 }
 

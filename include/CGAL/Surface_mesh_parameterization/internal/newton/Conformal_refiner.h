@@ -21,13 +21,15 @@ class Conformal_refiner
 {
 public:
   Conformal_refiner(const Level& level, Level::Uv& uv, const Refinement_options& options, Level_summary& summary)
-    : m_level(level), m_uv(uv), m_options(options), m_summary(summary), m_energy(level, Triangle_weight::AREA, As_rigid_as_possible_energy_2(0))
+    : m_level(level), m_uv(uv), m_options(options), m_summary(summary),
+      m_energy(level, Triangle_weight::AREA, As_rigid_as_possible_energy_2(0))
   { }
 
   void run()
   {
     Newton_options newton_options;
-    newton_options.residual_reduction = 1e-3;       // the energy is quadratic: what the linear system lacks, no second step has to find
+    newton_options.residual_reduction =
+        1e-3;      // the energy is quadratic: what the linear system lacks, no second step has to find
     Newton_method newton(m_energy, nullptr, newton_options);
     const Index a = farthest_border_vertex(0), b = farthest_border_vertex(a);
     newton.fix_vertices({ a, b });

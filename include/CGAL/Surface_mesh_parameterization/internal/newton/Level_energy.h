@@ -65,7 +65,8 @@ private:
   // The energy of the triangles whose least vertex is in a range.
   virtual double sum(Index begin, Index end, const Level::Uv& uv) const = 0;
 
-  virtual void assemble_rows(Index begin, Index end, const Level::Uv& uv, double negative_twist, Block_vectors& gradient, Block_matrix& hessian) const = 0;
+  virtual void assemble_rows(Index begin, Index end, const Level::Uv& uv, double negative_twist,
+                             Block_vectors& gradient, Block_matrix& hessian) const = 0;
 
   const Level& m_level;
   Triangle_weight m_weight;

@@ -22,11 +22,13 @@ double Level_energy::total_weight() const
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 double Level_energy::operator()(const Level::Uv& uv) const
 {
-  return m_level.loops().sum_of_blocks(0, Index(m_level.number_of_vertices()), [&](Index begin, Index end) { return sum(begin, end, uv); });
+  return m_level.loops().sum_of_blocks(0, Index(m_level.number_of_vertices()),
+                                       [&](Index begin, Index end) { return sum(begin, end, uv); });
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void Level_energy::assemble(const Level::Uv& uv, double negative_twist, Block_vectors& gradient, Block_matrix& hessian) const
+void Level_energy::assemble(const Level::Uv& uv, double negative_twist, Block_vectors& gradient,
+                            Block_matrix& hessian) const
 {
   // Row by row, so that no two rows write to one place.
   m_level.loops().for_each_block(0, Index(m_level.number_of_vertices()), [&](Index begin, Index end) {

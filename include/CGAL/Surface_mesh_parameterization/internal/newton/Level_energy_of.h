@@ -63,7 +63,9 @@ private:
     for (Index v = begin; v < end; ++v) {
       level().rings().prefetch_neighbors_after(v, uv);
       double sum = 0;
-      for_each_triangle_of_least_vertex(level(), v, [&](Index a, Index b, const Rest_corner& c) { sum += weight(c) * value(c, uv[v], uv[a], uv[b]); });
+      for_each_triangle_of_least_vertex(level(), v, [&](Index a, Index b, const Rest_corner& c) {
+        sum += weight(c) * value(c, uv[v], uv[a], uv[b]);
+      });
       result += sum;
     }
     return result;
@@ -75,10 +77,12 @@ private:
     const double doubled_area = cross(ab, x), scale = 0.5 * c.inverse_area;
     if (Energy::is_flip_free && !(doubled_area > 0))
       return (std::numeric_limits<double>::infinity)();
-    return triangle_energy(c).value(scale * (from_foot.squared_length() / c.height + c.height * ab.squared_length()), scale * doubled_area);
+    return triangle_energy(c).value(scale * (from_foot.squared_length() / c.height + c.height * ab.squared_length()),
+                                    scale * doubled_area);
   }
 
-  void assemble_rows(Index begin, Index end, const Level::Uv& uv, double negative_twist, Block_vectors& gradient, Block_matrix& hessian) const override
+  void assemble_rows(Index begin, Index end, const Level::Uv& uv, double negative_twist, Block_vectors& gradient,
+                     Block_matrix& hessian) const override
   {
     for (Index v = begin; v < end; ++v) {
       level().rings().prefetch_neighbors_after(v, uv);
@@ -86,7 +90,8 @@ private:
     }
   }
 
-  void assemble_row(Index v, const Level::Uv& uv, double negative_twist, Block_vector& gradient, Block_matrix& hessian) const
+  void assemble_row(Index v, const Level::Uv& uv, double negative_twist, Block_vector& gradient,
+                    Block_matrix& hessian) const
   {
     const Level::Ring ring = level().one_ring(v);
     const Rest_corner* const corners = level().rest_corners(v);
@@ -96,7 +101,8 @@ private:
     gradient = Block_vector(0, 0);
     for (std::size_t i = 0; i < level().rings().number_of_triangles(v); ++i) {
       const std::size_t j = i + 1 == ring.size() ? 0 : i + 1;
-      const Corner_hessian h = corner_hessian(triangle_energy(corners[i]), corners[i], weight(corners[i]), uv[ring[i]] - uv[v], uv[ring[j]] - uv[v], negative_twist);
+      const Corner_hessian h = corner_hessian(triangle_energy(corners[i]), corners[i], weight(corners[i]),
+                                              uv[ring[i]] - uv[v], uv[ring[j]] - uv[v], negative_twist);
       gradient += h.gradient;
       diagonal += h.to_v;
       row[j] += h.to_b;

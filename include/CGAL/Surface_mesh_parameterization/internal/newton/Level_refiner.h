@@ -41,7 +41,8 @@ struct Level_refiner_options
   // part.
   double short_step = 0.3, great_decrease = 0.01;
   double barrier_stiffness = 0.1;       // relative to the mean weight of a triangle
-  double rounding = 1e-12;              // of the energy, relative to the weight: on a surface that lies in the plane without distortion the excess is no more
+  double rounding =
+      1e-12;      // of the energy, relative to the weight: on a surface that lies in the plane without distortion the excess is no more
   Newton_options newton;
 };
 
@@ -49,12 +50,14 @@ struct Level_refiner_options
 class Level_refiner
 {
 public:
-  Level_refiner(const Level_energy& energy, Level::Uv& uv, const Refinement_options& refinement, Level_summary& summary, const Level_refiner_options& options = Level_refiner_options())
-    : m_energy(energy), m_level(energy.level()), m_uv(uv), m_refinement(refinement), m_options(options), m_summary(summary),
-      m_total_weight(m_energy.total_weight()), m_current(m_energy(uv))
+  Level_refiner(const Level_energy& energy, Level::Uv& uv, const Refinement_options& refinement, Level_summary& summary,
+                const Level_refiner_options& options = Level_refiner_options())
+    : m_energy(energy), m_level(energy.level()), m_uv(uv), m_refinement(refinement), m_options(options),
+      m_summary(summary), m_total_weight(m_energy.total_weight()), m_current(m_energy(uv))
   {
     if (refinement.is_globally_injective)
-      m_barrier = std::make_unique<Border_barrier>(m_level, m_options.barrier_stiffness * m_total_weight / double(m_level.number_of_faces()));
+      m_barrier = std::make_unique<Border_barrier>(m_level, m_options.barrier_stiffness * m_total_weight /
+                                                                double(m_level.number_of_faces()));
   }
 
   // Energies are reported as the sum over the triangles, or as the mean over the area if triangles are weighted so.
@@ -118,8 +121,9 @@ private:
 
   void relax_until_convergence()
   {
-    const std::size_t most_sweeps = is_coarsest_of_many() ? (std::max)(m_refinement.number_of_iterations, m_options.most_sweeps_on_coarsest_level)
-                                                           : m_refinement.number_of_iterations;
+    const std::size_t most_sweeps =
+        is_coarsest_of_many() ? (std::max)(m_refinement.number_of_iterations, m_options.most_sweeps_on_coarsest_level)
+                              : m_refinement.number_of_iterations;
     const bool is_random = m_refinement.optimizer == Optimizer::RANDOM_VERTICES;
     const Vertex_relaxation relaxation(m_energy, is_random ? 1 : m_options.over_relaxation, m_barrier.get());
     std::mt19937 random(m_refinement.random_seed);
@@ -151,7 +155,8 @@ private:
     do {
       before = m_current;
       sweep(relaxation);
-    } while (++sweeps < m_options.most_first_sweeps && !is_little(before - m_current, m_options.least_decrease_of_first_sweeps));
+    } while (++sweeps < m_options.most_first_sweeps &&
+             !is_little(before - m_current, m_options.least_decrease_of_first_sweeps));
   }
 
   void take_newton_steps(const Vertex_relaxation& relaxation)

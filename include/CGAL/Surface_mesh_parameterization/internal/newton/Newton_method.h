@@ -36,8 +36,10 @@ public:
   };
 
   // `barrier`, if there is one, keeps the borders apart; its energy is minimized along with the level's.
-  explicit Newton_method(const Level_energy& energy, Border_barrier* barrier = nullptr, const Newton_options& options = Newton_options())
-    : m_energy(energy), m_level(energy.level()), m_options(options), m_barrier(barrier), m_border_guard(energy.level()), m_system(energy, m_options)
+  explicit Newton_method(const Level_energy& energy, Border_barrier* barrier = nullptr,
+                         const Newton_options& options = Newton_options())
+    : m_energy(energy), m_level(energy.level()), m_options(options), m_barrier(barrier), m_border_guard(energy.level()),
+      m_system(energy, m_options)
   {
     m_system.keep_negative_twist(!m_energy.is_flip_free());
     m_direction.resize(m_level.number_of_vertices());
@@ -168,12 +170,14 @@ private:
       length = (std::min)(length, m_options.part_of_longest_step * m_barrier->longest_step(uv, m_direction));
     m_trial.resize(uv.size());
     for (int i = 0; i < m_options.most_halvings; ++i, length *= 0.5) {
-      for_each_vertex([&](Index v) { m_trial[v] = uv[v] + Vector_2(length * m_direction[v].x, length * m_direction[v].y); });
+      for_each_vertex(
+          [&](Index v) { m_trial[v] = uv[v] + Vector_2(length * m_direction[v].x, length * m_direction[v].y); });
       const double decrease = energy - objective(m_trial);
       if (!(decrease > -m_options.sufficient_decrease * length * slope))
         continue;
-      if (!m_energy.is_flip_free() || (!m_border_guard.turns_too_far(uv, m_trial) && is_map_valid(m_level.rings(), m_trial, m_level.loops()) &&
-                                    (!m_barrier || m_barrier->keeps_apart(m_trial)))) {
+      if (!m_energy.is_flip_free() ||
+          (!m_border_guard.turns_too_far(uv, m_trial) && is_map_valid(m_level.rings(), m_trial, m_level.loops()) &&
+           (!m_barrier || m_barrier->keeps_apart(m_trial)))) {
         uv.swap(m_trial);
         result.decrease = decrease;
         result.length = length;

@@ -109,16 +109,19 @@ public:
   {
     const Block_matrix& a = m_multigrid.matrix();
     Block_vectors &x = m_solution, &s = m_direction;
-    for_each_vertex([&](Index v) { s[v] = Block_vector(uv[v].x() - previous[v].x(), uv[v].y() - previous[v].y()) / a.scale[v]; });
+    for_each_vertex(
+        [&](Index v) { s[v] = Block_vector(uv[v].x() - previous[v].x(), uv[v].y() - previous[v].y()) / a.scale[v]; });
     typedef Values<double, 5>   Products;     // x A x, x A s, s A s, b x, b s
     const Products p = m_level.loops().sum(0, Index(x.size()), Products::zero(), [&](Index v) {
       const Block_vector as = a.row_times(v, s), b = -a.scale[v] * m_gradient[v];
-      return Products{ { inner_product(x[v], b - m_residual[v]), inner_product(x[v], as), inner_product(s[v], as), inner_product(b, x[v]), inner_product(b, s[v]) } };
+      return Products{ { inner_product(x[v], b - m_residual[v]), inner_product(x[v], as), inner_product(s[v], as),
+                         inner_product(b, x[v]), inner_product(b, s[v]) } };
     });
     const double determinant = p[0] * p[2] - p[1] * p[1];
     if (!(determinant > m_options.least_relative_determinant * p[0] * p[2]))
       return;
-    const double factor_x = (p[3] * p[2] - p[4] * p[1]) / determinant, factor_s = (p[4] * p[0] - p[3] * p[1]) / determinant;
+    const double factor_x = (p[3] * p[2] - p[4] * p[1]) / determinant,
+                 factor_s = (p[4] * p[0] - p[3] * p[1]) / determinant;
     for_each_vertex([&](Index v) { x[v] = factor_x * x[v] + factor_s * s[v]; });
   }
 
@@ -159,7 +162,8 @@ private:
   {
     for_each_vertex([&](Index v) { m_solution[v] = Block_vector(0, 0); });
     Iteration iteration(m_multigrid, m_level.loops(), m_options.residual_reduction);
-    const std::size_t cycles = conjugate_gradients(iteration, m_solution, m_residual, m_direction, m_options.most_cycles);
+    const std::size_t cycles =
+        conjugate_gradients(iteration, m_solution, m_residual, m_direction, m_options.most_cycles);
     for (const Index v : m_fixed)
       m_solution[v] = Block_vector(0, 0);
     return cycles;

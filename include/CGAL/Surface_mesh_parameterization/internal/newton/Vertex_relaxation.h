@@ -52,7 +52,8 @@ public:
   Effect sweep_group(std::size_t group, Level::Uv& uv, double least_decrease = infinity) const
   {
     const Collapse_hierarchy_3& hierarchy = m_level.hierarchy();
-    const Index first = group == 0 ? 0 : Index(hierarchy.number_of_vertices(group - 1)), last = Index(hierarchy.number_of_vertices(group));
+    const Index first = group == 0 ? 0 : Index(hierarchy.number_of_vertices(group - 1)),
+                last = Index(hierarchy.number_of_vertices(group));
     const auto relax_if = [&](Index begin, Index end, bool at_border, Vertex_relaxer& relaxer) {
       Effect effect;
       for (Index v = begin; v < end; ++v)
@@ -67,9 +68,12 @@ public:
     };
     const auto make_relaxer = [&] { return m_energy.make_vertex_relaxer(); };
     const Loops loops = group == 0 ? Loops() : m_level.loops();
-    Effect effect = loops.reduce_with_scratch(first, last, Effect(), make_relaxer, [&](Index begin, Index end, std::unique_ptr<Vertex_relaxer>& relaxer) {
-      return relax_if(begin, end, false, *relaxer);
-    }, add);
+    Effect effect = loops.reduce_with_scratch(
+        first, last, Effect(), make_relaxer,
+        [&](Index begin, Index end, std::unique_ptr<Vertex_relaxer>& relaxer) {
+          return relax_if(begin, end, false, *relaxer);
+        },
+        add);
     if (m_barrier)
       m_barrier->set_reach(uv);
     add(effect, relax_if(first, last, true, *make_relaxer()));

@@ -37,7 +37,8 @@ struct Jacobian_hessian
   std::array<std::array<double, 4>, 4> hessian;
 
   template <class Energy>
-  static Jacobian_hessian of(const Energy& energy, double zx, double zy, double wx, double wy, double determinant, double negative_twist)
+  static Jacobian_hessian of(const Energy& energy, double zx, double zy, double wx, double wy, double determinant,
+                             double negative_twist)
   {
     const double a = zx * zx + zy * zy, b = wx * wx + wy * wy;
     const Distortion_derivatives_2 e = energy.derivatives(2 * (a + b), determinant);
@@ -53,7 +54,8 @@ struct Jacobian_hessian
 
   // Each part of the energy has the Hessian that suits it.
   template <class Energy>
-  static Jacobian_hessian of(const Scale_bounded_energy_2<Energy>&, double zx, double zy, double wx, double wy, double determinant, double negative_twist)
+  static Jacobian_hessian of(const Scale_bounded_energy_2<Energy>&, double zx, double zy, double wx, double wy,
+                             double determinant, double negative_twist)
   {
     typedef Scale_bounded_energy_2<Energy>   Sum;
     Jacobian_hessian result = of(Energy(), zx, zy, wx, wy, determinant, negative_twist);
@@ -95,7 +97,8 @@ private:
   // the same amount in the sum over all triangles: where the twist is negative the flip makes up for it, and the sum
   // stays positive as long as the flip is the greater one of the two. So a negative twist is kept up to the part
   // `negative_twist` of the flip. Where the two vary from triangle to triangle this is no proof.
-  void set_projected(const Distortion_derivatives_2& e, double a, double b, double zx, double zy, double wx, double wy, double negative_twist)
+  void set_projected(const Distortion_derivatives_2& e, double a, double b, double zx, double zy, double wx, double wy,
+                     double negative_twist)
   {
     const double abs_z = std::sqrt(a), abs_w = std::sqrt(b);
     const double e_a = 2 * e.f + e.d, e_b = 2 * e.f - e.d;
@@ -104,7 +107,8 @@ private:
     project(zz, zw, ww);
     const double flip = (std::max)(2 * e_b, 0.), twist = (std::max)(2 * e_a, -negative_twist * flip);
 
-    const double z[2] = { abs_z > 0 ? zx / abs_z : 1, abs_z > 0 ? zy / abs_z : 0 }, w[2] = { abs_w > 0 ? wx / abs_w : 1, abs_w > 0 ? wy / abs_w : 0 };
+    const double z[2] = { abs_z > 0 ? zx / abs_z : 1, abs_z > 0 ? zy / abs_z : 0 },
+                 w[2] = { abs_w > 0 ? wx / abs_w : 1, abs_w > 0 ? wy / abs_w : 0 };
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j) {
         hessian[i][j] = (zz - twist) * z[i] * z[j] + (i == j ? twist : 0);
@@ -117,7 +121,8 @@ private:
   // Replaces a symmetric matrix by the nearest positive semidefinite one.
   static void project(double& xx, double& xy, double& yy)
   {
-    const double mean = 0.5 * (xx + yy), difference = 0.5 * (xx - yy), radius = std::sqrt(difference * difference + xy * xy);
+    const double mean = 0.5 * (xx + yy), difference = 0.5 * (xx - yy),
+                 radius = std::sqrt(difference * difference + xy * xy);
     const double least = mean - radius, greatest = mean + radius;
     if (least >= 0)
       return;
@@ -131,15 +136,18 @@ private:
 // `va` and `vb` lead from V to A and B. A negative twist is kept up to the part `negative_twist` of the flip.
 // Precondition: the triangle is positive, or the energy takes others too.
 template <class Energy>
-Corner_hessian corner_hessian(const Energy& energy, const Rest_corner& corner, double weight, const Vector_2& va, const Vector_2& vb, double negative_twist = 0)
+Corner_hessian corner_hessian(const Energy& energy, const Rest_corner& corner, double weight, const Vector_2& va,
+                              const Vector_2& vb, double negative_twist = 0)
 {
   // Gradients of the hat functions with V over the edge AB, which lies on the axis: V's is (0, g), B's is (bx, by), A's
   // minus their sum.
   const double inverse_base = std::sqrt(0.5 * corner.height * corner.inverse_area);
   const double g = inverse_base / corner.height, bx = inverse_base, by = -corner.foot * g, ax = -bx, ay = -by - g;
 
-  const double zx = 0.5 * (va.x() * ax + va.y() * ay + vb.x() * bx + vb.y() * by), zy = 0.5 * (va.y() * ax - va.x() * ay + vb.y() * bx - vb.x() * by);
-  const double wx = 0.5 * (va.x() * ax - va.y() * ay + vb.x() * bx - vb.y() * by), wy = 0.5 * (va.y() * ax + va.x() * ay + vb.y() * bx + vb.x() * by);
+  const double zx = 0.5 * (va.x() * ax + va.y() * ay + vb.x() * bx + vb.y() * by),
+               zy = 0.5 * (va.y() * ax - va.x() * ay + vb.y() * bx - vb.x() * by);
+  const double wx = 0.5 * (va.x() * ax - va.y() * ay + vb.x() * bx - vb.y() * by),
+               wy = 0.5 * (va.y() * ax + va.x() * ay + vb.y() * bx + vb.x() * by);
   const double determinant = 0.5 * corner.inverse_area * cross(va, vb);
   const Jacobian_hessian h = Jacobian_hessian::of(energy, zx, zy, wx, wy, determinant, negative_twist);
 
@@ -154,7 +162,8 @@ Corner_hessian corner_hessian(const Energy& energy, const Rest_corner& corner, d
     for (int j = 0; j < 4; ++j)
       row[j] = scale * (i == 0 ? h.hessian[3][j] - h.hessian[1][j] : h.hessian[0][j] - h.hessian[2][j]);
     to_v[i] = 0.5 * g * Block_vector(row[3] - row[1], row[0] - row[2]);
-    to_b[i] = 0.5 * Block_vector(bx * (row[0] + row[2]) + by * (row[3] - row[1]), bx * (row[1] + row[3]) + by * (row[0] - row[2]));
+    to_b[i] = 0.5 * Block_vector(bx * (row[0] + row[2]) + by * (row[3] - row[1]),
+                                 bx * (row[1] + row[3]) + by * (row[0] - row[2]));
   }
   result.to_v = Block(to_v[0].x, to_v[0].y, to_v[1].x, to_v[1].y);
   result.to_b = Block(to_b[0].x, to_b[0].y, to_b[1].x, to_b[1].y);

@@ -75,7 +75,8 @@ private:
   Index edge_end(Index v) const { return m_next_edge[m_next_edge.size() - number_of_vertices() + v]; }
 
   // Counting sort by vertex, of several parts of the triangles side by side.
-  void collect_opposite_edges(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles, const Loops& loops);
+  void collect_opposite_edges(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles,
+                              const Loops& loops);
 
   // Sorts the edges opposite to v, so that each starts where the one before ends. Quadratic in the valence, but in
   // two cache lines; a vertex of high valence sorts them by their start first.
@@ -93,7 +94,8 @@ private:
   Index m_first_bad_vertex = no_index;
 
   std::vector<Directed_edge> m_edges;       // scratch of build()
-  std::vector<Index> m_next_edge;           // in every part of the triangles, of every vertex; at the end those of the last part end its edges
+  std::vector<Index>
+      m_next_edge;      // in every part of the triangles, of every vertex; at the end those of the last part end its edges
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

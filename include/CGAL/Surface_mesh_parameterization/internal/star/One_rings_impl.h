@@ -28,7 +28,8 @@ void One_rings::build(std::size_t number_of_vertices, const std::vector<Index_tr
     m_first[v + 1] = m_first[v] + (edge_end(Index(v)) - edge_begin(Index(v))) + (m_is_border[v] ? 1 : 0);
 
   m_neighbors.resize(m_first.back());
-  m_first_bad_vertex = loops.min(0, Index(number_of_vertices), no_index, [&](Index v) { return link_ring(v) ? no_index : v; });
+  m_first_bad_vertex =
+      loops.min(0, Index(number_of_vertices), no_index, [&](Index v) { return link_ring(v) ? no_index : v; });
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -65,7 +66,8 @@ std::vector<std::vector<Index>> One_rings::borders() const
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void One_rings::collect_opposite_edges(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles, const Loops& loops)
+void One_rings::collect_opposite_edges(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles,
+                                       const Loops& loops)
 {
   const Index parts = loops.number_of_parts();
   const auto for_each_triangle = [&](const auto& f) {
@@ -120,7 +122,8 @@ bool One_rings::link_ring(Index v)
       }
   *out++ = begin->first;
   for (Directed_edge* e = begin; e + 1 != end; ++e) {
-    Directed_edge* const following = std::find_if(e + 1, end, [&](const Directed_edge& other) { return other.first == e->second; });
+    Directed_edge* const following =
+        std::find_if(e + 1, end, [&](const Directed_edge& other) { return other.first == e->second; });
     if (following == end)
       return fill_bad_ring(v);
     std::swap(e[1], *following);

@@ -23,7 +23,10 @@ public:
   void reset(const Point_2& origin, double half_width)
   {
     m_origin = origin;
-    m_polygon.assign({ { -half_width, -half_width }, { half_width, -half_width }, { half_width, half_width }, { -half_width, half_width } });
+    m_polygon.assign({ { -half_width, -half_width },
+                       { half_width, -half_width },
+                       { half_width, half_width },
+                       { -half_width, half_width } });
   }
 
   // Keeps what lies to the left of the line from a to b.

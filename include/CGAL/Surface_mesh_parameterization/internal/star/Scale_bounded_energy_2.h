@@ -33,8 +33,10 @@ struct Scale_bounded_energy_2
 
   static Distortion_derivatives_2 derivatives(double frobenius, double determinant)
   {
-    const Distortion_derivatives_2 e = Energy::derivatives(frobenius, determinant), b = Bound::derivatives(frobenius, determinant);
-    return { e.value + part * b.value, e.f + part * b.f, e.d + part * b.d, e.ff + part * b.ff, e.fd + part * b.fd, e.dd + part * b.dd };
+    const Distortion_derivatives_2 e = Energy::derivatives(frobenius, determinant),
+                                   b = Bound::derivatives(frobenius, determinant);
+    return { e.value + part * b.value, e.f + part * b.f,   e.d + part * b.d,
+             e.ff + part * b.ff,       e.fd + part * b.fd, e.dd + part * b.dd };
   }
 };
 

@@ -31,8 +31,8 @@ public:
   };
 
   // Gathers the star of v. `corners` are the rest shapes of its triangles, in the order of its ring.
-  void gather(const One_rings& rings, const std::vector<Point_2>& uv, Index v, const Rest_corner* corners, Triangle_weight weight,
-              const Energy& energy = Energy())
+  void gather(const One_rings& rings, const std::vector<Point_2>& uv, Index v, const Rest_corner* corners,
+              Triangle_weight weight, const Energy& energy = Energy())
   {
     const One_rings::Ring ring = rings[v];
     m_triangles.resize(rings.number_of_triangles(v));
@@ -43,8 +43,13 @@ public:
       const Vector_2 ab = b - a;
       const Rest_corner& c = corners[i];
       const double determinant_scale = 0.5 * c.inverse_area;
-      m_triangles[i] = { energy.of_area(1 / c.inverse_area), a, ab, c.foot * ab,
-                         determinant_scale / c.height, determinant_scale * c.height * ab.squared_length(), determinant_scale,
+      m_triangles[i] = { energy.of_area(1 / c.inverse_area),
+                         a,
+                         ab,
+                         c.foot * ab,
+                         determinant_scale / c.height,
+                         determinant_scale * c.height * ab.squared_length(),
+                         determinant_scale,
                          weight == Triangle_weight::AREA ? 1 / c.inverse_area : 1. };
       a = b;
     }
@@ -69,7 +74,8 @@ public:
       if (Energy::is_flip_free && !(doubled_area > 0))
         return { (std::numeric_limits<double>::infinity)(), false };
       least_margin = (std::min)(least_margin, doubled_area - relative_error * (std::abs(plus) + std::abs(minus)));
-      sum += t.weight * t.value(t.frobenius_scale * u.squared_length() + t.least_frobenius, t.determinant_scale * doubled_area);
+      sum += t.weight *
+             t.value(t.frobenius_scale * u.squared_length() + t.least_frobenius, t.determinant_scale * doubled_area);
     }
     return { sum, least_margin > least_determinant };
   }

@@ -58,7 +58,8 @@ public:
   }
 
   // Puts the best place into uv[v]. Returns whether one was found. `corners` are the rest shapes around v.
-  bool insert(Index v, const Rest_corner* corners, const Index_triangle& parent, const std::array<double, 3>& coordinates)
+  bool insert(Index v, const Rest_corner* corners, const Index_triangle& parent,
+              const std::array<double, 3>& coordinates)
   {
     m_star.gather(m_rings, m_uv, v, corners, Triangle_weight::ONE);
     m_inserted = v;
@@ -129,10 +130,12 @@ private:
   {
     const One_rings::Ring ring = m_rings[v];
     const std::size_t size = ring.size(), slot = std::size_t(std::find(ring.begin(), ring.end(), kept) - ring.begin());
-    const Vector_2 next = m_uv[ring[(slot + 1) % size]] - m_uv[kept], previous = m_uv[ring[(slot + size - 1) % size]] - m_uv[kept];
+    const Vector_2 next = m_uv[ring[(slot + 1) % size]] - m_uv[kept],
+                   previous = m_uv[ring[(slot + size - 1) % size]] - m_uv[kept];
     const double next_length = std::sqrt(next.squared_length()), previous_length = std::sqrt(previous.squared_length());
     const auto left = [](const Vector_2& x) { return Vector_2(-x.y(), x.x()); };
-    return (std::min)(next_length, previous_length) * 0.5 * (left(next) / next_length - left(previous) / previous_length);
+    return (std::min)(next_length, previous_length) * 0.5 *
+           (left(next) / next_length - left(previous) / previous_length);
   }
 
   const One_rings& m_rings;

@@ -19,7 +19,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // origin, at the lengths |Wi - V|, with the angles between consecutive edges scaled to one full turn. An open ring,
 // that of a border vertex, keeps its angles unless they exceed a turn. A ring without any angle (all of it lies on V or
 // on one ray) is spread evenly.
-inline void discrete_exponential_map(const Point_3& v, const std::vector<Point_3>& ring, bool is_closed, std::vector<Vector_2>& flat_ring)
+inline void discrete_exponential_map(const Point_3& v, const std::vector<Point_3>& ring, bool is_closed,
+                                     std::vector<Vector_2>& flat_ring)
 {
   constexpr double full_turn = 2 * CGAL_PI, most_of_a_turn = 0.95 * full_turn;
   const std::size_t size = ring.size(), number_of_angles = is_closed ? size : size - 1;

@@ -22,19 +22,22 @@ Vector_2 newton_direction(const Derivatives& d)
   double xx = d.hessian[0], yy = d.hessian[2];
   const double xy = d.hessian[1], trace = xx + yy;
   if (!(trace > 0 && xx * yy - xy * xy > least_relative_determinant * trace * trace)) {
-    const double radius = std::hypot(0.5 * (xx - yy), xy), least = 0.5 * trace - radius, greatest = 0.5 * trace + radius;
+    const double radius = std::hypot(0.5 * (xx - yy), xy), least = 0.5 * trace - radius,
+                 greatest = 0.5 * trace + radius;
     const double shift = (std::max)(-least, 0.) + relative_shift * (std::max)(std::abs(least), std::abs(greatest));
     xx += shift;
     yy += shift;
   }
   const double inverse = 1 / (xx * yy - xy * xy);
-  return Vector_2((xy * d.gradient[1] - yy * d.gradient[0]) * inverse, (xy * d.gradient[0] - xx * d.gradient[1]) * inverse);
+  return Vector_2((xy * d.gradient[1] - yy * d.gradient[0]) * inverse,
+                  (xy * d.gradient[0] - xx * d.gradient[1]) * inverse);
 }
 
 // Whether a border vertex and its two border neighbors leave room at the border.
 inline bool has_room(const One_rings& rings, const std::vector<Point_2>& uv, Index v)
 {
-  return !leaves_no_room(rings, uv, v) && !leaves_no_room(rings, uv, rings[v].front()) && !leaves_no_room(rings, uv, rings[v].back());
+  return !leaves_no_room(rings, uv, v) && !leaves_no_room(rings, uv, rings[v].front()) &&
+         !leaves_no_room(rings, uv, rings[v].back());
 }
 
 // One step of vertex relaxation (Hormann and Greiner 1999): moves v by a safeguarded Newton step inside the kernel of
@@ -42,8 +45,8 @@ inline bool has_room(const One_rings& rings, const std::vector<Point_2>& uv, Ind
 // is halved until the energy falls and the invariant holds by exact predicates. It is no longer than `reach`.
 // Precondition: `star` is gathered from v, and the invariant holds.
 template <class Energy>
-double relax_vertex(const Star<Energy>& star, const One_rings& rings, Index v, double relaxation_factor, std::vector<Point_2>& uv,
-                    double reach = (std::numeric_limits<double>::infinity)())
+double relax_vertex(const Star<Energy>& star, const One_rings& rings, Index v, double relaxation_factor,
+                    std::vector<Point_2>& uv, double reach = (std::numeric_limits<double>::infinity)())
 {
   constexpr int most_halvings = 8;
   constexpr double part_of_longest_step = 0.8, sufficient_decrease = 1e-4, least_relative_decrease = 1e-15;
@@ -62,7 +65,8 @@ double relax_vertex(const Star<Energy>& star, const One_rings& rings, Index v, d
     const double decrease = d.value - energy.value;
     if (!(decrease > -sufficient_decrease * step * slope)) {
       if (!std::isfinite(energy.value))
-        step = (std::min)(step, 2 * part_of_longest_step * star.longest_step(start, direction));    // outside the kernel
+        step =
+            (std::min)(step, 2 * part_of_longest_step * star.longest_step(start, direction));      // outside the kernel
       continue;
     }
     const bool had_room = !rings.is_border(v) || has_room(rings, uv, v);

@@ -108,7 +108,8 @@ bool is_star_valid(const One_rings& rings, const std::vector<Point_2>& uv, const
     return false;
   if (!rings.is_border(v))
     return true;
-  return !turns_too_far(rings, place, v) && !turns_too_far(rings, place, rings[v].front()) && !turns_too_far(rings, place, rings[v].back());
+  return !turns_too_far(rings, place, v) && !turns_too_far(rings, place, rings[v].front()) &&
+         !turns_too_far(rings, place, rings[v].back());
 }
 
 inline bool is_star_valid(const One_rings& rings, const std::vector<Point_2>& uv, Index v)

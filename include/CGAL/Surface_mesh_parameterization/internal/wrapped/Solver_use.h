@@ -39,10 +39,22 @@ struct Solver_use<Barycentric_mapping_parameterizer_3<M, B, S>> : Solves_in_pair
   static constexpr bool has_uniform_weights = true;
 };
 
-template <class M, class B, class S> struct Solver_use<Discrete_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs { };
-template <class M, class B, class S> struct Solver_use<Discrete_conformal_map_parameterizer_3<M, B, S>> : Solves_in_pairs { };
-template <class M, class B, class S> struct Solver_use<Iterative_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs { };
-template <class M, class B, class S> struct Solver_use<Mean_value_coordinates_parameterizer_3<M, B, S>> : Solves_in_pairs { };
+template <class M, class B, class S>
+struct Solver_use<Discrete_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs
+{
+};
+template <class M, class B, class S>
+struct Solver_use<Discrete_conformal_map_parameterizer_3<M, B, S>> : Solves_in_pairs
+{
+};
+template <class M, class B, class S>
+struct Solver_use<Iterative_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs
+{
+};
+template <class M, class B, class S>
+struct Solver_use<Mean_value_coordinates_parameterizer_3<M, B, S>> : Solves_in_pairs
+{
+};
 
 // The method without flips that minimizes the same kind of distortion as a parameterizer with a free border; void if
 // there is none.

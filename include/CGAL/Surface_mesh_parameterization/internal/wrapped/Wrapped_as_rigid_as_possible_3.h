@@ -42,30 +42,36 @@ public:
   { }
 
   template <class NamedParameters = Default_parameters, class = std::enable_if_t<is_named_parameters<NamedParameters>>>
-  explicit Wrapped_as_rigid_as_possible_3(const Border_parameterizer&, const NamedParameters& np = parameters::default_values())
+  explicit Wrapped_as_rigid_as_possible_3(const Border_parameterizer&,
+                                          const NamedParameters& np = parameters::default_values())
     : Wrapped_as_rigid_as_possible_3(np)
   { }
 
   template <class NamedParameters = Default_parameters, class = std::enable_if_t<is_named_parameters<NamedParameters>>>
-  Wrapped_as_rigid_as_possible_3(const Border_parameterizer&, double lambda, const NamedParameters& np = parameters::default_values())
+  Wrapped_as_rigid_as_possible_3(const Border_parameterizer&, double lambda,
+                                 const NamedParameters& np = parameters::default_values())
     : Wrapped_as_rigid_as_possible_3(lambda, np)
   { }
 
   template <class NamedParameters = Default_parameters, class = std::enable_if_t<is_named_parameters<NamedParameters>>>
-  Wrapped_as_rigid_as_possible_3(const Border_parameterizer&, double lambda, unsigned int iterations, const NamedParameters& np = parameters::default_values())
+  Wrapped_as_rigid_as_possible_3(const Border_parameterizer&, double lambda, unsigned int iterations,
+                                 const NamedParameters& np = parameters::default_values())
     : Wrapped_as_rigid_as_possible_3(lambda, with<internal_np::number_of_iterations_t>(iterations, np))
   { }
 
   template <class NamedParameters = Default_parameters>
-  Wrapped_as_rigid_as_possible_3(const Border_parameterizer& border, double lambda, unsigned int iterations, double tolerance,
-                                 const NamedParameters& np = parameters::default_values())
+  Wrapped_as_rigid_as_possible_3(const Border_parameterizer& border, double lambda, unsigned int iterations,
+                                 double tolerance, const NamedParameters& np = parameters::default_values())
     : Wrapped_as_rigid_as_possible_3(border, lambda, iterations, with<internal_np::tolerance_t>(tolerance, np))
   { }
 
 private:
   // The named parameters `np` and one more.
   template <class Tag, class Value, class NamedParameters>
-  static Named_function_parameters<Value, Tag, NamedParameters> with(const Value& value, const NamedParameters& np) { return { value, np }; }
+  static Named_function_parameters<Value, Tag, NamedParameters> with(const Value& value, const NamedParameters& np)
+  {
+    return { value, np };
+  }
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

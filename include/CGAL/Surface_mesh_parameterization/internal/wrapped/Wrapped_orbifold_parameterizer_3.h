@@ -38,7 +38,8 @@ public:
 
   // The arguments are those of CGAL's function; `bhd` must be on the seam, which is the only border.
   template <class ConeMap, class VertexIndexMap, class VertexUVMap>
-  Error_code parameterize(SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap, VertexUVMap uvmap, VertexIndexMap) const
+  Error_code parameterize(SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap, VertexUVMap uvmap,
+                          VertexIndexMap) const
   {
     typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
     typedef typename Wrapped_run<SeamMesh>::Index_map                  Index_map;
@@ -47,11 +48,14 @@ public:
     if (run.error() != OK)
       return run.error();
     std::vector<User_point_2> uv(run.vertices().size());
-    const auto session = std::make_shared<Constrained_session>(run.interpolation(), run.interpolation()->ranks(), this->options().solver, &make_multigrid_linear_solver<>);
+    const auto session = std::make_shared<Constrained_session>(run.interpolation(), run.interpolation()->ranks(),
+                                                               this->options().solver, &make_multigrid_linear_solver<>);
     const Error_code code = run.parameterize(session, uv, [&]() -> Error_code {
       if (num_vertices(mesh) != uv.size())
         return ERROR_NO_TOPOLOGICAL_DISC;
-      return this->make_parameterizer()->parameterize(mesh, bhd, cmap, Component_map<Index_map, User_point_2>{ run.index(), &uv }, run.index());
+      return this->make_parameterizer()->parameterize(mesh, bhd, cmap,
+                                                      Component_map<Index_map, User_point_2>{ run.index(), &uv },
+                                                      run.index());
     });
     for (std::size_t i = 0; i < uv.size() && code == OK; ++i)
       put(uvmap, run.vertices()[i], uv[i]);

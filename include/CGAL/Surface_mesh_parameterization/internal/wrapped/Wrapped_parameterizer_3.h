@@ -46,7 +46,8 @@ public:
 
   // Further arguments are handed on, as the number of iterations of Iterative_authalic_parameterizer_3.
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
-  Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap, VertexParameterizedMap vpmap, Others&&... others)
+  Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
+                          VertexParameterizedMap vpmap, Others&&... others)
   {
     if (this->options().fills_holes)
       return parameterize_filled(mesh, bhd, uvmap, vpmap, std::forward<Others>(others)...);
@@ -56,18 +57,21 @@ public:
 private:
   // Runs on a copy of the mesh that has no holes, where there can be one.
   template <class VertexUVMap, class VertexParameterizedMap, class... Others>
-  Error_code parameterize_filled(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexParameterizedMap vpmap, Others&&... others)
+  Error_code parameterize_filled(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap,
+                                 VertexParameterizedMap vpmap, Others&&... others)
   {
     if constexpr (Is_fillable<Triangle_mesh>::value) {
       Filled_mesh<Triangle_mesh> filled(mesh, bhd);
       if (filled.has_same_descriptors() || !this->has_arguments())
-        return parameterize_as_it_is(filled.mesh(), filled.border(), filled.of_copy(uvmap), filled.of_copy(vpmap), std::forward<Others>(others)...);
+        return parameterize_as_it_is(filled.mesh(), filled.border(), filled.of_copy(uvmap), filled.of_copy(vpmap),
+                                     std::forward<Others>(others)...);
     }
     return this->fail(ERROR_WRONG_PARAMETER);
   }
 
   template <class VertexUVMap, class VertexParameterizedMap, class... Others>
-  Error_code parameterize_as_it_is(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexParameterizedMap vpmap, Others&&... others)
+  Error_code parameterize_as_it_is(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap,
+                                   VertexParameterizedMap vpmap, Others&&... others)
   {
     typedef typename boost::property_traits<VertexUVMap>::value_type    User_point_2;
     typedef typename Wrapped_run<Triangle_mesh>::Index_map              Index_map;
@@ -87,18 +91,22 @@ private:
     std::function<bool(std::size_t)> is_locked;
     if (Use::locks_placed_vertices)
       is_locked = [&is_placed](std::size_t i) { return bool(is_placed[i]); };
-    const auto session = std::make_shared<Multigrid_session>(run.interpolation(), Mesh_unknowns(run.interpolation()->ranks(), is_locked),
-                                                             this->options().solver, &make_multigrid_linear_solver<>, Use::solves_in_pairs);
+    const auto session =
+        std::make_shared<Multigrid_session>(run.interpolation(), Mesh_unknowns(run.interpolation()->ranks(), is_locked),
+                                            this->options().solver, &make_multigrid_linear_solver<>,
+                                            Use::solves_in_pairs);
     Error_code code = run.parameterize(session, uv, [&] {
-      return this->make_parameterizer()->parameterize(mesh, bhd, Component_map<Index_map, User_point_2>{ run.index(), &uv }, run.index(),
-                                                      Component_map<Index_map, char>{ run.index(), &is_placed }, std::forward<Others>(others)...);
+      return this->make_parameterizer()->parameterize(
+          mesh, bhd, Component_map<Index_map, User_point_2>{ run.index(), &uv }, run.index(),
+          Component_map<Index_map, char>{ run.index(), &is_placed }, std::forward<Others>(others)...);
     });
     if (code == OK)
       code = run.apply_flip_policy(uv);
     typedef typename Flip_free_relative<Parameterizer>::type   Relative;
     if constexpr (!std::is_void<Relative>::value)
       if (code == OK && run.is_mostly_moved())
-        return Nested_iteration_parameterizer_3<Relative>(Relative(), parameters::summary(std::ref(run.summary()))).parameterize(mesh, bhd, uvmap, run.index(), vpmap);
+        return Nested_iteration_parameterizer_3<Relative>(Relative(), parameters::summary(std::ref(run.summary())))
+            .parameterize(mesh, bhd, uvmap, run.index(), vpmap);
     for (std::size_t i = 0; i < vertices.size() && code == OK; ++i) {
       put(uvmap, vertices[i], uv[i]);
       put(vpmap, vertices[i], bool(is_placed[i]));

@@ -37,7 +37,8 @@ public:
   // - `summary`: a std::reference_wrapper<Parameterization_summary> that receives what the run did
   Wrapped_parameterizer_base_3() : Wrapped_parameterizer_base_3(parameters::default_values()) { }
 
-  template <class First, class... Others, class = std::enable_if_t<!std::is_base_of<Wrapped_parameterizer_base_3, First>::value>>
+  template <class First, class... Others,
+            class = std::enable_if_t<!std::is_base_of<Wrapped_parameterizer_base_3, First>::value>>
   explicit Wrapped_parameterizer_base_3(const First& first, const Others&... others)
   {
     const auto arguments = std::make_tuple(first, others...);
@@ -79,7 +80,10 @@ private:
   void keep_arguments(const Tuple& arguments, std::index_sequence<positions...>)
   {
     m_has_arguments = sizeof...(positions) > 0;
-    m_make = [arguments] { (void)arguments; return std::make_unique<Parameterizer_with_multigrid>(std::get<positions>(arguments)...); };
+    m_make = [arguments] {
+      (void)arguments;
+      return std::make_unique<Parameterizer_with_multigrid>(std::get<positions>(arguments)...);
+    };
   }
 
   template <class NamedParameters>

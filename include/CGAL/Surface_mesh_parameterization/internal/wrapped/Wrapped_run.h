@@ -78,7 +78,8 @@ public:
 
   // Calls `parameterize()`, which makes a parameterizer whose solver is that of the session and writes its map to `uv`.
   template <class Point, class Function>
-  Error_code parameterize(const std::shared_ptr<Multigrid_session>& session, const std::vector<Point>& uv, const Function& parameterize)
+  Error_code parameterize(const std::shared_ptr<Multigrid_session>& session, const std::vector<Point>& uv,
+                          const Function& parameterize)
   {
     const Multigrid_solver_traits::Scope scope{ Multigrid_solver_traits(session) };
     Error_code code = parameterize();
@@ -101,7 +102,8 @@ public:
     for (const Point& p : uv)
       map.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
     const One_rings rings(uv.size(), m_surface.triangles);
-    summary().error.code = internal::apply_flip_policy(m_options.flip_policy, rings, [this] { return std::move(m_surface); }, map, summary());
+    summary().error.code = internal::apply_flip_policy(
+        m_options.flip_policy, rings, [this] { return std::move(m_surface); }, map, summary());
     if (summary().moved_vertices > 0)
       for (std::size_t i = 0; i < uv.size(); ++i)
         uv[i] = Point(map[i].x(), map[i].y());

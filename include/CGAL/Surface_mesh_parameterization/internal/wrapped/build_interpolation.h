@@ -16,7 +16,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The hierarchy of a surface as a linear solver needs it; null if the visitor has stopped the run. Where no visitor
 // wants to see the hierarchy, it is built without its faces.
-std::shared_ptr<const Hierarchy_interpolation> build_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options, Any_hierarchy_visitor* visitor);
+std::shared_ptr<const Hierarchy_interpolation>
+build_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options, Any_hierarchy_visitor* visitor);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

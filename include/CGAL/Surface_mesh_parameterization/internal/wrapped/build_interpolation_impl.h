@@ -13,7 +13,8 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-std::shared_ptr<const Hierarchy_interpolation> build_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options, Any_hierarchy_visitor* visitor)
+std::shared_ptr<const Hierarchy_interpolation>
+build_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options, Any_hierarchy_visitor* visitor)
 {
   if (!visitor)
     return std::make_shared<const Hierarchy_interpolation>(std::move(surface), options);
