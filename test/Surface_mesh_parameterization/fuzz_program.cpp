@@ -44,7 +44,7 @@ void check(const Input& input, UV_map uvmap, SMP::Error_code status, bool is_glo
   SMP::Mesh_component<Mesh> component(input.mesh, input.border);
   std::vector<SMP::internal::Point_2> uv;
   for (const auto v : component.vertices_of_component())
-    uv.push_back(uvmap[v]);
+    uv.emplace_back(uvmap[v].x(), uvmap[v].y());
   require(SMP::internal::has_no_flips(SMP::internal::One_rings(uv.size(), component.surface().triangles), uv));
   require(!is_globally_injective || SMP::parameterization_quality(input.mesh, input.faces, uvmap).overlaps == 0);
 }
