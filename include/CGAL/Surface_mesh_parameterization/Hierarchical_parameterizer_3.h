@@ -163,17 +163,17 @@ public:
 
   /// @}
   /// \name Constructors for ARAP_parameterizer_3
-  /// They take what the constructors of `ARAP_parameterizer_3` take, except the solver.
+  /// They take the arguments of CGAL's constructors, except the solver.
   /// @{
 
-  /// The argument `np` may stand alone.
+  /// takes `lambda`. The argument `np` may also stand alone.
   ///
   /// \param lambda the cost of a change of scale, see `As_rigid_as_possible_parameterizer_3`
   /// \param np the named parameters of `As_rigid_as_possible_parameterizer_3` and of `Nested_iteration_parameterizer_3`
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Hierarchical_parameterizer_3(double lambda = 1000, const NamedParameters& np = parameters::default_values());
 
-  /// The last three arguments before `np` may be left out, from the right.
+  /// takes all arguments of CGAL's class. The last three before `np` may be left out, from the right.
   ///
   /// \param border_parameterizer not used: the border is free
   /// \param lambda the cost of a change of scale
