@@ -92,7 +92,8 @@ struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 ///   SMP::Error_code status = SMP::parameterize(mesh, mips, bhd, uvmap);
 ///
 ///   typedef SMP::Square_border_arc_length_parameterizer_3<Mesh>   Border;
-///   SMP::Hierarchical_parameterizer_3<SMP::Mean_value_coordinates_parameterizer_3<Mesh, Border>> mean_value(Border(v0, v1, v2, v3));
+///   typedef SMP::Mean_value_coordinates_parameterizer_3<Mesh, Border>   Mean_value;
+///   SMP::Hierarchical_parameterizer_3<Mean_value> mean_value(Border(v0, v1, v2, v3));
 ///   status = SMP::parameterize(mesh, mean_value, bhd, uvmap);
 /// \endcode
 ///
@@ -189,8 +190,8 @@ public:
   /// \name Operations
   /// @{
 
-  /// parameterizes the connected component of `mesh` that contains `bhd`. The free function `parameterize(mesh,
-  /// parameterizer, bhd, uvmap)` calls it with maps of its own for the last two.
+  /// parameterizes the connected component of `mesh` that contains `bhd`. The free function
+  /// `parameterize(mesh, parameterizer, bhd, uvmap)` calls it with maps of its own for the last two.
   ///
   /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex. It is only read
   /// \param bhd a halfedge on the outer border of `mesh`
