@@ -17,15 +17,14 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \ingroup PkgHierarchicalParameterizationEnergies
 ///
 /// The squared distance of a triangle's map from the nearest similarity, plus a penalty for that similarity's scale
-/// `s`: the least value, over `s >= 0`, of `(s1 - s)^2 + (s2 - s)^2 + k (s^2 - 1)^2` with the singular values `s1 >=
-/// |s2|` of the map, of which the second is negative if the triangle is flipped. It is 0 for an isometry. The stiffness
-/// `k` is \f$ \lambda / (2A) \f$ for a triangle of area `A`.
+/// `s`: the least value, over `s >= 0`, of `(s1 - s)^2 + (s2 - s)^2 + k (s^2 - 1)^2` with the singular values
+/// `s1 >= |s2|` of the map, of which the second is negative if the triangle is flipped. It is 0 for an isometry. The
+/// stiffness `k` is \f$ \lambda / (2A) \f$ for a triangle of area `A`.
 ///
 /// Weighted by the areas, the sum over the triangles is the energy that
 /// `CGAL::Surface_mesh_parameterization::ARAP_parameterizer_3` minimizes, half of
-/// \f[ \sum_t \Bigl( \sum_{i} \cot\theta_i \, | u_{i+1} - u_{i+2} - L_t ( x_{i+1} - x_{i+2} ) |^2 + \lambda ( a_t^2 +
-/// b_t^2 - 1 )^2 \Bigr),
-///     \qquad L_t = \begin{pmatrix} a_t & b_t \\ -b_t & a_t \end{pmatrix}, \f]
+/// \f[ \sum_t \Bigl( \sum_{i} \cot\theta_i \, | u_{i+1} - u_{i+2} - L_t ( x_{i+1} - x_{i+2} ) |^2
+///     + \lambda ( a_t^2 + b_t^2 - 1 )^2 \Bigr), \qquad L_t = \begin{pmatrix} a_t & b_t \\ -b_t & a_t \end{pmatrix}, \f]
 /// minimized over all \f$ L_t \f$. The cotangents may be negative: they only express the Dirichlet integral of a
 /// triangle.
 ///
@@ -62,8 +61,8 @@ public:
   /// values returned there are finite.
   ///
   /// With `r = (s1 + s2) / 2` the energy is `(s1 - s2)^2 / 2 + h(r)` where `h(r) = min 2 (r - s)^2 + k (s^2 - 1)^2`. By
-  /// the envelope theorem `h' = 4 (r - s)` at the best `s`, and with the implicit derivative of `s`, `h'' = 4 (1 - 1 /
-  /// (1 + k (3 s^2 - 1)))`.
+  /// the envelope theorem `h' = 4 (r - s)` at the best `s`, and with the implicit derivative of `s`,
+  /// `h'' = 4 (1 - 1 / (1 + k (3 s^2 - 1)))`.
   Distortion_derivatives_2 derivatives(double frobenius, double determinant) const
   {
     constexpr double least_r = 1e-12, least_slope = 1e-12;

@@ -92,7 +92,8 @@ struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 ///   SMP::Error_code status = SMP::parameterize(mesh, mips, bhd, uvmap);
 ///
 ///   typedef SMP::Square_border_arc_length_parameterizer_3<Mesh>   Border;
-///   SMP::Hierarchical_parameterizer_3<SMP::Mean_value_coordinates_parameterizer_3<Mesh, Border>> mean_value(Border(v0, v1, v2, v3));
+///   typedef SMP::Mean_value_coordinates_parameterizer_3<Mesh, Border>   Mean_value;
+///   SMP::Hierarchical_parameterizer_3<Mean_value> mean_value(Border(v0, v1, v2, v3));
 ///   status = SMP::parameterize(mesh, mean_value, bhd, uvmap);
 /// \endcode
 ///
@@ -163,17 +164,17 @@ public:
 
   /// @}
   /// \name Constructors for ARAP_parameterizer_3
-  /// They take what the constructors of `ARAP_parameterizer_3` take, except the solver.
+  /// They take the arguments of CGAL's constructors, except the solver.
   /// @{
 
-  /// The argument `np` may stand alone.
+  /// takes `lambda`. The argument `np` may also stand alone.
   ///
   /// \param lambda the cost of a change of scale, see `As_rigid_as_possible_parameterizer_3`
   /// \param np the named parameters of `As_rigid_as_possible_parameterizer_3` and of `Nested_iteration_parameterizer_3`
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Hierarchical_parameterizer_3(double lambda = 1000, const NamedParameters& np = parameters::default_values());
 
-  /// The last three arguments before `np` may be left out, from the right.
+  /// takes all arguments of CGAL's class. The last three before `np` may be left out, from the right.
   ///
   /// \param border_parameterizer not used: the border is free
   /// \param lambda the cost of a change of scale
@@ -189,8 +190,8 @@ public:
   /// \name Operations
   /// @{
 
-  /// parameterizes the connected component of `mesh` that contains `bhd`. The free function `parameterize(mesh,
-  /// parameterizer, bhd, uvmap)` calls it with maps of its own for the last two.
+  /// parameterizes the connected component of `mesh` that contains `bhd`. The free function
+  /// `parameterize(mesh, parameterizer, bhd, uvmap)` calls it with maps of its own for the last two.
   ///
   /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex. It is only read
   /// \param bhd a halfedge on the outer border of `mesh`

@@ -37,9 +37,9 @@ public:
   typedef std::vector<Point_2>               Uv;         ///< the places of the vertices in the plane, by rank
   typedef internal::One_rings::Ring          Ring;       ///< a range of vertices
 
-  /// A triangle's shape in space, seen from its corner V over the opposite edge AB. In lengths of AB, the height from V
-  /// meets AB at `foot` (0 at A, 1 at B) and is `height` long; `inverse_area` is 1 by the area, in the units of
-  /// `point()`
+  /// the shape of a triangle in space, seen from its corner V with the opposite edge AB. The height from V has the
+  /// length `height` and meets AB at `foot` (0 at A, 1 at B), both relative to the length of AB. `inverse_area` is 1
+  /// divided by the area, in the units of `point()`
   typedef internal::Rest_corner              Rest_corner;
 
   /// makes the level with the given index. The hierarchy is kept by reference.
@@ -114,8 +114,8 @@ public:
   /// of `one_ring(v)`
   const Rest_corner* rest_corners(Index v) const { return m_rest_corners.data() + m_rings.first_slot(v); }
 
-  /// calls `f(v)` for every vertex, by the threads that the run may use. What one call writes no other call may read or
-  /// write.
+  /// calls `f(v)` for every vertex `v`, in the threads that the run may use. No call may read or write what another
+  /// call writes.
   template <class Function>
   void for_each_vertex(const Function& f) const { m_loops.for_each(0, Index(number_of_vertices()), f); }
 

@@ -12,8 +12,9 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationEnergies
 ///
-/// The MIPS energy of a triangle's map, `s1/s2 + s2/s1 = (s1^2 + s2^2) / (s1 s2)`, with the singular values `s1 >= s2 >
-/// 0` of the map. It measures the distortion of angles, does not depend on scale, and is 2 for a similarity.
+/// The MIPS energy of a triangle's map, `s1/s2 + s2/s1 = (s1^2 + s2^2) / (s1 s2)`, with the singular values
+/// `s1 >= s2 > 0` of the map. It measures the distortion of angles, does not depend on scale, and is 2 for a
+/// similarity.
 ///
 /// Source: Hormann and Greiner, *MIPS: An efficient global parametrization method*, 1999.
 ///

@@ -50,7 +50,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// A class that makes its solver by the default constructor gets the solver of the innermost `Scope` of its thread:
 /// \code
 ///   SMP::Multigrid_solver_traits::Scope scope(solver);
-///   SMP::LSCM_parameterizer_3<Mesh, Two_vertices, SMP::Multigrid_solver_traits>().parameterize(mesh, bhd, uvmap, vimap, vpmap);
+///   typedef SMP::LSCM_parameterizer_3<Mesh, Two_vertices, SMP::Multigrid_solver_traits>   LSCM;
+///   LSCM().parameterize(mesh, bhd, uvmap, vimap, vpmap);
 /// \endcode
 ///
 /// Copies share their state, so several threads must not use them at once.

@@ -18,8 +18,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \ingroup PkgHierarchicalParameterizationHierarchy
 ///
 /// One mesh of the sequence \f$ M^0, \dots, M^n \f$ of a hierarchy (Hoppe 1996). It can become the others of the
-/// sequence, vertex by vertex or level by level. The vertices of the mesh with `k` vertices have the ranks from 0 to `k
-/// - 1`. The triangles keep their ranks, too.
+/// sequence, vertex by vertex or level by level. The vertices of the mesh with `k` vertices have the ranks from 0
+/// to `k - 1`. The triangles keep their ranks, too.
 ///
 /// The hierarchy must outlive it.
 class Progressive_mesh_3

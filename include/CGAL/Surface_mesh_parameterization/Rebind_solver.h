@@ -23,7 +23,10 @@ template <class, class> class Orbifold_Tutte_parameterizer_3;
 /// \code
 ///   namespace CGAL::Surface_mesh_parameterization {
 ///   template <class Mesh, class Solver, class NewSolver>
-///   struct Rebind_solver<My_parameterizer_3<Mesh, Solver>, NewSolver> { typedef My_parameterizer_3<Mesh, NewSolver> type; };
+///   struct Rebind_solver<My_parameterizer_3<Mesh, Solver>, NewSolver>
+///   {
+///     typedef My_parameterizer_3<Mesh, NewSolver> type;
+///   };
 ///   }
 /// \endcode
 /// Such a parameterizer makes its solver by the default constructor, for example as the default of an argument of its

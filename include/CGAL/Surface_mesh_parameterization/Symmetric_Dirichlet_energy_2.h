@@ -12,9 +12,9 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationEnergies
 ///
-/// The symmetric Dirichlet energy of a triangle's map, `s1^2 + s2^2 + 1/s1^2 + 1/s2^2 = (s1^2 + s2^2) (1 + 1/(s1
-/// s2)^2)`, with the singular values `s1 >= s2 > 0` of the map. It measures the distance from an isometry and is 4 for
-/// an isometry.
+/// The symmetric Dirichlet energy of a triangle's map,
+/// `s1^2 + s2^2 + 1/s1^2 + 1/s2^2 = (s1^2 + s2^2) (1 + 1/(s1 s2)^2)`, with the singular values `s1 >= s2 > 0` of the
+/// map. It measures the distance from an isometry and is 4 for an isometry.
 ///
 /// Source: Smith and Schaefer, *Bijective parameterization with free boundaries*, 2015.
 ///

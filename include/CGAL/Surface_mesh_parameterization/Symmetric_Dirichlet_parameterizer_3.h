@@ -13,9 +13,9 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// Minimizes the symmetric Dirichlet energy with a free border: the mean over the area of `s1^2 + s2^2 + 1/s1^2 +
-/// 1/s2^2`. It preserves lengths, in the units of the mesh. See `Distortion_parameterizer_3` for guarantees and
-/// options; the default of `triangle_weight` is `AREA`.
+/// Minimizes the symmetric Dirichlet energy with a free border: the mean over the area of
+/// `s1^2 + s2^2 + 1/s1^2 + 1/s2^2`. It preserves lengths, in the units of the mesh. See `Distortion_parameterizer_3`
+/// for guarantees and options; the default of `triangle_weight` is `AREA`.
 ///
 /// Source: Smith and Schaefer, *Bijective parameterization with free boundaries*, 2015.
 ///

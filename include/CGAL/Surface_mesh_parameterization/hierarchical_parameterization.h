@@ -24,9 +24,10 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// parameterizes a surface coarse to fine, in one call:
 /// \code
-///   auto result = SMP::hierarchical_parameterization(mesh, uvmap);                                               // MIPS
+///   auto result = SMP::hierarchical_parameterization(mesh, uvmap);      // MIPS
 ///   result = SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(mesh, uvmap);
-///   result = SMP::hierarchical_parameterization<SMP::Mean_value_coordinates_parameterizer_3>(mesh, uvmap, CGAL::parameters::tolerance(1e-8));
+///   result = SMP::hierarchical_parameterization<SMP::Mean_value_coordinates_parameterizer_3>(
+///     mesh, uvmap, CGAL::parameters::tolerance(1e-8));
 ///   if (!result.is_ok())
 ///     std::cerr << SMP::error_message(result.error) << '\n';
 /// \endcode

@@ -127,8 +127,8 @@ namespace IO {
 
 /// \ingroup PkgHierarchicalParameterizationIO
 ///
-/// draws a parameterization as SVG: the triangles in the plane, colored by their distortion of angles `(s1/s2 + s2/s1)
-/// / 2`, from nearly white (1) over orange to dark red (2 and more), with a color bar.
+/// draws a parameterization as SVG: the triangles in the plane, colored by their distortion of angles
+/// `(s1/s2 + s2/s1) / 2`, from nearly white (1) over orange to dark red (2 and more), with a color bar.
 ///
 /// \param os the stream; its state tells whether writing succeeded
 /// \param mesh a triangle mesh, a model of `FaceGraph` with an internal vertex point map
