@@ -97,11 +97,11 @@ private:
     return worst;
   }
 
-  // s1/s2 + s2/s1 by the cotangents of the triangle in space; infinite unless the exact predicate says that the
-  // triangle is positive. One that is degenerate in space has no shape to keep.
+  // s1/s2 + s2/s1 by the cotangents of the triangle in space; infinite unless the image is positive. A triangle that is
+  // degenerate in space has no shape to keep.
   static double distortion(const Level& level, const Level::Triangle& t, const Level::Uv& uv)
   {
-    if (CGAL::orientation(uv[t[0]], uv[t[1]], uv[t[2]]) != CGAL::LEFT_TURN)
+    if (!Level::is_positive(uv[t[0]], uv[t[1]], uv[t[2]]))
       return (std::numeric_limits<double>::infinity)();
     const double squared_area = CGAL::squared_area(level.point(t[0]), level.point(t[1]), level.point(t[2]));
     if (squared_area == 0)

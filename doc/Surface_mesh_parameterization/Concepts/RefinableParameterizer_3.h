@@ -9,8 +9,7 @@
 ///
 /// A *flip-free* map has only positive triangles, by exact predicates. The angles at an interior vertex sum to one
 /// turn, and at a border vertex to less. The points of a level are of `CGAL::Simple_cartesian<double>`, whose
-/// predicates are not exact. So a flip-free method converts them to a kernel with exact predicates, such as
-/// `CGAL::Exact_predicates_inexact_constructions_kernel`, before it tests orientations.
+/// predicates are not exact. So a flip-free method tests triangles by `Level::is_positive()`.
 ///
 /// Methods are copied. All functions of a run are called on the same copy.
 ///

@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 
@@ -106,6 +107,12 @@ public:
   /// the first one unless `v` lies on the border: then these are its neighbors on the border, of which the first one
   /// comes next when the surface lies to the left.
   Ring one_ring(Index v) const { return m_rings[v]; }
+
+  /// whether a triangle in the plane is positive, exactly; the predicates of the points' own kernel are not exact
+  static bool is_positive(const Point_2& a, const Point_2& b, const Point_2& c)
+  {
+    return internal::is_left_turn(a, b, c);
+  }
 
   /// number of triangles around `v`
   std::size_t number_of_triangles(Index v) const { return m_rings.number_of_triangles(v); }

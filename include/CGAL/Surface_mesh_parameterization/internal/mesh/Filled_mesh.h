@@ -67,7 +67,7 @@ public:
     }
   };
 
-  // What is no surface to parameterize is copied only.
+  // A mesh that would be rejected is copied as it is.
   Filled_mesh(const TriangleMesh& mesh, halfedge_descriptor bhd) : m_mesh(mesh), m_border(bhd)
   {
     auto h = halfedges(m_mesh).begin();
