@@ -42,12 +42,10 @@ public:
   /// \param mesh the user's mesh
   /// \param bhd the user's halfedge on the outer border
   /// \param uvmap a readable and writable property map from the component's vertices to points. At the call it has the
-  /// user's
-  ///        places where the user's `vpmap` is `true`; it receives the map
+  ///        user's places where the user's `vpmap` is `true`; it receives the map
   /// \param vimap the indices of the component's vertices, from 0 without gaps; they are not the user's
   /// \param vpmap a readable and writable property map from the component's vertices to `bool`. At the call it has the
-  /// user's
-  ///        values
+  ///        user's values
   /// \param others the further arguments of `Hierarchical_parameterizer_3::parameterize()`
   ///
   /// \return `OK`, or an error, which leaves the user's maps unchanged

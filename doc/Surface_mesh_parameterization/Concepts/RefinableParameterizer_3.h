@@ -38,8 +38,7 @@ public:
   /// \param mesh the user's mesh
   /// \param bhd the user's halfedge on the outer border
   /// \param uvmap receives the places, in the user's units. The result has exactly these places, unless a coordinate
-  /// under-
-  ///        or overflows in units of the level
+  ///        under- or overflows in units of the level
   /// \param vimap the indices of the component's vertices, from 0 without gaps
   /// \param vpmap receives `true` for every vertex that is fixed
   ///
@@ -62,8 +61,7 @@ public:
   /// \param uv receives a place for every vertex of the level, by rank
   ///
   /// \return `OK` and a map, flip-free if the method is, or an error. After `ERROR_NO_1_TO_1_MAPPING` of a flip-free
-  /// method,
-  ///         nested iteration tries again with a coarser coarsest level
+  ///         method, nested iteration tries again with a coarser coarsest level
   CGAL::Surface_mesh_parameterization::Error_code
   parameterize_coarsest(const CGAL::Surface_mesh_parameterization::Level& level,
                         CGAL::Surface_mesh_parameterization::Level::Uv& uv);
@@ -71,8 +69,7 @@ public:
   /// improves a map. It is called for every level, including the coarsest one.
   ///
   /// \param level the level. The vertices from `level.first_new_vertex()` on are new, and `level.is_finest()` tells
-  /// whether
-  ///        this is the last call
+  ///        whether this is the last call
   /// \param uv a map of the level. If the method is flip-free, the map is flip-free and must stay so
   /// \param summary receives what was done. The caller fills in the numbers of vertices and faces and the time
   ///

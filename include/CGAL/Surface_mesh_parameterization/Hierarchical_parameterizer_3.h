@@ -100,8 +100,7 @@ struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 /// \cgalModels `Parameterizer_3`
 ///
 /// \tparam Parameterizer a model of `RefinableParameterizer_3` or of `RebindableParameterizer_3`, or one of CGAL's
-/// classes
-///         that are named above
+///         classes that are named above
 template <class Parameterizer>
 class Hierarchical_parameterizer_3
 #ifndef DOXYGEN_RUNNING
@@ -196,8 +195,7 @@ public:
   /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex. It is only read
   /// \param bhd a halfedge on the outer border of `mesh`
   /// \param uvmap a writable property map from vertices to points of the plane. A model of `RebindableParameterizer_3`
-  /// also
-  ///        reads the places of the vertices for which `vpmap` is `true`. Untouched on an error
+  ///        also reads the places of the vertices for which `vpmap` is `true`. Untouched on an error
   /// \param vimap not used: vertices get indices of the package's own
   /// \param vpmap a readable and writable property map from vertices to `bool`: set for each vertex that got a place.
   ///        Untouched on an error
@@ -205,8 +203,7 @@ public:
   ///        `Iterative_authalic_parameterizer_3`; none for a model of `RefinableParameterizer_3`
   ///
   /// \return `OK`; an error of `Mesh_component` or of the parameterizer; `ERROR_NO_1_TO_1_MAPPING` if there are flips
-  /// and
-  ///         the `Flip_policy` is `FAIL`, if no map without flips was found, or if a visitor stopped the run
+  ///         and the `Flip_policy` is `FAIL`, if no map without flips was found, or if a visitor stopped the run
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap vimap,
                           VertexParameterizedMap vpmap, Others&&... others);

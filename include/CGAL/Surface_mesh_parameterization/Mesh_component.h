@@ -52,8 +52,7 @@ public:
   /// reads and checks the component of `mesh` that contains the border halfedge `bhd`. The result is in `error()`.
   ///
   /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`: whether
-  /// the checks
-  ///         may use several threads
+  ///         the checks may use several threads
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   Mesh_component(const TriangleMesh& mesh, halfedge_descriptor bhd, ConcurrencyTag = ConcurrencyTag())
   {

@@ -102,8 +102,8 @@ public:
   /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
   /// \param bhd a halfedge on the outer border of `mesh`
   /// \param vimap a readable property map from vertices to integers: the order of the vertices in the linear system.
-  /// With k
-  ///        unknowns at each vertex, the vertex with the i-th smallest index, from 0, has the unknowns from k i to
+  ///        With k unknowns at each vertex, the vertex with the i-th smallest index, from 0, has the unknowns from k i
+  ///        to
   ///        k i + k - 1. A vertex with a negative index is not in the system
   /// \param np
   /// - `tolerance`: greatest relative residual, rows scaled to unit diagonal; default 1e-10

@@ -78,8 +78,7 @@ public:
   /// an error
   ///
   /// \return `OK`; an error of `Mesh_component` or of the method; `ERROR_WRONG_PARAMETER` if the method fixed a vertex
-  /// at a
-  ///         place that is not finite; `ERROR_NO_1_TO_1_MAPPING` if a vertex could not be inserted without a flip,
+  ///         at a place that is not finite; `ERROR_NO_1_TO_1_MAPPING` if a vertex could not be inserted without a flip,
   ///         because its neighbors lie too close together for doubles, if there are flips and the `Flip_policy` is
   ///         `FAIL`, or if the visitor stopped the run
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>

@@ -42,8 +42,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \param np the named parameters of `Method<TriangleMesh>` and of `Hierarchical_parameterizer_3`
 ///
 /// \return what the run did: the error if there was one, whether the map converged, its energy, the levels, seconds.
-/// The
-///         error of a closed surface is `ERROR_NO_TOPOLOGICAL_DISC`
+///         The error of a closed surface is `ERROR_NO_TOPOLOGICAL_DISC`
 template <template <class...> class Method = MIPS_parameterizer_3, class TriangleMesh, class VertexUVMap,
           class NamedParameters = parameters::Default_named_parameters>
 Parameterization_summary hierarchical_parameterization(TriangleMesh& mesh, VertexUVMap uvmap,
