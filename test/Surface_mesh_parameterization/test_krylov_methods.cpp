@@ -54,6 +54,7 @@ struct Dense_system
   }
 
   Value_2 squared_size(Index, const Value_2& r) const { return r * r; }
+  Value_2 direction_factor(const Value_2& a, const Value_2& b) const { return quotient(a, b); }
   bool is_finished(const Value_2& squared_norm) const
   {
     return is_less_or_equal(sqrt(squared_norm), Value_2::all(target));

@@ -74,12 +74,6 @@ struct Values
     return map(a, b, [](Real x, Real y) { return y != 0 ? x / y : Real(0); });
   }
 
-  // 0 where it is not positive.
-  friend Values quotient_by_positive(const Values& a, const Values& b)
-  {
-    return map(a, b, [](Real x, Real y) { return y > 0 ? x / y : Real(0); });
-  }
-
   // For all elements; a NaN is neither.
   friend bool is_less_or_equal(const Values& a, const Values& b)
   {

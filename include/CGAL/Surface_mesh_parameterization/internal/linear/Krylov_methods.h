@@ -22,13 +22,15 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 //   row_times(i, x)             row i of A x
 //   precondition(r)             M^-1 r, in a vector that the caller may overwrite; it is valid until the next call
 //   squared_size(i, r)          what the residual r of row i contributes to the squared norm
-//   is_finished(squared_norm)   whether to stop: the residual is small enough for each right side, or there is no progress any more
+//   direction_factor(a, b)      for conjugate gradients: how much of the last direction the next one keeps, a / b where
+//                               M is definite; a and b are the products of residual and M^-1 residual, now and before
+//   is_finished(squared_norm)   whether to stop: the residual is small enough for each right side, or there is no
+//                               progress any more
 // Products are numbers, or one number for each right side. The methods start from `x` and its residual `r`, change
 // both, and stop where is_finished(), after `most_iterations`, or where a right side breaks down; they return the
 // number of iterations.
 
 inline double quotient(double a, double b) { return b != 0 ? a / b : 0; }
-inline double quotient_by_positive(double a, double b) { return b > 0 ? a / b : 0; }
 inline bool is_less_or_equal(double a, double b) { return a <= b; }
 inline bool is_finite(double a) { return std::isfinite(a); }
 
@@ -84,8 +86,7 @@ Product_of<Vector> go_along(const System& system, const Product_of<Vector>& alph
   });
 }
 
-// Conjugate gradients; A and M must be symmetric and positive definite. Where rounding makes M indefinite, they begin
-// anew. `p` is scratch of the size of x.
+// Conjugate gradients; A and M must be symmetric and positive definite. `p` is scratch of the size of x.
 template <class System, class Vector>
 std::size_t conjugate_gradients(System& system, Vector& x, Vector& r, Vector& p, std::size_t most_iterations)
 {
@@ -98,7 +99,8 @@ std::size_t conjugate_gradients(System& system, Vector& x, Vector& r, Vector& p,
   while (iterations < most_iterations && !system.is_finished(norm2)) {
     Vector& z = system.precondition(r);
     ++iterations;
-    const Product rz_before = std::exchange(rz, inner_product(loops, r, z)), beta = quotient_by_positive(rz, rz_before);
+    const Product rz_before = std::exchange(rz, inner_product(loops, r, z)),
+                  beta = system.direction_factor(rz, rz_before);
     loops.for_each(0, system.number_of_rows(), [&](Index i) { p[i] = z[i] + beta * p[i]; });
     const Product curvature = multiply(system, p, z, p), alpha = quotient(rz, curvature);
     if (!is_less_or_equal(zero, curvature) || !is_finite(alpha))

@@ -121,6 +121,12 @@ private:
     const Loops& loops() const { return m_system.loops(); }
     Value row_times(Index i, const Vector& x) const { return m_system.row_times(i, x); }
     Value squared_size(Index i, const Value& r) const { return m_system.squared_size(i, r); }
+
+    // Incomplete factors may be indefinite, and the iteration arrives all the same.
+    Value direction_factor(const Value& product, const Value& last_product) const
+    {
+      return quotient(product, last_product);
+    }
     bool is_solved(const Vector& r) const { return is_less_or_equal(m_system.norm(r), m_target); }
 
     bool is_finished(const Value& squared_norm)

@@ -140,6 +140,12 @@ private:
     Block_vectors& precondition(const Block_vectors& r) { return m_multigrid.cycle(r); }
     double squared_size(Index, const Block_vector& r) const { return inner_product(r, r); }
 
+    // Where rounding has made the cycle indefinite, the iteration begins anew.
+    double direction_factor(double product, double last_product) const
+    {
+      return last_product > 0 ? product / last_product : 0;
+    }
+
     // The first residual is that at the start.
     bool is_finished(double squared_norm)
     {
