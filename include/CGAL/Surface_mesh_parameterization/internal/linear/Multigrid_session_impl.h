@@ -78,11 +78,8 @@ bool Multigrid_session::put_off(const Vector& right_side, Vector& solution)
   const std::vector<double>& b = right_side.values();      // which may be what waits
   if (b.size() != m_solver->rows()->number_of_rows())
     return false;
-  if (const auto waiting = take_waiting_solution()) {
-    const bool is_solved = solve({ &m_waiting_right_side, &b }, { &waiting->values, &solution.values() });
-    m_all_solved = m_all_solved && is_solved;
-    return is_solved;
-  }
+  if (const auto waiting = take_waiting_solution())
+    return solve({ &m_waiting_right_side, &b }, { &waiting->values, &solution.values() });
   m_waiting_right_side = b;
   solution.values().resize(b.size());
   m_waiting_solution = solution.numbers();
