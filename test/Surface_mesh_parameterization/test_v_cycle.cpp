@@ -190,7 +190,7 @@ struct Block_system
   Block_vector row_times(Index i, const Block_vectors& x) const { return multigrid.matrix().row_times(i, x); }
   Block_vectors& precondition(const Block_vectors& r) { return multigrid.cycle(r); }
   double squared_size(Index, const Block_vector& r) const { return inner_product(r, r); }
-  double direction_factor(double a, double b) const { return a / b; }
+  double direction_factor(double a, double b) const { return SMP::internal::quotient(a, b); }
   bool is_finished(double squared_norm) const { return std::sqrt(squared_norm) <= target; }
 };
 

@@ -23,7 +23,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 //   precondition(r)             M^-1 r, in a vector that the caller may overwrite; it is valid until the next call
 //   squared_size(i, r)          what the residual r of row i contributes to the squared norm
 //   direction_factor(a, b)      for conjugate gradients: how much of the last direction the next one keeps, a / b where
-//                               M is definite; a and b are the products of residual and M^-1 residual, now and before
+//                               M is definite, 0 where b is; a and b are the products of residual and M^-1 residual, now
+//                               and before, 0 at the start
 //   is_finished(squared_norm)   whether to stop: the residual is small enough for each right side, or there is no
 //                               progress any more
 // Products are numbers, or one number for each right side. The methods start from `x` and its residual `r`, change
