@@ -386,8 +386,8 @@ void compare_solvers(Named_mesh& input, const std::string& method, bool is_symme
   for (std::size_t i = 0; i < component.vertices_of_component().size(); ++i)
     index[component.vertices_of_component()[i]] = int(i);
 
-  typedef Parameterizer<Mesh, SMP::Circular_border_arc_length_parameterizer_3<Mesh>, SMP::Multigrid_solver_traits>   Rebound;
-  Problem problem = { input.mesh, choice.tolerance, SMP::internal::Solver_use<Rebound>::has_uniform_weights, {}, {} };
+  typedef Parameterizer<Mesh, SMP::Circular_border_arc_length_parameterizer_3<Mesh>, SMP::Multigrid_solver_traits>   With_multigrid;
+  Problem problem = { input.mesh, choice.tolerance, SMP::internal::Solver_use<With_multigrid>::has_uniform_weights, {}, {} };
   assemble<Parameterizer>(input.mesh, index, problem.system);
   assemble<Parameterizer>(input.mesh, index, problem.multigrid_system);
   for (const Named_solver& solver : all_solvers()) {
