@@ -55,6 +55,13 @@ public:
   /// \return whether the method can do so
   bool leave_room();
 
+  /// optional, for a method that can keep the borders of a map from meeting: switches this off and on. Nested iteration
+  /// switches it off first. If borders meet in the result, it switches it on, and goes on from the finest level on
+  /// which they did not; a visitor sees the levels above it a second time.
+  ///
+  /// \return whether the method was asked to keep borders apart
+  bool keep_borders_apart(bool yes);
+
   /// makes the first map, that of the coarsest level.
   ///
   /// \param level the coarsest level, with about a hundred vertices, or the whole input in a flat run

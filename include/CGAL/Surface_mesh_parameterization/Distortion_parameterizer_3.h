@@ -11,8 +11,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/is_finite_energy.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <cmath>
 #include <utility>
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -24,13 +26,17 @@ namespace CGAL::Surface_mesh_parameterization {
 /// the triangles around a vertex wind around it once. If the energy does not depend on scale, the result has the area
 /// of the surface.
 ///
-/// A free border may overlap itself, unless the named parameter `globally_injective` is true. Then a barrier term
-/// (Smith and Schaefer 2015) is added to the energy where borders come near each other. No border meets itself or
-/// another one, by exact predicates.
+/// A free border may overlap itself, unless the named parameter `globally_injective` is true. Then no border meets
+/// itself or another one, by exact predicates. If the map without this parameter is such a map, it is the result.
+/// Otherwise a barrier term (Smith and Schaefer 2015) is added to the energy where borders come near each other.
 ///
 /// Without the adaptor the method starts from Tutte's map onto a circle. If that has flips in doubles, it starts from
-/// the result on a level that is coarse enough. With `Hierarchical_parameterizer_3` it always starts from the result of
-/// a coarse level, which is much faster on large meshes.
+/// the result on a level that is coarse enough. With `Hierarchical_parameterizer_3` it starts from the result of a
+/// coarse level, which is much faster on large meshes. Where that ends at more than four times the minimum, or finds no
+/// map, the method also starts from Tutte's map of the finest level, and the better result counts: no result is worse
+/// than Tutte's map.
+///
+/// If an energy of one's own is not finite where a level starts, symmetric Dirichlet energy is minimized first.
 ///
 /// The minimum may need scales that differ by more than doubles can hold, so that no hierarchy leads to the finest
 /// level. Then a small part of the symmetric Dirichlet energy is added, and the result counts as not converged.
@@ -69,6 +75,7 @@ public:
     : Base(np), m_options(defaults)
   {
     m_options.set(np);
+    m_must_be_injective = m_options.is_globally_injective;
   }
 
   /// Tutte's map of a level, scaled to the surface's area.
@@ -80,7 +87,8 @@ public:
   }
 
   /// improves a flip-free map of a level and keeps it flip-free.
-  /// \return `OK`, or `ERROR_NO_1_TO_1_MAPPING` if `globally_injective` is true and the borders could not be separated
+  /// \return `OK`, or `ERROR_NO_1_TO_1_MAPPING` if `globally_injective` is true and the borders could not be
+  ///         separated, or if the energy is not finite on the finest level
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     if constexpr (Energy::is_scale_invariant)
@@ -96,16 +104,40 @@ public:
   /// \return whether the scale was not bounded before
   bool leave_room() { return Energy::is_scale_invariant && !std::exchange(m_bounds_scale, true); }
 
+  /// switches off and on what `globally_injective` asks for.
+  /// \return whether it was asked for
+  bool keep_borders_apart(bool yes)
+  {
+    m_options.is_globally_injective = yes && m_must_be_injective;
+    return m_must_be_injective;
+  }
+
 private:
   template <class E>
   Error_code minimize(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     const internal::Level_energy_of<E> energy(level, m_options.triangle_weight);
-    return internal::minimize_flip_free(energy, Energy::is_scale_invariant && level.is_finest(), uv, m_options,
-                                        summary);
+    if constexpr (!internal::is_finite_energy<E>)
+      if (!std::isfinite(energy(uv)))
+        lower_distortion(level, uv);
+    const Error_code status = internal::minimize_flip_free(
+        energy, Energy::is_scale_invariant && level.is_finest(), uv, m_options, summary);
+    if constexpr (!internal::is_finite_energy<E>)
+      if (status == OK && level.is_finest() && !std::isfinite(energy(uv)))
+        return ERROR_NO_1_TO_1_MAPPING;
+    return status;
+  }
+
+  // Brings a map to where an energy that overflows may be finite: to a minimum of one that does not.
+  void lower_distortion(const Level& level, Level::Uv& uv) const
+  {
+    Level_summary unused;
+    const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, m_options.triangle_weight);
+    internal::minimize_flip_free(energy, false, uv, m_options, unused);
   }
 
   Refinement_options m_options;
+  bool m_must_be_injective = false;
   bool m_bounds_scale = false;
 };
 

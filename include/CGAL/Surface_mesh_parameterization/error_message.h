@@ -38,8 +38,8 @@ inline std::string error_message(const Parameterization_error& error)
     case ERROR_NO_1_TO_1_MAPPING: message = "no map without flips was found"; break;
     case ERROR_WRONG_PARAMETER:
       message = is_at_vertex ? "a coordinate is not a finite number"
-                             : "the halfedge is not on a border, a place on the border of the map is not finite, or "
-                               "the holes of such a mesh cannot be filled";
+                             : "the halfedge is not on a border, a place on the border of the map is not finite, the "
+                               "map is too large for a double, or the holes of such a mesh cannot be filled";
       break;
   }
   if (error.place != Parameterization_error::NOWHERE)

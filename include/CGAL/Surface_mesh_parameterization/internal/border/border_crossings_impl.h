@@ -54,9 +54,14 @@ void for_each_crossing(const std::vector<Border_edge>& edges, const std::vector<
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool has_crossings(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv)
 {
-  bool result = false;
-  for_each_crossing(edges, uv, [&](std::size_t, std::size_t) { result = true; });
-  return result;
+  // CGAL's search ends early only by an exception; a map that overlaps may have very many crossings.
+  struct Found { };
+  try {
+    for_each_crossing(edges, uv, [](std::size_t, std::size_t) { throw Found(); });
+  } catch (const Found&) {
+    return true;
+  }
+  return false;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -35,6 +35,7 @@ public:
   virtual Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) = 0;
   virtual Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) = 0;
   virtual bool leave_room() = 0;
+  virtual bool keep_borders_apart(bool yes) = 0;
 
   // Does with the flips of a finished map what the policy says, see apply_flip_policy().
   virtual Error_code settle_flips(Flip_policy policy, const One_rings& rings,
@@ -70,7 +71,7 @@ nested_iteration_options_of(const NamedParameters& np,
 class Nested_iteration
 {
 public:
-  // The method may be changed by leave_room().
+  // The method may be changed by leave_room() and keep_borders_apart().
   Nested_iteration(Refinable_method& method, const Nested_iteration_options& options, Any_hierarchy_visitor& visitor,
                    Parameterization_summary& summary);
 
@@ -81,13 +82,18 @@ public:
 private:
   Error_code parameterize(const Collapse_hierarchy_3& hierarchy, Level::Uv& uv);
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv);
+  Error_code climb(Level& level, Level::Uv& uv);
+
+  // Goes on with borders kept apart from the finest level on which they were apart of themselves.
+  Error_code climb_with_borders_apart(Level& level, Level::Uv& uv);
   Error_code refine(const Level& level, Level::Uv& uv);
   Error_code insert_vertices(const Level& level, Level::Uv& uv) const;
   Error_code finish(const Level& level, Level::Uv& uv);
   Error_code stop();
 
   // A coarsest level that the method cannot lay out without a flip is coarsened further: the vertices come back by
-  // insertion. Where doubles leave no room for one of them, another hierarchy may, and at last a more careful method.
+  // insertion. Where doubles leave no room for one of them, another hierarchy may, or a more careful method; at last
+  // the method lays out the finest level at once.
   bool can_try_another_way(const Collapse_hierarchy_3& hierarchy);
 
   Refinable_method& m_method;
@@ -97,6 +103,10 @@ private:
   CGAL::Real_timer m_timer_of_level;
   unsigned int m_number_of_seeds = 0;
   bool m_is_finished = false;       // the method, with a map of the finest level
+  bool m_is_flat = false;           // the hierarchy has only the finest level
+  bool m_watches_borders = false;
+  Level::Uv m_map_apart;            // of the finest level so far on which no borders met; empty if there is none
+  std::size_t m_level_apart = 0;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

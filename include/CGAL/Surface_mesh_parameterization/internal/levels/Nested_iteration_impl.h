@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_NESTED_ITERATION_IMPL_H
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
@@ -48,14 +49,29 @@ Error_code Nested_iteration::run(Triangulated_surface_3 surface, CGAL::Real_time
 
 // The algorithm of the paper, section 3: with the levels built, parameterizes the coarsest one; then, for each finer
 // level, inserts the vertices that it has in addition and lets the method refine the map from there.
+// What keeps borders apart costs time, and shuts the way to maps in which they would not meet in the end. So it acts
+// only from where they do.
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::parameterize(const Collapse_hierarchy_3& hierarchy, Level::Uv& uv)
 {
   if (!m_visitor.hierarchy_built(hierarchy))
     return stop();
 
+  m_watches_borders = m_method.keep_borders_apart(false);
+  m_map_apart.clear();
   Level level(hierarchy, 0, m_method.loops());
   Error_code status = parameterize_coarsest(level, uv);
+  if (status == OK)
+    status = climb(level, uv);
+  if (status == OK && m_watches_borders && m_map_apart.size() < uv.size())
+    status = climb_with_borders_apart(level, uv);
+  return status == OK ? finish(level, uv) : status;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::climb(Level& level, Level::Uv& uv)
+{
+  Error_code status = OK;
   while (status == OK && !level.is_finest()) {
     m_timer_of_level.reset();
     level.go_to(level.index() + 1);
@@ -63,7 +79,22 @@ Error_code Nested_iteration::parameterize(const Collapse_hierarchy_3& hierarchy,
     if (status == OK)
       status = refine(level, uv);
   }
-  return status == OK ? finish(level, uv) : status;
+  return status;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::climb_with_borders_apart(Level& level, Level::Uv& uv)
+{
+  m_watches_borders = false;
+  m_method.keep_borders_apart(true);
+  level.go_to(m_level_apart);
+  m_summary.levels.resize(m_map_apart.empty() ? 0 : m_level_apart + 1);
+  Error_code status = OK;
+  if (m_map_apart.empty())
+    status = parameterize_coarsest(level, uv);
+  else
+    uv.swap(m_map_apart);
+  return status == OK ? climb(level, uv) : status;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -85,6 +116,10 @@ Error_code Nested_iteration::refine(const Level& level, Level::Uv& uv)
   summary.seconds = m_timer_of_level.time();
   if (status != OK)
     return status;
+  if (m_watches_borders && !has_crossings(border_edges(level.rings()), uv)) {
+    m_map_apart = uv;
+    m_level_apart = level.index();
+  }
   return m_visitor.level_parameterized(level, uv, summary) ? OK : stop();
 }
 
@@ -128,13 +163,17 @@ bool Nested_iteration::can_try_another_way(const Collapse_hierarchy_3& hierarchy
 {
   if (!m_method.is_flip_free() || m_is_finished)
     return false;
-  if (!m_summary.levels.empty()) {
+  const bool has_coarsest_map = !m_summary.levels.empty();
+  m_is_flat = m_is_flat || (has_coarsest_map && hierarchy.number_of_levels() == 1);
+  if (has_coarsest_map) {
     ++m_options.hierarchy.random_seed;
-    return ++m_number_of_seeds < m_options.most_seeds || m_method.leave_room();
+    if ((++m_number_of_seeds < m_options.most_seeds && !m_is_flat) || m_method.leave_room())
+      return true;
   }
-  if (hierarchy.number_of_vertices(0) > m_options.hierarchy.coarsest_size)   // the mesh allows no coarser one
+  if (m_is_flat)
     return false;
-  m_options.hierarchy.coarsest_size = hierarchy.number_of_vertices(0) / 2;
+  m_is_flat = has_coarsest_map || hierarchy.number_of_vertices(0) > m_options.hierarchy.coarsest_size;
+  m_options.hierarchy.coarsest_size = m_is_flat ? hierarchy.number_of_vertices() : hierarchy.number_of_vertices(0) / 2;
   return true;
 }
 

@@ -28,6 +28,9 @@ Error_code apply_flip_policy(Flip_policy policy, const One_rings& rings,
                              Function_ref<Triangulated_surface_3()> make_surface, std::vector<Point_2>& uv,
                              Parameterization_summary& summary);
 
+// Mirrors a map whose triangles are all negative.
+void mirror_back(const One_rings& rings, std::vector<Point_2>& uv);
+
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
 #ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE

@@ -17,17 +17,21 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+inline std::vector<Point_2> mirrored(const std::vector<Point_2>& uv)
+{
+  std::vector<Point_2> result;
+  result.reserve(uv.size());
+  for (const Point_2& p : uv)
+    result.emplace_back(-p.x(), p.y());
+  return result;
+}
+
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const Loops& loops)
 {
   if (!std::all_of(uv.begin(), uv.end(), [](const Point_2& p) { return is_finite(p); }))
     return false;
-  if (is_map_valid(rings, uv, loops))
-    return true;
-  std::vector<Point_2> mirrored;
-  for (const Point_2& p : uv)
-    mirrored.emplace_back(-p.x(), p.y());
-  return is_map_valid(rings, mirrored, loops);
+  return is_map_valid(rings, uv, loops) || is_map_valid(rings, mirrored(uv), loops);
 }
 
 // The triangles that are turned the other way than most, are degenerate, or have a coordinate that is no number.
@@ -89,6 +93,14 @@ Error_code apply_flip_policy(Flip_policy policy, const One_rings& rings,
     return ERROR_NO_1_TO_1_MAPPING;
   const Error_code status = repair_map(make_surface(), uv, summary.moved_vertices);
   return status != OK || has_no_flips(rings, uv) ? status : ERROR_NO_1_TO_1_MAPPING;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void mirror_back(const One_rings& rings, std::vector<Point_2>& uv)
+{
+  std::vector<Point_2> other = mirrored(uv);
+  if (is_map_valid(rings, other))
+    uv.swap(other);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -58,18 +58,72 @@ void minimize_energy(const Level_energy& energy, Level::Uv& uv, const Refinement
   Level_refiner(energy, uv, options, summary).run();
 }
 
+// Minimizes the energy from `uv`. What keeps borders apart is paid for with energy: where that leads astray, `uv` stays.
+inline Error_code minimize_from(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
+                                Level_summary& summary)
+{
+  const bool borders_must_not_meet = options.is_globally_injective;
+  if (!borders_must_not_meet) {
+    minimize_energy(energy, uv, options, summary);
+    return OK;
+  }
+  if (!separate_borders(energy.level(), uv))
+    return ERROR_NO_1_TO_1_MAPPING;
+  const Level::Uv start = uv;
+  minimize_energy(energy, uv, options, summary);
+  if (!(energy(uv) <= energy(start)) || has_crossings(border_edges(energy.level().rings()), uv)) {
+    uv = start;
+    summary.energy_end = summary.energy_start;
+    summary.converged = false;
+  }
+  return OK;
+}
+
+// Whether the energy is so high that another start may lead to a better map.
+inline bool is_far_above_minimum(const Level_energy& energy, double value)
+{
+  constexpr double greatest_ratio = 4;
+  const double minimum = energy.minimum() * energy.total_weight();
+  return minimum > 0 && !(value <= greatest_ratio * minimum);
+}
+
+// What coarse levels decide may be wrong where they have little in common with the surface. So a bad result is compared
+// with Tutte's map of the finest level, and with what comes of it: on a large level only if that is better to begin with.
+inline void start_again_from_Tutte(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
+                                   Level_summary& summary, Error_code& status)
+{
+  constexpr std::size_t most_vertices_without_promise = 20000;
+  const Level& level = energy.level();
+  Level::Uv other;
+  if (compute_first_map(level, other) != OK)
+    return;
+  const double value = energy(uv);
+  if (status == OK && level.number_of_vertices() > most_vertices_without_promise && !(energy(other) < value))
+    return;
+  Level_summary other_summary;
+  if (minimize_from(energy, other, options, other_summary) != OK || (status == OK && !(energy(other) < value)))
+    return;
+  uv.swap(other);
+  summary.iterations += other_summary.iterations;
+  summary.cycles += other_summary.cycles;
+  summary.vertex_visits += other_summary.vertex_visits;
+  summary.energy_end = other_summary.energy_end;
+  summary.converged = other_summary.converged;
+  status = OK;
+}
+
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, Level::Uv& uv,
                               const Refinement_options& options, Level_summary& summary)
 {
   const Level& level = energy.level();
-  const bool borders_must_not_meet = options.is_globally_injective;
-  if (borders_must_not_meet && !separate_borders(level, uv))
-    return ERROR_NO_1_TO_1_MAPPING;
-  minimize_energy(energy, uv, options, summary);
-  if (scales_to_area)
-    scale_to_area(level, borders_must_not_meet, uv);
-  return borders_must_not_meet && has_crossings(border_edges(level.rings()), uv) ? ERROR_NO_1_TO_1_MAPPING : OK;
+  Error_code status = minimize_from(energy, uv, options, summary);
+  const bool is_last_of_many = level.is_finest() && level.index() > 0;
+  if (is_last_of_many && (status != OK || is_far_above_minimum(energy, energy(uv))))
+    start_again_from_Tutte(energy, uv, options, summary, status);
+  if (status == OK && scales_to_area)
+    scale_to_area(level, options.is_globally_injective, uv);
+  return status;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

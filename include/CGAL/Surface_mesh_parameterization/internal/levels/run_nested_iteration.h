@@ -42,6 +42,7 @@ public:
     return m_method.refine(level, uv, summary);
   }
   bool leave_room() override { return leave_room(m_method, 0); }
+  bool keep_borders_apart(bool yes) override { return keep_borders_apart(m_method, yes, 0); }
 
   // Who keeps triangles positive needs no repair, and does not compile it.
   Error_code settle_flips(Flip_policy policy, const One_rings& rings,
@@ -50,17 +51,30 @@ public:
   {
     if constexpr (Method::is_flip_free)
       return policy == Flip_policy::KEEP || has_no_flips(rings, uv) ? OK : ERROR_NO_1_TO_1_MAPPING;
-    else
-      return apply_flip_policy(policy, rings, make_surface, uv, summary);
+    else {
+      const Error_code status = apply_flip_policy(policy, rings, make_surface, uv, summary);
+      if (status == OK && policy != Flip_policy::KEEP)
+        mirror_back(rings, uv);
+      return status;
+    }
   }
 
 private:
-  // Calls the optional member of the concept.
+  // These call the optional members of the concept.
   template <class M>
   static auto leave_room(M& method, int) -> decltype(method.leave_room()) { return method.leave_room(); }
 
   template <class M>
   static bool leave_room(M&, ...) { return false; }
+
+  template <class M>
+  static auto keep_borders_apart(M& method, bool yes, int) -> decltype(method.keep_borders_apart(yes))
+  {
+    return method.keep_borders_apart(yes);
+  }
+
+  template <class M>
+  static bool keep_borders_apart(M&, bool, ...) { return false; }
 
   Method& m_method;
 };
@@ -87,10 +101,10 @@ Error_code run_nested_iteration(Method method, const Nested_iteration_options& o
 
   Refinable_method_of<Method> engine_method(method);
   std::vector<Point_2> uv;
-  const Error_code status =
+  Error_code status =
       Nested_iteration(engine_method, options, visitor, summary).run(std::move(component.surface()), timer, uv);
   if (status == OK)
-    write_map(component, component.surface().scale_exponent, uv, uvmap, vpmap);
+    status = summary.error.code = write_map(component, component.surface().scale_exponent, uv, uvmap, vpmap);
   return status;
 }
 

@@ -18,16 +18,20 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Writes a finished map, in the order of the component's vertices and in the units of its surface, into the user's
 // property maps. Virtual vertices come last, and are left out.
 template <class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
-void write_map(const Mesh_component<TriangleMesh>& component, int scale_exponent, const std::vector<Point_2>& uv,
-               VertexUVMap uvmap, VertexParameterizedMap vpmap)
+Error_code write_map(const Mesh_component<TriangleMesh>& component, int scale_exponent, const std::vector<Point_2>& uv,
+                     VertexUVMap uvmap, VertexParameterizedMap vpmap)
 {
   typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
+  const auto user_coordinate = [&](double x) { return std::ldexp(x, -scale_exponent); };
+  for (const Point_2& p : uv)
+    if (!std::isfinite(user_coordinate(p.x())) || !std::isfinite(user_coordinate(p.y())))
+      return ERROR_WRONG_PARAMETER;
   const auto& vertices = component.vertices_of_component();
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    put(uvmap, vertices[i],
-        User_point_2(std::ldexp(uv[i].x(), -scale_exponent), std::ldexp(uv[i].y(), -scale_exponent)));
+    put(uvmap, vertices[i], User_point_2(user_coordinate(uv[i].x()), user_coordinate(uv[i].y())));
     put(vpmap, vertices[i], true);
   }
+  return OK;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
