@@ -30,6 +30,10 @@ public:
   /// without flips. If not, they go to their stored barycentric coordinates, and flips are possible
   static constexpr bool is_flip_free;
 
+  /// optional: whether the method has no flips on the finest level either. If so, flips in a result are an error, and the
+  /// repair that `Flip_policy::REPAIR` asks for is not compiled
+  static constexpr bool is_result_flip_free;
+
   /// optional, for a method that is not flip-free: fixes vertices in the plane before the levels are built, for example
   /// by one of CGAL's border parameterizers, whose `parameterize()` takes the same arguments. On every level,
   /// `level.is_fixed(v)` and `level.fixed_place(v)` return them. A fixed vertex stays on all levels, unless it lies on

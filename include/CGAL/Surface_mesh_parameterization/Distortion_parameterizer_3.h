@@ -60,6 +60,9 @@ class Distortion_parameterizer_3
   static_assert(Energy::is_flip_free, "Distortion_parameterizer_3<TriangleMesh, Energy>: the energy must keep triangles positive");
 
 public:
+  /// whether the results have no flips
+  static constexpr bool is_result_flip_free = true;
+
   /// \param np
   /// - the named parameters of `Refinement_options`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did

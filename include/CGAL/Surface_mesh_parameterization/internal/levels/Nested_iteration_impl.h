@@ -49,6 +49,7 @@ Error_code Nested_iteration::run(Triangulated_surface_3 surface, CGAL::Real_time
 
 // The algorithm of the paper, section 3: with the levels built, parameterizes the coarsest one; then, for each finer
 // level, inserts the vertices that it has in addition and lets the method refine the map from there.
+//
 // What keeps borders apart costs time, and shuts the way to maps in which they would not meet in the end. So it acts
 // only from where they do.
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -18,10 +18,20 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Whether a method declares that its results have no flips either: is_flip_free only speaks of the levels below the
+// finest.
+template <class Method, class = void>
+struct Is_result_flip_free : std::false_type { };
+
+template <class Method>
+struct Is_result_flip_free<Method, std::void_t<decltype(Method::is_result_flip_free)>>
+  : std::bool_constant<Method::is_result_flip_free> { };
 
 // A model of RefinableParameterizer_3 as the engine sees it.
 template <class Method>
@@ -44,12 +54,12 @@ public:
   bool leave_room() override { return leave_room(m_method, 0); }
   bool keep_borders_apart(bool yes) override { return keep_borders_apart(m_method, yes, 0); }
 
-  // Who keeps triangles positive needs no repair, and does not compile it.
+  // Results without flips need no repair, and their methods do not compile it.
   Error_code settle_flips(Flip_policy policy, const One_rings& rings,
                           Function_ref<Triangulated_surface_3()> make_surface, Level::Uv& uv,
                           Parameterization_summary& summary) const override
   {
-    if constexpr (Method::is_flip_free)
+    if constexpr (Is_result_flip_free<Method>::value)
       return policy == Flip_policy::KEEP || has_no_flips(rings, uv) ? OK : ERROR_NO_1_TO_1_MAPPING;
     else {
       const Error_code status = apply_flip_policy(policy, rings, make_surface, uv, summary);

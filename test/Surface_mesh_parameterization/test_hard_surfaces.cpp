@@ -1,0 +1,188 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// On surfaces of hard kinds: there is a result wherever Tutte's map is valid, and it is not worse than a map at hand.
+
+#include "energy_archetype.h"
+#include "generated_meshes.h"
+#include "mapped_mesh.h"
+#include "mesh_conversions.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Distortion_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+namespace parameters = CGAL::parameters;
+
+std::vector<std::pair<std::string, Flat_mesh>> hard_surfaces()
+{
+  return { { "hyperbolic disk, valence 7", hyperbolic_disk(7, 5) },
+           { "hyperbolic disk, valence 12", hyperbolic_disk(12, 3) },
+           { "comb of long teeth", flat_comb(2, 1e4, 20) },
+           { "comb of many teeth", flat_comb(20, 100, 10) },
+           { "steep spike", spike(300, 1e-3) },
+           { "spike", spike(100, 0.1) },
+           { "apollonian disk of 7", apollonian_disk(7, 7) },
+           { "apollonian disk of 101", apollonian_disk(101, 3) },
+           { "fan", ruffled_fan(1000) } };
+}
+
+// Tutte's map on a circle, scaled to the surface's area.
+struct Tutte_parameterizer : Refinable_parameterizer_base_3<Tutte_parameterizer, Surface_mesh>
+{
+  typedef Refinable_parameterizer_base_3<Tutte_parameterizer, Surface_mesh>   Base;
+
+  Tutte_parameterizer() : Base(parameters::default_values()) { }
+
+  Error_code parameterize_coarsest(const Level& level, Level::Uv& uv)
+  {
+    return SMP::internal::compute_first_map(level, uv);
+  }
+
+  Error_code refine(const Level&, Level::Uv&, Level_summary&) { return OK; }
+};
+
+template <class Energy>
+class Hard_surfaces : public testing::Test
+{
+protected:
+  typedef Distortion_parameterizer_3<Surface_mesh, Energy>    Method;
+  typedef Hierarchical_parameterizer_3<Method>                Parameterizer;
+
+  static double energy(const Parameterization_quality& q)
+  {
+    return Energy::is_scale_invariant ? q.mips : q.symmetric_dirichlet;
+  }
+
+  static Error_code run(Mapped_mesh& m, bool globally_injective)
+  {
+    return m.parameterize(Parameterizer(Method(parameters::globally_injective(globally_injective))));
+  }
+};
+
+typedef testing::Types<MIPS_energy_2, Symmetric_Dirichlet_energy_2> Energies;
+TYPED_TEST_SUITE(Hard_surfaces, Energies, );
+
+TYPED_TEST(Hard_surfaces, have_maps_no_worse_than_Tuttes)
+{
+  for (const auto& [name, surface] : hard_surfaces()) {
+    Mapped_mesh m(surface);
+    ASSERT_EQ(m.parameterize(Tutte_parameterizer()), OK) << name;
+    const double tutte = this->energy(m.quality());
+    for (const bool globally_injective : { false, true }) {
+      ASSERT_EQ(this->run(m, globally_injective), OK) << name;
+      EXPECT_TRUE(m.is_valid()) << name;
+      EXPECT_LE(this->energy(m.quality()), tutte * (1 + 1e-9)) << name;
+      EXPECT_TRUE(!globally_injective || m.quality().overlaps == 0) << name;
+    }
+  }
+}
+
+TYPED_TEST(Hard_surfaces, keep_a_map_that_is_one_to_one_of_itself)
+{
+  for (const auto& [name, surface] : hard_surfaces()) {
+    Mapped_mesh m(surface);
+    ASSERT_EQ(this->run(m, false), OK) << name;
+    if (m.quality().overlaps > 0)
+      continue;
+    const auto free = m.uv();
+    ASSERT_EQ(this->run(m, true), OK) << name;
+    EXPECT_EQ(m.uv(), free) << name;
+  }
+}
+
+TEST(Hard_surfaces, of_combs_are_laid_out_flat)
+{
+  for (const Flat_mesh& comb : { flat_comb(2, 1e4, 20), flat_comb(20, 100, 10) }) {
+    Mapped_mesh m(comb);
+    typedef Symmetric_Dirichlet_parameterizer_3<Surface_mesh>   Method;
+    ASSERT_EQ(m.parameterize(Hierarchical_parameterizer_3<Method>(Method(parameters::globally_injective(true)))), OK);
+    EXPECT_NEAR(m.quality().symmetric_dirichlet, 4, 1e-4);
+  }
+}
+
+TEST(Hard_surfaces, are_not_mirrored_by_a_repair)
+{
+  typedef As_rigid_as_possible_parameterizer_3<Surface_mesh>   Method;
+  int maps = 0;
+  for (unsigned int seed = 0; seed < 50; ++seed) {
+    Mapped_mesh m(apollonian_disk(7 + 2 * (seed % 5), seed));
+    if (m.parameterize(Hierarchical_parameterizer_3<Method>(Method(), parameters::flip_policy(Flip_policy::REPAIR))) ==
+        OK) {
+      EXPECT_TRUE(m.is_valid()) << seed;
+      ++maps;
+    }
+  }
+  EXPECT_GT(maps, 40);
+}
+
+// exp(f / d): exceeds all doubles where a triangle is stretched by more than about 700 times.
+struct Exponential_energy_2
+{
+  static constexpr double minimum = 7.38905609893065;
+  static constexpr bool is_scale_invariant = true;
+  static constexpr bool is_flip_free = true;
+  const Exponential_energy_2& of_area(double) const { return *this; }
+  static double value(double f, double d) { return std::exp(f / d); }
+  static Distortion_derivatives_2 derivatives(double f, double d)
+  {
+    const double e = value(f, d), r = f / d, d2 = d * d;
+    return { e, e / d, -e * r / d, e / d2, -e * (r + 1) / d2, e * r * (r + 2) / d2 };
+  }
+};
+
+TEST(Energy_that_overflows, ends_finite)
+{
+  typedef Distortion_parameterizer_3<Surface_mesh, Exponential_energy_2>   Method;
+  for (const Flat_mesh& surface : { deep_cap(), flat_comb(2, 1e4, 20), tube(200, 12, 30) }) {
+    Mapped_mesh m(surface);
+    ASSERT_EQ(m.parameterize(Tutte_parameterizer()), OK);
+    const Error_code status = m.parameterize(
+        Hierarchical_parameterizer_3<Method>(Method(), parameters::summary(std::ref(m.summary))));
+    if (status == OK) {
+      EXPECT_TRUE(m.is_valid());
+      EXPECT_TRUE(std::isfinite(m.summary.energy));
+    }
+  }
+}
+
+TEST(Huge_coordinates, are_mapped_or_refused)
+{
+  typedef Hierarchical_parameterizer_3<Symmetric_Dirichlet_parameterizer_3<Surface_mesh>>   Parameterizer;
+  for (const double scale : { 1e300, 1e307, 8e307, 1.7e308 }) {
+    Flat_mesh surface = tube(30, 12, 1.);
+    for (Point_3& p : surface.points)
+      p = Point_3(scale * p.x(), scale * p.y(), scale * p.z());
+    Mapped_mesh m(surface);
+    const Error_code status = m.parameterize(Parameterizer());
+    EXPECT_TRUE(status == OK || status == ERROR_WRONG_PARAMETER) << scale;
+    EXPECT_TRUE(status == OK || m.is_untouched());
+    for (const auto& p : m.uv())
+      EXPECT_TRUE(std::isfinite(p.x()) && std::isfinite(p.y())) << scale;
+  }
+}
+
+} // namespace
