@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace {
@@ -53,6 +54,13 @@ void write_level(std::ostream& out, const Mesh& mesh, const std::vector<Mesh::Ve
 
 } // namespace
 
+std::string level_file(const std::string& folder, std::size_t level)
+{
+  char name[32];
+  std::snprintf(name, sizeof name, "level_%02zu.obj", level);
+  return (std::filesystem::path(folder) / name).string();
+}
+
 Level_visitor::Level_visitor(const Input& input, const Method_options& options)
   : m_options(options), m_mesh(input.mesh), m_has_progress_line(!options.quiet && isatty(STDERR_FILENO))
 {
@@ -65,12 +73,9 @@ bool Level_visitor::level_parameterized(const SMP::Level& level, const SMP::Leve
 {
   if (m_has_progress_line)
     print_progress(level, summary);
-  if (!m_options.levels.empty()) {
-    char name[32];
-    std::snprintf(name, sizeof name, "level_%02zu.obj", level.index());
-    write_file((std::filesystem::path(m_options.levels) / name).string(),
+  if (!m_options.levels.empty())
+    write_file(level_file(m_options.levels, level.index()),
                [&](std::ostream& out) { write_level(out, m_mesh, m_vertices, level, uv); });
-  }
   return true;
 }
 

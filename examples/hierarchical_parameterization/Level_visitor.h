@@ -11,7 +11,12 @@
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 
+#include <cstddef>
+#include <string>
 #include <vector>
+
+// The name of the file of a level.
+std::string level_file(const std::string& folder, std::size_t level);
 
 // Tells of progress on a terminal and writes the levels.
 class Level_visitor : public SMP::Hierarchy_visitor_3

@@ -3,8 +3,11 @@
 //
 // Parameterizes surfaces from the command line: see --help.
 
+#include "Output_files.h"
+#include "check_files.h"
 #include "errors.h"
 #include "input.h"
+#include "one_line.h"
 #include "options.h"
 #include "report.h"
 #include "write_file.h"
@@ -28,6 +31,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -35,17 +39,50 @@ namespace {
 
 enum Exit_status { WRITTEN = 0, WRONG_USAGE = 1, BAD_INPUT = 2, METHOD_FAILED = 3 };
 
-void print_summary(const Input& input, const Run_record& run)
+// All that is printed is one line.
+void print_error(const std::string& name, const std::string& message)
 {
+  std::cerr << one_line(name + ": " + message) << '\n';
+}
+
+void print_summary(const Input& input, const Run_record& run, std::FILE* out)
+{
+  const std::string name = one_line(input.name);
   if (input.number_of_components > 1)
-    std::cerr << input.name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
+    std::cerr << name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
   const std::string levels = run.summary.levels.empty() ? "" : std::to_string(run.summary.levels.size()) + " levels, ";
-  std::printf("%s: %zu triangles, %s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %zu "
-              "overlapping pairs, %.3f s\n",
-              input.name.c_str(), input.faces.size(), levels.c_str(),
-              run.summary.converged ? "converged" : "not converged", run.quality->mips, run.quality->mips_excess,
-              run.quality->symmetric_dirichlet, run.quality->flips, run.quality->overlaps,
-              run.summary.seconds_hierarchy + run.summary.seconds_parameterize);
+  std::fprintf(out,
+               "%s: %zu triangles, %s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %zu "
+               "overlapping pairs, %.3f s\n",
+               name.c_str(), input.faces.size(), levels.c_str(), run.summary.converged ? "converged" : "not converged",
+               run.quality->mips, run.quality->mips_excess, run.quality->symmetric_dirichlet, run.quality->flips,
+               run.quality->overlaps, run.summary.seconds_hierarchy + run.summary.seconds_parameterize);
+}
+
+// What is printed may be buffered: whether it arrives is known at the end only.
+void finish_standard_output()
+{
+  std::cout.flush();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) || !std::cout)
+    throw std::runtime_error("the standard output cannot be written");
+}
+
+// The advice is what the user has not tried.
+std::string flips_message(std::size_t flips, SMP::Flip_policy policy)
+{
+  return "the map has " + std::to_string(flips) + " triangles flipped" +
+         (policy == SMP::Flip_policy::FAIL ? "; --flips repair or keep" : " that cannot be repaired; --flips keep");
+}
+
+// Both files, or none.
+void write_files(const Options& options, Input& input)
+{
+  Output_files files;
+  if (!options.output.empty())
+    write_mesh(files, options.output, input);
+  if (!options.picture.empty())
+    write_picture(files, options.picture, input);
+  files.commit();
 }
 
 // Reads, parameterizes, checks and writes one input.
@@ -61,9 +98,7 @@ void run_input(const std::string& file, const Options& options, Input& input, Ru
   input.uvmap = input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   run.summary = options.method->run(input, options);
   if (run.summary.error.code == SMP::ERROR_NO_1_TO_1_MAPPING && run.summary.flips > 0)
-    throw Method_error{ "the map has " + std::to_string(run.summary.flips) +
-                            " triangles flipped; --flips repair or keep",
-                        SMP::ERROR_NO_1_TO_1_MAPPING };
+    throw Method_error{ flips_message(run.summary.flips, options.flip_policy), SMP::ERROR_NO_1_TO_1_MAPPING };
   if (run.summary.error.code != SMP::OK)
     throw Method_error{ SMP::error_message(run.summary.error), run.summary.error.code };
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(input.mesh, input.faces, input.uvmap);
@@ -77,10 +112,7 @@ void run_input(const std::string& file, const Options& options, Input& input, Ru
                         SMP::ERROR_NO_1_TO_1_MAPPING };
 
   const double seconds_before_writing = timer.time();
-  if (!options.output.empty())
-    write_mesh(options.output, input);
-  if (!options.picture.empty())
-    write_picture(options.picture, input);
+  write_files(options, input);
   run.seconds_write = timer.time() - seconds_before_writing;
   run.quality = quality;
   run.status = run.summary.converged ? "ok" : "not_converged";
@@ -95,7 +127,7 @@ Exit_status run(const std::string& file, const Options& options, std::string& re
   const auto fail = [&](Exit_status exit_status, const std::string& status, const std::string& message) {
     run.status = status;
     run.error = message;
-    std::cerr << input.name << ": " << message << '\n';
+    print_error(input.name, message);
     return exit_status;
   };
 
@@ -103,7 +135,7 @@ Exit_status run(const std::string& file, const Options& options, std::string& re
   try {
     run_input(file, options, input, run);
     if (!options.quiet)
-      print_summary(input, run);
+      print_summary(input, run, is_standard_output_taken(options) ? stderr : stdout);
   } catch (const Input_error& error) {
     exit_status = fail(BAD_INPUT, error.code == SMP::OK ? "unreadable" : error_name(error.code), error.message);
   } catch (const Method_error& error) {
@@ -137,10 +169,14 @@ int main(int argc, char** argv)
   // failed write, not the end.
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) { });
   std::signal(SIGXFSZ, SIG_IGN);
+  hold_standard_descriptors();
   try {
     Options options;
-    if (!read_options(argc, argv, options))
+    if (!read_options(argc, argv, options)) {
+      finish_standard_output();
       return WRITTEN;
+    }
+    check_files(options);
 #ifdef CGAL_LINKED_WITH_TBB
     constexpr auto most_threads = tbb::global_control::max_allowed_parallelism;
     const tbb::global_control limit(most_threads, options.threads > 0
@@ -153,12 +189,13 @@ int main(int argc, char** argv)
       status = (std::max)(status, int(run(input, options, report)));
     if (!options.report.empty())
       write_file(options.report, [&](std::ostream& out) { out << report; });
+    finish_standard_output();
     return status;
   } catch (const Usage_error& error) {
-    std::cerr << "hierarchical_parameterization: " << error.message << "; see --help\n";
+    print_error("hierarchical_parameterization", error.message + "; see --help");
     return WRONG_USAGE;
   } catch (const std::exception& error) {
-    std::cerr << "hierarchical_parameterization: " << error.what() << '\n';
+    print_error("hierarchical_parameterization", error.what());
     return METHOD_FAILED;
   }
 }

@@ -38,7 +38,8 @@ bool read_options(int argc, char** argv, Options& options)
   described.add_options()("help,h", "print this text")("version", "print the version")(
       "method", po::value(&method)->default_value("mips"),
       "one of those above")("output", po::value(&options.output),
-                            "write the mesh with its map as OBJ, or as PLY with the vertex properties u and v")(
+                            "write the mesh with its map as OBJ, or as PLY with the vertex properties u and v; as "
+                            "OBJ if the name has no ending")(
       "picture", po::value(&options.picture), "draw the map as SVG, colored by distortion")(
       "report", po::value(&options.report),
       "write figures as JSON, one line per input")("levels", po::value(&options.levels),
@@ -82,7 +83,9 @@ bool read_options(int argc, char** argv, Options& options)
   if (values.count("help")) {
     std::cout << "Usage: hierarchical_parameterization [INPUT ...] [OPTION ...]\n\n"
                  "Lays triangulated surfaces (OFF, OBJ, PLY or STL) in the plane, coarse to fine.\n"
-                 "Without INPUT: a built-in face of 1042 vertices. INPUT may be -, the standard input.\n\n"
+                 "Without INPUT: a built-in face of 1042 vertices. INPUT may be -, the standard input.\n"
+                 "The file of --output, --picture or --report may be -, the standard output; the summary goes to "
+                 "stderr then.\n\n"
                  "Examples:\n"
                  "  hierarchical_parameterization scan.ply --output scan.obj --picture map.svg\n"
                  "  hierarchical_parameterization --method symmetric-dirichlet --globally-injective scan.ply --output "

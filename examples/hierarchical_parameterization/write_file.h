@@ -1,17 +1,23 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Writes files.
+// Writes a file.
 
 #ifndef WRITE_FILE_H
 #define WRITE_FILE_H
+
+#include "Output_files.h"
 
 #include <functional>
 #include <iosfwd>
 #include <string>
 
-// Writes a file as a whole or not at all: under another name first, unless the path is no regular file (a pipe, a
-// device).
-void write_file(const std::string& path, const std::function<void(std::ostream&)>& write);
+// Writes a file as a whole or not at all.
+inline void write_file(const std::string& name, const std::function<void(std::ostream&)>& write_content)
+{
+  Output_files files;
+  files.write(name, write_content);
+  files.commit();
+}
 
 #endif // WRITE_FILE_H

@@ -5,9 +5,9 @@
 
 #include "write_map.h"
 
+#include "Output_files.h"
 #include "has_suffix.h"
 #include "input.h"
-#include "write_file.h"
 
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_SVG.h>
@@ -45,21 +45,21 @@ void write_PLY(std::ostream& out, const Mesh& mesh, const UV_map& uvmap)
 
 } // namespace
 
-void write_mesh(const std::string& file, Input& input)
+void write_mesh(Output_files& files, const std::string& name, Input& input)
 {
   auto is_parameterized = input.mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_parameterized", false).first;
   for (const Mesh::Face_index f : input.faces)
     for (const Mesh::Vertex_index v : input.mesh.vertices_around_face(input.mesh.halfedge(f)))
       is_parameterized[v] = true;
-  write_file(file, [&](std::ostream& out) {
-    if (has_suffix(file, ".ply"))
+  files.write(name, [&](std::ostream& out) {
+    if (has_suffix(name, ".ply"))
       write_PLY(out, input.mesh, input.uvmap);
     else
       SMP::IO::write_OBJ(out, input.mesh, input.uvmap, is_parameterized);
   });
 }
 
-void write_picture(const std::string& file, const Input& input)
+void write_picture(Output_files& files, const std::string& name, const Input& input)
 {
-  write_file(file, [&](std::ostream& out) { SMP::IO::write_SVG(out, input.mesh, input.faces, input.uvmap); });
+  files.write(name, [&](std::ostream& out) { SMP::IO::write_SVG(out, input.mesh, input.faces, input.uvmap); });
 }

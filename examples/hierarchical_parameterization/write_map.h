@@ -8,12 +8,13 @@
 
 #include <string>
 
+class Output_files;
 struct Input;
 
 // Writes the mesh with its map: as PLY if the name says so, otherwise as OBJ.
-void write_mesh(const std::string& file, Input& input);
+void write_mesh(Output_files& files, const std::string& name, Input& input);
 
 // Draws the map as SVG.
-void write_picture(const std::string& file, const Input& input);
+void write_picture(Output_files& files, const std::string& name, const Input& input);
 
 #endif // WRITE_MAP_H

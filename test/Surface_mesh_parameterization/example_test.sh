@@ -143,7 +143,7 @@ expect 2 truncated.off
 expect 1 --no-such-option 1
 expect 1 --output
 expect 1 one.off two.off
-[ -z "$(find . -name '*.obj' -o -name '*.part' -o -name '*.mtl' -o -name '*.tga')" ] || fail "files were left: $(ls)"
+[ -z "$(find . -name '*.obj' -o -name '.part*' -o -name '*.mtl' -o -name '*.tga')" ] || fail "files were left: $(ls)"
 expect 3 --output no/such/folder/out.obj
 
 [ "$failures" -eq 0 ] && echo "all passed"

@@ -365,7 +365,7 @@ const Row unusable_paths[] = {
   { "no_folder", nullptr, failed, "", "none/map.obj: cannot be written", "patch.off --output none/map.obj" },
   { "no_folder_for_report", nullptr, failed, "", "none/report.json: cannot be written",
     "patch.off --report none/report.json" },
-  { "output_is_a_folder", nullptr, failed, "", "folder.off: cannot be written", "patch.off --output folder.off" },
+  { "report_is_a_folder", nullptr, failed, "", "folder.off: cannot be written", "patch.off --report folder.off" },
   { "file_for_folder", nullptr, failed, "", "patch.off/map.obj: cannot be written",
     "patch.off --output patch.off/map.obj" },
   { "long_name", nullptr, failed, "", "cannot be written", "patch.off --output " + std::string(300, 'x') },

@@ -1,0 +1,42 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes files that belong together.
+
+#ifndef OUTPUT_FILES_H
+#define OUTPUT_FILES_H
+
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+// Files that appear together, each as a whole, or not at all: also if a signal ends the program. Each is written under
+// a name of its own beside its place, and then gets its name. It is written through a symbolic link, and has the mode
+// of the file that it replaces.
+//
+// What is no regular file (a pipe, a device, or "-", the standard output) gets its bytes as they are written.
+class Output_files
+{
+public:
+  Output_files();
+  ~Output_files();                     // removes what has not got its name
+
+  // Throws a std::runtime_error if the file cannot be written.
+  void write(const std::string& name, const std::function<void(std::ostream&)>& write_content);
+
+  // Gives all files their names.
+  void commit();
+
+private:
+  class Temporary;
+
+  std::vector<std::unique_ptr<Temporary>> m_temporaries;
+};
+
+// Makes 0, 1 and 2 descriptors that cannot be used where they are closed: otherwise the next file to be opened becomes
+// the standard output. To be called first.
+void hold_standard_descriptors();
+
+#endif // OUTPUT_FILES_H

@@ -1,0 +1,89 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The files of the command line.
+
+#include "check_files.h"
+
+#include "File_place.h"
+#include "Level_visitor.h"
+#include "errors.h"
+#include "has_suffix.h"
+#include "options.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+struct Named_place
+{
+  std::string option, name;
+  File_place place;
+};
+
+// A name without an ending, and what is no regular file, say nothing of a format.
+void check_suffix(const std::string& option, const std::string& name, const std::vector<std::string>& suffixes)
+{
+  if (name.empty() || !std::filesystem::path(name).has_extension() || output_place(name).is_special())
+    return;
+  if (std::none_of(suffixes.begin(), suffixes.end(), [&](const std::string& s) { return has_suffix(name, s); })) {
+    std::string list;
+    for (const std::string& suffix : suffixes)
+      list += (list.empty() ? "" : " or ") + suffix;
+    throw Usage_error{ option + ": '" + name + "' is not named " + list };
+  }
+}
+
+std::vector<std::pair<std::string, std::string>> options_with_names(const Options& options)
+{
+  return { { "--output", options.output }, { "--picture", options.picture }, { "--report", options.report } };
+}
+
+std::vector<Named_place> output_places(const Options& options)
+{
+  constexpr std::size_t most_levels = 100;       // more than any mesh has
+  std::vector<Named_place> outputs;
+  const auto add = [&](const std::string& option, const std::string& name) {
+    outputs.push_back({ option, name, output_place(name) });
+  };
+  for (const auto& [option, name] : options_with_names(options))
+    if (!name.empty())
+      add(option, name);
+  for (std::size_t l = 0; l < most_levels && !options.levels.empty(); ++l)
+    add("--levels", level_file(options.levels, l));
+  if (!options.quiet && !is_standard_output_taken(options))
+    add("the summary", "-");
+  return outputs;
+}
+
+} // namespace
+
+bool is_standard_output_taken(const Options& options)
+{
+  const auto names = options_with_names(options);
+  return std::any_of(names.begin(), names.end(),
+                     [](const auto& o) { return !o.second.empty() && is_standard_output(o.second); });
+}
+
+void check_files(const Options& options)
+{
+  check_suffix("--output", options.output, { ".obj", ".ply" });
+  check_suffix("--picture", options.picture, { ".svg" });
+
+  const std::vector<Named_place> outputs = output_places(options);
+  for (const std::string& input : options.inputs) {
+    const File_place place = input_place(input);
+    for (const Named_place& output : outputs)
+      if (!input.empty() && is_same_file(output.place, place))
+        throw Usage_error{ output.option + ": '" + output.name + "' is the input '" + input + "'" };
+  }
+  for (auto a = outputs.begin(); a != outputs.end(); ++a)
+    for (auto b = outputs.begin(); b != a; ++b)
+      if (is_same_file(a->place, b->place))
+        throw Usage_error{ b->option + " and " + a->option + " are the same file '" + b->name + "'" };
+}

@@ -1,0 +1,237 @@
+#!/usr/bin/env bash
+# How the program treats the files that it writes: program_files_test.sh PROGRAM
+program=$1
+source "$(dirname "$0")/run_as_a_user.sh"
+
+# A square of two triangles.
+make_square() { printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n'; }
+is_mesh() { [ "$(grep -c '^vt ' "$1")" -eq 4 ] || fail "$2: $1 holds no mesh with its map"; }
+is_picture() { grep -q '</svg>' "$1" || fail "$2: $1 holds no picture"; }
+is_report() { [ "$(grep -c '^{"input":.*}$' "$1")/$(wc -l <"$1")" = 1/1 ] || fail "$2: $1 is not the report"; }
+has_mode() { [ "$(stat -c %a "$1")" = "$2" ] || fail "$1 has the mode $(stat -c %a "$1") instead of $2"; }
+
+# wrong ARGUMENT...: wrong usage, told before anything is read or written.
+wrong() {
+  local before
+  before=$(find . -type f ! -name stdout ! -name stderr -exec cksum {} + | sort)
+  expect 1 "$@"
+  [ "$before" = "$(find . -type f ! -name stdout ! -name stderr -exec cksum {} + | sort)" ] || fail "'$*' changed files"
+}
+
+# leaves_only FILE...: what the last run left, but for the test's own files.
+leaves_only() {
+  local left
+  left=$(find . -mindepth 1 ! -name stdout ! -name stderr -printf '%P\n' | sort | tr '\n' ' ')
+  [ "$left" = "$(printf '%s\n' "$@" | sort | tr '\n' ' ')" ] || fail "left are $left instead of $*"
+}
+
+# in_new_folder NAME: goes where nothing is but the square.
+in_new_folder() {
+  mkdir "$folder/$1"
+  cd "$folder/$1" || exit 1
+  make_square >square.obj
+}
+
+# ---- links ----
+
+in_new_folder links
+mkdir elsewhere
+echo old >elsewhere/old.obj
+ln -s elsewhere/old.obj output.obj
+ln -s elsewhere/new.svg picture.svg          # leads nowhere yet
+ln -s twice.json report.json
+ln -s elsewhere/report.json twice.json
+expect 0 square.obj --output output.obj --picture picture.svg --report report.json
+[ -L output.obj ] && [ -L picture.svg ] && [ -L report.json ] && [ -L twice.json ] || fail "a link was replaced"
+is_mesh elsewhere/old.obj link
+is_picture elsewhere/new.svg "link that leads nowhere"
+is_report elsewhere/report.json "link to a link"
+ln -s loop.obj loop.obj
+expect 3 square.obj --output loop.obj
+[ -L loop.obj ] || fail "a link to itself was replaced"
+
+# ---- names ----
+
+in_new_folder names
+echo mine >out.obj.part
+ln -s out.obj.part report.json.part
+expect 0 square.obj --output out.obj --report report.json
+[ "$(cat out.obj.part)" = mine ] && [ -L report.json.part ] || fail "a file of the user was taken for a temporary one"
+leaves_only square.obj out.obj out.obj.part report.json report.json.part
+
+in_new_folder long_names
+long=$(printf 'x%.0s' $(seq 251)).obj
+expect 0 square.obj --output "$long"
+is_mesh "$long" "the longest name"
+expect 3 square.obj --output out.obj --picture "x$long.svg"
+leaves_only square.obj "$long"
+
+# ---- modes ----
+
+in_new_folder modes
+(umask 027 && expect 0 square.obj --output new.obj --report private.json; exit "$failures") || failures=$((failures + 1))
+has_mode new.obj 640
+chmod 600 private.json
+chmod 664 new.obj
+(umask 077 && expect 0 square.obj --output new.obj --report private.json; exit "$failures") || failures=$((failures + 1))
+has_mode new.obj 664
+has_mode private.json 600
+
+# ---- one file for two purposes ----
+
+in_new_folder collisions
+make_square >other.obj
+ln -s square.obj link.obj
+ln square.obj hard.obj
+ln -s new.obj nowhere.obj
+ln -s . here
+mkdir levels
+make_square >levels/level_00.obj
+for output in square.obj ./square.obj here/square.obj "$PWD/square.obj" link.obj hard.obj; do
+  wrong square.obj --output "$output"
+  wrong "$output" --report square.obj
+done
+wrong missing.obj --output ./missing.obj
+wrong - --output square.obj <square.obj
+wrong levels/level_00.obj --levels levels
+wrong other.obj square.obj --report square.obj
+for same in new.obj here/new.obj nowhere.obj "$PWD/new.obj"; do
+  wrong square.obj --output new.obj --report "$same"
+  wrong square.obj --report "$same" --output new.obj
+done
+wrong square.obj --picture new.svg --report ./new.svg
+wrong square.obj --output levels/level_00.obj --levels here/levels
+wrong square.obj --report levels/level_01.obj --levels levels
+wrong square.obj --output - --report -
+wrong square.obj --output /dev/stdout --picture -
+"$program" square.obj --report summary.txt >summary.txt 2>stderr
+[ $? -eq 1 ] || fail "the summary and the report went to one file"
+rm summary.txt
+leaves_only square.obj other.obj link.obj hard.obj nowhere.obj here levels levels/level_00.obj
+expect 0 square.obj --output /dev/null --picture /dev/null --report /dev/null
+[ -c /dev/null ] || fail "/dev/null was replaced"
+
+# ---- endings ----
+
+in_new_folder endings
+for output in map.glb map.stl map.off map.obj.gz map. map.svg; do wrong square.obj --output $output; done
+for picture in map.png map.obj map.svgz; do wrong square.obj --picture $picture; done
+expect 0 square.obj --output MAP.PLY --picture MAP.SVG
+grep -q '^ply' MAP.PLY || fail "MAP.PLY is not PLY"
+expect 0 square.obj --output map --picture picture
+is_mesh map "no ending"
+is_picture picture "no ending"
+
+# ---- the standard output ----
+
+in_new_folder standard_output
+expect 0 square.obj --report -
+is_report stdout "--report -"
+[ "$(wc -l <stderr)" -eq 1 ] || fail "--report -: the summary is not on stderr"
+expect 0 square.obj --report - --quiet
+[ ! -s stderr ] || fail "--quiet --report - printed $(cat stderr)"
+expect 0 square.obj --report /dev/stdout
+is_report stdout "--report /dev/stdout"
+expect 0 square.obj --output -
+is_mesh stdout "--output -"
+[ "$(wc -l <stdout)" -eq "$(grep -c -e '^v ' -e '^vt ' -e '^f ' stdout)" ] || fail "--output -: more than the mesh is there"
+[ "$("$program" square.obj --quiet --picture - | grep -c '</svg>')" -eq 1 ] || fail "--picture - into a pipe"
+"$program" square.obj --quiet --report /dev/fd/7 7>seven.json || fail "--report /dev/fd/7"
+is_report seven.json "--report /dev/fd/7"
+echo before >appended
+"$program" square.obj --quiet --report /dev/stdout >>appended
+[ "$(head -1 appended)/$(wc -l <appended)" = before/2 ] || fail "--report /dev/stdout lost what was in the file"
+leaves_only square.obj seven.json appended
+
+# unprintable ARGUMENT...: exit status 3 and one line of error where the standard output is full, and where it is closed.
+unprintable() {
+  "$program" "$@" >/dev/full 2>stderr
+  [ "$?/$(wc -l <stderr)" = 3/1 ] || fail "'$* >/dev/full': $(cat stderr)"
+  "$program" "$@" >&- 2>stderr
+  [ "$?/$(wc -l <stderr)" = 3/1 ] || fail "'$* >&-': $(cat stderr)"
+}
+unprintable square.obj
+unprintable --help
+unprintable --version
+unprintable square.obj --quiet --output -
+# A file that is opened while the standard output is closed does not become it.
+"$program" square.obj --output closed.obj >&- 2>/dev/null
+grep -q triangles closed.obj && fail "the summary went into the output"
+"$program" square.obj --quiet --output closed.obj >&- 2>&- || fail "--quiet needs a standard output"
+
+# ---- both files or none ----
+
+in_new_folder both
+mkdir folder.svg
+for picture in none/map.svg folder.svg /dev/full; do
+  expect 3 square.obj --output out.obj --picture $picture
+  leaves_only square.obj folder.svg
+done
+
+# ---- names in messages ----
+
+in_new_folder messages
+name=$'two\nlines\e[31m.obj'
+expect 2 "$name"
+expect 1 "--$name"
+expect 1 --method "$name"
+expect 3 square.obj --output "none/$name"
+expect 1 square.obj --picture "$name"
+make_square >"$name"
+expect 0 "$name" --report report.json
+[ "$(wc -l <stdout)" -eq 1 ] || fail "the summary is not one line"
+grep -q '"input":"two\\nlines\\u001b\[31m.obj"' report.json || fail "the report has another name: $(cat report.json)"
+
+# ---- flips ----
+
+in_new_folder flips
+expect 3 --method uniform --iterations 2
+grep -q -e '; --flips repair or keep$' stderr || fail "no advice on flips: $(cat stderr)"
+# Along a tube a conformal map shrinks beyond what doubles can hold: not even a repair helps.
+awk -v n=3 -v m=1000 'BEGIN {
+  turn = 8 * atan2(1, 1) / n
+  for (j = 0; j <= m; ++j) for (i = 0; i < n; ++i) print "v", cos(i * turn), sin(i * turn), 2 * j
+  for (j = 0; j < m; ++j) for (i = 0; i < n; ++i) {
+    a = j * n + i + 1; b = j * n + (i + 1) % n + 1
+    print "f", a, b, b + n; print "f", a, b + n, a + n
+  }
+  print "f", m * n + 1, m * n + 2, m * n + 3
+}' >tube.obj
+expect 3 tube.obj --method lscm --flips repair
+grep -q 'that cannot be repaired; --flips keep$' stderr || fail "wrong advice after a repair: $(cat stderr)"
+
+# ---- signals ----
+
+in_new_folder signals
+mkfifo pipe.svg
+
+# interrupted SIGNAL WANTED [COMMAND]: the exit status if the signal comes when the output is written and the picture
+# waits for a reader of the pipe. COMMAND comes before the program.
+interrupted() {
+  local signal=$1 wanted=$2 before=${3:-:} status=0 waiting=0
+  (
+    until [ -n "$(find . -name '.part*' -size +0)" ] || [ $((waiting += 1)) -gt 600 ]; do sleep 0.05; done
+    kill -s "$signal" "$(cat pid)"
+    [ "$wanted" -ne 0 ] || timeout 60 cat pipe.svg >picture
+  ) &
+  # In the foreground, as a shell lets what runs in the background ignore SIGINT.
+  { bash -c "$before; echo \$\$ >pid; exec \"\$0\" square.obj --quiet --output out.obj --picture pipe.svg" "$program"; } 2>stderr ||
+    status=$?
+  wait
+  [ "$status" -eq "$wanted" ] || fail "after SIG$signal the exit status is $status instead of $wanted"
+  rm -f pid
+}
+for signal in INT TERM HUP; do
+  echo old >out.obj
+  interrupted $signal $((128 + $(kill -l $signal)))
+  [ "$(cat out.obj)" = old ] || fail "SIG$signal: half of two files was written"
+  leaves_only square.obj pipe.svg out.obj
+done
+interrupted HUP 0 'trap "" HUP'
+is_mesh out.obj "a signal that is ignored"
+is_picture picture "a signal that is ignored"
+leaves_only square.obj pipe.svg out.obj picture
+
+cd "$folder" || exit 1
+[ "$failures" -eq 0 ] && echo "all passed"
+exit "$failures"
