@@ -229,8 +229,10 @@ interrupted() {
     [ "$wanted" -ne 0 ] || timeout 60 cat pipe.svg >picture
   ) &
   # In the foreground, as a shell lets what runs in the background ignore SIGINT.
-  bash -c "$before"'; echo $$ >pid; exec "$@"' bash "$program" square.obj --quiet --output out.obj --picture pipe.svg \
-    2>stderr || status=$?
+  {
+    bash -c "$before"'; echo $$ >pid; exec "$@"' bash \
+      "$program" square.obj --quiet --output out.obj --picture pipe.svg || status=$?
+  } 2>stderr                                 # what bash tells of signals as well
   wait
   [ "$status" -eq "$wanted" ] || fail "after SIG$signal the exit status is $status instead of $wanted"
   rm -f pid
