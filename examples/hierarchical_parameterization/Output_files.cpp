@@ -268,10 +268,3 @@ void Output_files::commit()
   }
   m_temporaries.clear();
 }
-
-void hold_standard_descriptors()
-{
-  for (const int descriptor : { STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO })
-    if (::fcntl(descriptor, F_GETFD) == -1)
-      ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);     // gets the lowest free number: this
-}

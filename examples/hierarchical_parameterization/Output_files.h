@@ -35,8 +35,4 @@ private:
   std::vector<std::unique_ptr<Temporary>> m_temporaries;
 };
 
-// Makes 0, 1 and 2 descriptors that cannot be used where they are closed: otherwise the next file to be opened becomes
-// the standard output. To be called first.
-void hold_standard_descriptors();
-
 #endif // OUTPUT_FILES_H

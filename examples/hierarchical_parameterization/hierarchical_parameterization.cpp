@@ -169,7 +169,6 @@ int main(int argc, char** argv)
   // failed write, not the end.
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) { });
   std::signal(SIGXFSZ, SIG_IGN);
-  hold_standard_descriptors();
   try {
     Options options;
     if (!read_options(argc, argv, options)) {

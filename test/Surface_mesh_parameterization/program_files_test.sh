@@ -1,5 +1,8 @@
 #!/usr/bin/env bash
 # How the program treats the files that it writes: program_files_test.sh PROGRAM
+#
+# No output is named /dev/stdout or /dev/null: a program that is broken would replace them if root runs the test. Links
+# to /dev/fd and pipes in the test's own folder do as well.
 program=$1
 source "$(dirname "$0")/run_as_a_user.sh"
 
@@ -69,11 +72,13 @@ leaves_only square.obj "$long"
 # ---- modes ----
 
 in_new_folder modes
-(umask 027 && expect 0 square.obj --output new.obj --report private.json; exit "$failures") || failures=$((failures + 1))
+(umask 027 && expect 0 square.obj --output new.obj --report private.json; exit "$failures") ||
+  failures=$((failures + 1))
 has_mode new.obj 640
 chmod 600 private.json
 chmod 664 new.obj
-(umask 077 && expect 0 square.obj --output new.obj --report private.json; exit "$failures") || failures=$((failures + 1))
+(umask 077 && expect 0 square.obj --output new.obj --report private.json; exit "$failures") ||
+  failures=$((failures + 1))
 has_mode new.obj 664
 has_mode private.json 600
 
@@ -103,13 +108,18 @@ wrong square.obj --picture new.svg --report ./new.svg
 wrong square.obj --output levels/level_00.obj --levels here/levels
 wrong square.obj --report levels/level_01.obj --levels levels
 wrong square.obj --output - --report -
-wrong square.obj --output /dev/stdout --picture -
+ln -s /dev/fd/1 standard_output
+wrong square.obj --output standard_output --picture -
+rm standard_output
 "$program" square.obj --report summary.txt >summary.txt 2>stderr
 [ $? -eq 1 ] || fail "the summary and the report went to one file"
 rm summary.txt
 leaves_only square.obj other.obj link.obj hard.obj nowhere.obj here levels levels/level_00.obj
-expect 0 square.obj --output /dev/null --picture /dev/null --report /dev/null
-[ -c /dev/null ] || fail "/dev/null was replaced"
+mkfifo pipe
+exec 8<>pipe                                 # holds what is written
+expect 0 square.obj --output pipe --picture pipe --report pipe
+exec 8>&-
+[ -p pipe ] || fail "a pipe was replaced"
 
 # ---- endings ----
 
@@ -130,20 +140,24 @@ is_report stdout "--report -"
 [ "$(wc -l <stderr)" -eq 1 ] || fail "--report -: the summary is not on stderr"
 expect 0 square.obj --report - --quiet
 [ ! -s stderr ] || fail "--quiet --report - printed $(cat stderr)"
-expect 0 square.obj --report /dev/stdout
-is_report stdout "--report /dev/stdout"
+ln -s /dev/fd/1 link
+expect 0 square.obj --report link
+is_report stdout "a link to the standard output"
 expect 0 square.obj --output -
 is_mesh stdout "--output -"
-[ "$(wc -l <stdout)" -eq "$(grep -c -e '^v ' -e '^vt ' -e '^f ' stdout)" ] || fail "--output -: more than the mesh is there"
+[ "$(wc -l <stdout)" -eq "$(grep -c -e '^v ' -e '^vt ' -e '^f ' stdout)" ] ||
+  fail "--output -: more than the mesh is there"
 [ "$("$program" square.obj --quiet --picture - | grep -c '</svg>')" -eq 1 ] || fail "--picture - into a pipe"
 "$program" square.obj --quiet --report /dev/fd/7 7>seven.json || fail "--report /dev/fd/7"
 is_report seven.json "--report /dev/fd/7"
 echo before >appended
-"$program" square.obj --quiet --report /dev/stdout >>appended
-[ "$(head -1 appended)/$(wc -l <appended)" = before/2 ] || fail "--report /dev/stdout lost what was in the file"
-leaves_only square.obj seven.json appended
+"$program" square.obj --quiet --report link >>appended
+[ "$(head -1 appended)/$(wc -l <appended)" = before/2 ] ||
+  fail "a link to the standard output lost what was in the file"
+[ -L link ] || fail "a link to the standard output was replaced"
+leaves_only square.obj seven.json appended link
 
-# unprintable ARGUMENT...: exit status 3 and one line of error where the standard output is full, and where it is closed.
+# unprintable ARGUMENT...: exit status 3 and one line of error if the standard output is full, and if it is closed.
 unprintable() {
   "$program" "$@" >/dev/full 2>stderr
   [ "$?/$(wc -l <stderr)" = 3/1 ] || fail "'$* >/dev/full': $(cat stderr)"
@@ -163,8 +177,8 @@ grep -q triangles closed.obj && fail "the summary went into the output"
 
 in_new_folder both
 mkdir folder.svg
-for picture in none/map.svg folder.svg /dev/full; do
-  expect 3 square.obj --output out.obj --picture $picture
+for picture in none/map.svg folder.svg /dev/fd/9; do
+  expect 3 square.obj --output out.obj --picture $picture 9>/dev/full
   leaves_only square.obj folder.svg
 done
 
@@ -215,8 +229,10 @@ interrupted() {
     [ "$wanted" -ne 0 ] || timeout 60 cat pipe.svg >picture
   ) &
   # In the foreground, as a shell lets what runs in the background ignore SIGINT.
-  { bash -c "$before; echo \$\$ >pid; exec \"\$0\" square.obj --quiet --output out.obj --picture pipe.svg" "$program"; } 2>stderr ||
-    status=$?
+  {
+    bash -c "$before"'; echo $$ >pid; exec "$@"' bash \
+      "$program" square.obj --quiet --output out.obj --picture pipe.svg || status=$?
+  } 2>stderr                                 # what bash tells of signals as well
   wait
   [ "$status" -eq "$wanted" ] || fail "after SIG$signal the exit status is $status instead of $wanted"
   rm -f pid
