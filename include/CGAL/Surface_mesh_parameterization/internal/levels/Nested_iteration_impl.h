@@ -60,6 +60,7 @@ Error_code Nested_iteration::parameterize(const Collapse_hierarchy_3& hierarchy,
 
   m_watches_borders = m_method.keep_borders_apart(false);
   m_map_apart.clear();
+  m_level_apart = 0;
   Level level(hierarchy, 0, m_method.loops());
   Error_code status = parameterize_coarsest(level, uv);
   if (status == OK)
