@@ -33,8 +33,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// Without the adaptor the method starts from Tutte's map onto a circle. If that has flips in doubles, it starts from
 /// the result on a level that is coarse enough. With `Hierarchical_parameterizer_3` it starts from the result of a
 /// coarse level, which is much faster on large meshes. Where that ends at more than four times the minimum, or finds no
-/// map, the method also starts from Tutte's map of the finest level, and the better result counts: no result is worse
-/// than Tutte's map.
+/// map, the method also starts from Tutte's map of the finest level, and the better result counts. On more than 20,000
+/// vertices it does so only if Tutte's map has the lower energy to begin with.
 ///
 /// If an energy of one's own is not finite where a level starts, symmetric Dirichlet energy is minimized first.
 ///
