@@ -10,7 +10,9 @@
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Halfedge_collapse.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/property_map.h>
@@ -118,6 +120,31 @@ TEST(Collapse_hierarchy, a_group_takes_about_a_quarter_of_the_triangles)
       EXPECT_GT(fall, 1.2);
       EXPECT_LT(fall, 1.5);
     }
+}
+
+// Flat and narrow ones of needles, and one whose inner border is not convex anywhere.
+TEST(Collapse_hierarchy, a_group_takes_as_much_of_ribbons)
+{
+  for (const Flat_mesh& m :
+       { affine_image(grid(2000, 1, flat), 2e4, 0, 0, 10), affine_image(grid(2000, 1, flat), 2e4, 5e3, 0, 10),
+         affine_image(grid(500, 4, flat), 5e3, 0, 0, 5), ramp(800, 100) }) {
+    const Collapse_hierarchy_3 h(surface(m));
+    EXPECT_LE(h.number_of_vertices(0), 100u);
+    for (std::size_t level = 1; level < h.number_of_levels(); ++level)
+      EXPECT_GE(double(h.number_of_vertices(level)), 1.125 * double(h.number_of_vertices(level - 1)));
+  }
+}
+
+// Their rest shapes are raised from this aspect on: no such level is made, and nothing is tried vertex by vertex.
+TEST(Collapse_hierarchy, no_level_has_needles_whose_shape_would_not_count)
+{
+  const Collapse_hierarchy_3 h(surface(affine_image(grid(20000, 1, flat), 200000, 0, 0, 20)));
+  EXPECT_LT(h.number_of_levels(), 15u);
+  EXPECT_LT(h.number_of_vertices(0), 2000u);
+  const Level level(h, 0);
+  for (const Index_triangle& t : level.triangles())
+    EXPECT_GT(internal::shape_quality(level.point(t[0]), level.point(t[1]), level.point(t[2])),
+              0.999 * internal::lowest_rest_height);
 }
 
 TEST(Collapse_hierarchy, takes_little_memory)

@@ -13,9 +13,14 @@
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/unfolding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -27,6 +32,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -67,6 +73,79 @@ TEST(Tutte_embedding, puts_interior_vertices_into_the_middle_of_their_neighbors)
         sum = sum + (uv[w] - uv[v]);
       EXPECT_NEAR(sum.squared_length(), 0, 1e-24);
     }
+}
+
+// ---- unfolding ----
+
+void expect_isometry(const Level& level, const Level::Uv& uv)
+{
+  for (Index v = 0; v < level.number_of_vertices(); ++v)
+    for (const Index w : level.one_ring(v)) {
+      const double length2 = CGAL::squared_distance(level.point(v), level.point(w));
+      EXPECT_NEAR(CGAL::squared_distance(uv[v], uv[w]), length2, 1e-9 * length2);
+    }
+}
+
+Flat_mesh thin_ribbon() { return affine_image(grid(500, 4, flat), 1000, 0, 0, 0.1); }
+
+TEST(Unfolding, of_a_developable_surface_is_an_isometry)
+{
+  for (const auto& [name, m] :
+       { std::pair("one triangle", single_triangle()), std::pair("ears", three_ears()), std::pair("strip", strip(60)),
+         std::pair("rolled", grid(20, 20, rolled)),
+         std::pair("flat, with holes", affine_image(grid_with_holes(20), 1, 0.3, 0, 1)),
+         std::pair("ribbon", thin_ribbon()) }) {
+    SCOPED_TRACE(name);
+    const Finest_level f(m);
+    Level::Uv uv;
+    ASSERT_TRUE(unfold(f.level, uv));
+    expect_isometry(f.level, uv);
+  }
+}
+
+TEST(Unfolding, is_no_map_where_the_surface_is_curved)
+{
+  for (const Flat_mesh& m : { hemisphere(), deep_cap(), crumpled_grid(12, 1), folded_fan() }) {
+    const Finest_level f(m);
+    Level::Uv uv;
+    EXPECT_FALSE(unfold(f.level, uv));
+  }
+}
+
+TEST(First_map, is_not_worse_than_that_of_Tutte)
+{
+  for (const auto& [name, m] : named_meshes()) {
+    SCOPED_TRACE(name);
+    const Finest_level f(m);
+    const Level_energy_of<Symmetric_Dirichlet_energy_2> energy(f.level, Triangle_weight::AREA);
+    Level::Uv uv;
+    ASSERT_EQ(choose_first_map(energy, Refinement_options(), uv), OK);
+    EXPECT_TRUE(is_map_valid(f.level.rings(), uv));
+    EXPECT_LE(energy(uv), energy(first_map(f.level)));
+  }
+}
+
+// Tutte's map of this ribbon is 1e7 times worse.
+TEST(First_map, is_the_minimum_on_a_ribbon)
+{
+  const Finest_level f(thin_ribbon());
+  const Level_energy_of<Symmetric_Dirichlet_energy_2> energy(f.level, Triangle_weight::AREA);
+  Level::Uv uv;
+  ASSERT_EQ(choose_first_map(energy, Refinement_options(), uv), OK);
+  EXPECT_NEAR(energy(uv) / energy.unit(), 4, 1e-9);
+}
+
+TEST(First_map, does_not_overlap_where_it_must_not)
+{
+  const Finest_level f(ramp(100, 1.5));
+  const Level_energy_of<Symmetric_Dirichlet_energy_2> energy(f.level, Triangle_weight::AREA);
+  Refinement_options options;
+  Level::Uv uv;
+  for (const bool must_not : { false, true }) {
+    options.is_globally_injective = must_not;
+    ASSERT_EQ(choose_first_map(energy, options, uv), OK);
+    EXPECT_NE(has_crossings(border_edges(f.level.rings()), uv), must_not);
+  }
 }
 
 // ---- scale ----

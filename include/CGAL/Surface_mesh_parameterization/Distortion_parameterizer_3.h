@@ -30,11 +30,11 @@ namespace CGAL::Surface_mesh_parameterization {
 /// itself or another one, by exact predicates. If the map without this parameter is such a map, it is the result.
 /// Otherwise a barrier term (Smith and Schaefer 2015) is added to the energy where borders come near each other.
 ///
-/// Without the adaptor the method starts from Tutte's map onto a circle. If that has flips in doubles, it starts from
-/// the result on a level that is coarse enough. With `Hierarchical_parameterizer_3` it starts from the result of a
-/// coarse level, which is much faster on large meshes. Where that ends at more than four times the minimum, or finds no
-/// map, the method also starts from Tutte's map of the finest level, and the better result counts. On more than 20,000
-/// vertices it does so only if Tutte's map has the lower energy to begin with.
+/// Without the adaptor the method starts from Tutte's map onto a circle, or from the unfolded surface if that is a map
+/// of less energy. If neither is a map in doubles, it starts from the result on a level that is coarse enough. With
+/// `Hierarchical_parameterizer_3` it starts from the result of a coarse level, which is much faster on large meshes.
+/// Where that ends at more than twice the minimum, or finds no map, the method also starts as without the adaptor, and
+/// the better result counts. On more than 5,000 vertices it does so only if that start has the lower energy.
 ///
 /// If an energy of one's own is not finite where a level starts, symmetric Dirichlet energy is minimized first.
 ///
@@ -81,12 +81,13 @@ public:
     m_must_be_injective = m_options.is_globally_injective;
   }
 
-  /// Tutte's map of a level, scaled to the surface's area.
-  /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING` if the map, computed in doubles,
-  /// has a flip
+  /// the map of less energy among Tutte's, scaled to the surface's area, and the unfolded level, if that is a map.
+  /// \return `OK`, or if the unfolded level is no map: `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING`
+  /// if Tutte's map, computed in doubles, has a flip
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
-    return internal::compute_first_map(level, uv);
+    const internal::Level_energy_of<Energy> energy(level, m_options.triangle_weight);
+    return internal::choose_first_map(energy, m_options, uv);
   }
 
   /// improves a flip-free map of a level and keeps it flip-free.

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Halfedge_collapse.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Ring_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Unit_edge_metric.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/discrete_exponential_map.h>
 
 #include <boost/config.hpp>
@@ -57,6 +58,30 @@ public:
     m_collapses.clear();
 
     shuffle_vertices(n, random);
+    for (const Acceptance acceptance : { Acceptance::ROUND, Acceptance::NEEDLES, Acceptance::BENT_BORDERS }) {
+      m_acceptance = acceptance;
+      choose_in_order(mesh, fewest_vertices, loops);
+      if (m_collapses.size() >= n / few_collapses)
+        break;
+    }
+    sort_collapses();
+  }
+
+  // In the order of the removed vertices' indices.
+  const std::vector<Collapse>& collapses() const { return m_collapses; }
+
+private:
+  // Which triangles a collapse may leave. A surface that consists of needles, or whose border turns with every edge,
+  // has no coarser mesh of good triangles: where few vertices can be removed otherwise, bad ones are accepted.
+  enum class Acceptance {
+    ROUND,
+    NEEDLES,          // a little worse than the triangles that it takes
+    BENT_BORDERS      // at the border these may overlap in the plane, too
+  };
+
+  void choose_in_order(const Mesh& mesh, std::size_t fewest_vertices, const Loops& loops)
+  {
+    const std::size_t n = mesh.points.size();
     constexpr std::size_t least_batches = 32, least_batch_size = 64, greatest_batch_size = 2048;
     const std::size_t batch_size = (std::min)((std::max)(n / least_batches, least_batch_size), greatest_batch_size);
     for (std::size_t begin = 0; begin < n && m_collapses.size() + fewest_vertices < n; begin += batch_size) {
@@ -66,13 +91,8 @@ public:
         if (!m_is_locked[m_order[i]])
           try_collapse(mesh, m_prospects[i - begin]);
     }
-    sort_collapses();
   }
 
-  // In the order of the removed vertices' indices.
-  const std::vector<Collapse>& collapses() const { return m_collapses; }
-
-private:
   // In random order block by block, so that most of what the vertices of a block need stays in the cache. std::shuffle
   // is not the same everywhere.
   template <class RandomGenerator>
@@ -152,9 +172,12 @@ private:
     discrete_exponential_map(mesh.points[v], scratch.ring_points, ring.is_closed, scratch.flat_ring);
     if (mesh.metric)
       mesh.metric->transform(v, mesh.points[v], scratch.ring_points, scratch.flat_ring);
+    const double least_quality = least_quality_after_collapse(scratch.flat_ring, ring.is_closed);
     scratch.is_forbidden.assign(ring.size, false);
     for (;;) {
-      const Index w0 = best_neighbor(ring.is_closed, scratch);
+      const Index w0 = ring.is_closed || m_acceptance != Acceptance::BENT_BORDERS
+                           ? best_neighbor(scratch.flat_ring, ring.is_closed, least_quality, scratch.is_forbidden)
+                           : best_neighbor(scratch.ring_points, ring.is_closed, least_quality, scratch.is_forbidden);
       if (w0 == no_index)
         return no_collapse;
       if (satisfies_link_condition(mesh, v, w0)) {
@@ -166,18 +189,27 @@ private:
     }
   }
 
-  // The position of the neighbor whose fan has the best worst triangle, `no_index` if every fan is too bad.
-  static Index best_neighbor(bool is_closed, const Scratch& scratch)
+  // Needles are accepted as long as their rest shapes need not be raised.
+  double least_quality_after_collapse(const std::vector<Vector_2>& flat_ring, bool is_closed) const
   {
-    constexpr double least_quality = 1e-4;
-    const Index size = Index(scratch.flat_ring.size()),
+    constexpr double least_quality = 1e-4, least_part = 0.25;
+    return m_acceptance == Acceptance::ROUND ? least_quality
+                                             : std::clamp(least_part * worst_quality_of_star(flat_ring, is_closed),
+                                                          lowest_rest_height, least_quality);
+  }
+
+  // The position of the neighbor whose fan has the best worst triangle, `no_index` if every fan is too bad.
+  template <class Place>
+  static Index best_neighbor(const std::vector<Place>& places, bool is_closed, double least_quality,
+                             const std::vector<unsigned char>& is_forbidden)
+  {
+    const Index size = Index(places.size()),
                 step = is_closed ? 1 : size - 1;      // a border vertex has two candidates, the ends of its ring
     Index best = no_index;
     double best_quality = least_quality;
     for (Index w0 = 0; w0 < size; w0 += step)
-      if (!scratch.is_forbidden[w0])
-        if (const double quality = worst_quality_after_collapse(scratch.flat_ring, w0, best_quality);
-            quality > best_quality) {
+      if (!is_forbidden[w0])
+        if (const double quality = worst_quality_after_collapse(places, w0, best_quality); quality > best_quality) {
           best = w0;
           best_quality = quality;
         }
@@ -258,8 +290,11 @@ private:
 
   struct Added_edge { Index neighbor, next; };
 
+  static constexpr std::size_t few_collapses = 8;     // less than this part of the vertices
+
   std::vector<Index> m_order;
   std::vector<unsigned char> m_is_locked;
+  Acceptance m_acceptance = Acceptance::ROUND;
   std::vector<Index> m_first_added;               // per vertex: its list in m_added
   std::vector<Added_edge> m_added;
   std::vector<Collapse> m_collapses, m_sorted;

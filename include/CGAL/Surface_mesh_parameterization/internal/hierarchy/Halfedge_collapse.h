@@ -41,19 +41,38 @@ inline double shape_quality(const Vector_2& a, const Vector_2& b, const Vector_2
   return longest > 0 ? 0.5 * cross(ab, ac) / longest : 0;
 }
 
-// The quality of the worst triangle that a collapse onto ring position w0, an end of an open ring, leaves, with the
-// flattened ring; of an ear's, that leaves none, 1. It stops at the first triangle that is not better than `bound`, and
-// returns what it has found then.
-inline double worst_quality_after_collapse(const std::vector<Vector_2>& flat_ring, std::size_t w0,
-                                           double bound = -(std::numeric_limits<double>::infinity)())
+// The same of a triangle in space, which cannot be flipped.
+inline double shape_quality(const Point_3& a, const Point_3& b, const Point_3& c)
 {
-  const std::size_t size = flat_ring.size();
+  const Vector_3 ab = b - a, ac = c - a, bc = c - b;
+  const double longest = (std::max)({ ab.squared_length(), ac.squared_length(), bc.squared_length() });
+  return longest > 0 ? 0.5 * std::sqrt(CGAL::cross_product(ab, ac).squared_length()) / longest : 0;
+}
+
+// The quality of the worst triangle at V, the origin, with the flattened ring.
+inline double worst_quality_of_star(const std::vector<Vector_2>& flat_ring, bool is_closed)
+{
+  const Vector_2 origin(0, 0);
+  double worst = is_closed ? shape_quality(origin, flat_ring.back(), flat_ring.front()) : 1;
+  for (std::size_t i = 0; i + 1 < flat_ring.size(); ++i)
+    worst = (std::min)(worst, shape_quality(origin, flat_ring[i], flat_ring[i + 1]));
+  return worst;
+}
+
+// The quality of the worst triangle that a collapse onto ring position w0, an end of an open ring, leaves, in space or
+// with the flattened ring; of an ear's, that leaves none, 1. It stops at the first triangle that is not better than
+// `bound`, and returns what it has found then.
+template <class Place>
+double worst_quality_after_collapse(const std::vector<Place>& ring, std::size_t w0,
+                                    double bound = -(std::numeric_limits<double>::infinity)())
+{
+  const std::size_t size = ring.size();
   const auto following = [size](std::size_t i) { return i + 1 == size ? 0 : i + 1; };
   double worst = 1;
   std::size_t i = following(w0);
   for (std::size_t k = 2; k < size && worst > bound; ++k) {
     const std::size_t j = following(i);
-    worst = (std::min)(worst, shape_quality(flat_ring[w0], flat_ring[i], flat_ring[j]));
+    worst = (std::min)(worst, shape_quality(ring[w0], ring[i], ring[j]));
     i = j;
   }
   return worst;

@@ -49,7 +49,7 @@ public:
         break;
       m_group.choose({ m_mesh, m_points, m_is_pinned, options.has_unit_edges ? &metric : nullptr }, fewest_vertices,
                      random, loops);
-      if (m_group.collapses().empty())
+      if (double(m_group.collapses().size()) <= options.least_removed_part * double(m_points.size()))
         break;
       perform_group(loops);
       if (options.has_unit_edges)

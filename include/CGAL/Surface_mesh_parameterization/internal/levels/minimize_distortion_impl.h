@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/separate_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/unfolding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Conformal_refiner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
@@ -24,6 +25,20 @@ Error_code compute_first_map(const Level& level, Level::Uv& uv)
   if (status == OK)
     scale_to_area(level, false, uv);
   return status;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code choose_first_map(const Level_energy& energy, const Refinement_options& options, Level::Uv& uv)
+{
+  const Level& level = energy.level();
+  const Error_code status = compute_first_map(level, uv);
+  Level::Uv unfolded;
+  const bool is_better = unfold(level, unfolded) && (status != OK || energy(unfolded) < energy(uv)) &&
+                         !(options.is_globally_injective && has_crossings(border_edges(level.rings()), unfolded));
+  if (!is_better)
+    return status;
+  uv.swap(unfolded);
+  return OK;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -58,7 +73,8 @@ void minimize_energy(const Level_energy& energy, Level::Uv& uv, const Refinement
   Level_refiner(energy, uv, options, summary).run();
 }
 
-// Minimizes the energy from `uv`. What keeps borders apart is paid for with energy: where that leads astray, `uv` stays.
+// Minimizes the energy from `uv`. What keeps borders apart is paid for with energy: where that leads astray, `uv`
+// stays.
 inline Error_code minimize_from(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
                                 Level_summary& summary)
 {
@@ -82,20 +98,20 @@ inline Error_code minimize_from(const Level_energy& energy, Level::Uv& uv, const
 // Whether the energy is so high that another start may lead to a better map.
 inline bool is_far_above_minimum(const Level_energy& energy, double value)
 {
-  constexpr double greatest_ratio = 4;
+  constexpr double greatest_ratio = 2;
   const double minimum = energy.minimum() * energy.total_weight();
   return minimum > 0 && !(value <= greatest_ratio * minimum);
 }
 
 // What coarse levels decide may be wrong where they have little in common with the surface. So a bad result is compared
-// with Tutte's map of the finest level, and with what comes of it: on a large level only if that is better to begin with.
-inline void start_again_from_Tutte(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
+// with what comes of a first map of the finest level: on a large level only if that is better to begin with.
+inline void start_again_from_first_map(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
                                    Level_summary& summary, Error_code& status)
 {
-  constexpr std::size_t most_vertices_without_promise = 20000;
+  constexpr std::size_t most_vertices_without_promise = 5000;
   const Level& level = energy.level();
   Level::Uv other;
-  if (compute_first_map(level, other) != OK)
+  if (choose_first_map(energy, options, other) != OK)
     return;
   const double value = energy(uv);
   if (status == OK && level.number_of_vertices() > most_vertices_without_promise && !(energy(other) < value))
@@ -120,7 +136,7 @@ Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, L
   Error_code status = minimize_from(energy, uv, options, summary);
   const bool is_last_of_many = level.is_finest() && level.index() > 0;
   if (is_last_of_many && (status != OK || is_far_above_minimum(energy, energy(uv))))
-    start_again_from_Tutte(energy, uv, options, summary, status);
+    start_again_from_first_map(energy, uv, options, summary, status);
   if (status == OK && scales_to_area)
     scale_to_area(level, options.is_globally_injective, uv);
   return status;
