@@ -95,10 +95,17 @@ inline Error_code minimize_from(const Level_energy& energy, Level::Uv& uv, const
   return OK;
 }
 
+// Whether another start costs little.
+inline bool is_small(const Level& level)
+{
+  constexpr std::size_t most_vertices = 5000;
+  return level.number_of_vertices() <= most_vertices;
+}
+
 // Whether the energy is so high that another start may lead to a better map.
 inline bool is_far_above_minimum(const Level_energy& energy, double value)
 {
-  constexpr double greatest_ratio = 2;
+  const double greatest_ratio = is_small(energy.level()) ? 2 : 4;
   const double minimum = energy.minimum() * energy.total_weight();
   return minimum > 0 && !(value <= greatest_ratio * minimum);
 }
@@ -106,15 +113,13 @@ inline bool is_far_above_minimum(const Level_energy& energy, double value)
 // What coarse levels decide may be wrong where they have little in common with the surface. So a bad result is compared
 // with what comes of a first map of the finest level: on a large level only if that is better to begin with.
 inline void start_again_from_first_map(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
-                                   Level_summary& summary, Error_code& status)
+                                       Level_summary& summary, Error_code& status)
 {
-  constexpr std::size_t most_vertices_without_promise = 5000;
-  const Level& level = energy.level();
   Level::Uv other;
   if (choose_first_map(energy, options, other) != OK)
     return;
   const double value = energy(uv);
-  if (status == OK && level.number_of_vertices() > most_vertices_without_promise && !(energy(other) < value))
+  if (status == OK && !is_small(energy.level()) && !(energy(other) < value))
     return;
   Level_summary other_summary;
   if (minimize_from(energy, other, options, other_summary) != OK || (status == OK && !(energy(other) < value)))
