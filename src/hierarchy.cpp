@@ -15,4 +15,5 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/round_map_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/build_interpolation_impl.h>

@@ -28,6 +28,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <map>
 
@@ -109,5 +110,49 @@ TYPED_TEST(FaceGraph, is_parameterized_into_own_property_maps)
     EXPECT_TRUE(entry.second);
   EXPECT_TRUE(is_valid(mesh, bhd, by_index(uv)));
 }
+
+// ---- maps of floats ----
+
+// A flat ring, not closed, of radius 1: where it is some units of the last place wide, rounding alone flips triangles.
+Flat_mesh narrow_ring(Index sectors, double width)
+{
+  Flat_mesh m = grid(sectors, 2, flat);
+  for (Point_3& p : m.points) {
+    const double radius = 1 + width * p.y() * sectors / 2, phi = -4 * p.x();
+    p = Point_3(radius * std::cos(phi), radius * std::sin(phi), 0);
+  }
+  return m;
+}
+
+// What is promised holds for what is written into the user's map.
+class Map_of_floats : public testing::TestWithParam<bool>
+{
+protected:
+  // Checks a map that was found.
+  Error_code run(const Flat_mesh& m)
+  {
+    typedef MIPS_parameterizer_3<Surface_mesh> Method;
+    const Hierarchical_parameterizer_3<Method> parameterizer(Method(parameters::globally_injective(GetParam())));
+    Surface_mesh mesh = make<Surface_mesh>(m);
+    const auto bhd = longest_border(mesh);
+    const auto uvmap = get(CGAL::dynamic_vertex_property_t<CGAL::Simple_cartesian<float>::Point_2>(), mesh);
+    const Error_code status = SMP::parameterize(mesh, parameterizer, bhd, uvmap);
+    EXPECT_EQ(status == OK, is_valid(mesh, bhd, uvmap));
+    return status;
+  }
+};
+
+TEST_P(Map_of_floats, has_no_flips)
+{
+  for (const double width : { 1e-6, 3e-7 })
+    EXPECT_EQ(run(narrow_ring(200, width)), OK);
+}
+
+TEST_P(Map_of_floats, is_an_error_where_floats_leave_no_room)
+{
+  EXPECT_EQ(run(narrow_ring(200, 1e-8)), ERROR_NO_1_TO_1_MAPPING);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Map_of_floats, testing::Bool());
 
 } // namespace

@@ -4,14 +4,17 @@
 // Whether a star has no flips and turns by less than a full turn.
 
 #include "random_shapes.h"
+#include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <CGAL/number_utils.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace {
@@ -89,6 +92,43 @@ TEST(Star_validity, looks_at_the_border_neighbors_too)
   uv[5] = Point_2(-1, -2);
   EXPECT_FALSE(is_star_positive(rings, uv, 5));
   EXPECT_FALSE(is_map_valid(rings, uv));
+}
+
+// ---- rounding ----
+
+double to_integer(double x, int) { return std::round(x); }
+
+// Patches of planar triangles whose edges are a few units long.
+TEST(Round_map, keeps_a_map_valid)
+{
+  int rounding_alone = 0, results = 0;
+  for (unsigned int seed = 0; seed < 40; ++seed) {
+    const Flat_mesh m = delaunay_patch(60, seed, flat);
+    const One_rings rings(m.points.size(), m.triangles);
+    std::vector<Point_2> uv, rounded;
+    for (const Point_3& p : m.points) {
+      uv.emplace_back(40 * p.x(), 40 * p.y());
+      rounded.emplace_back(std::round(uv.back().x()), std::round(uv.back().y()));
+    }
+    if (!is_map_valid(rings, uv))      // a border vertex of the hull may be seen under half a turn
+      continue;
+    rounding_alone += is_map_valid(rings, rounded);
+    if (!round_map(rings, &to_integer, 0, uv))
+      continue;
+    ++results;
+    EXPECT_TRUE(is_map_valid(rings, uv));
+    for (const Point_2& p : uv)
+      EXPECT_TRUE(p.x() == std::round(p.x()) && p.y() == std::round(p.y()));
+    EXPECT_TRUE(uv == rounded || !is_map_valid(rings, rounded));      // nothing moves without need
+  }
+  EXPECT_GT(results, 2 * rounding_alone);
+}
+
+TEST(Round_map, tells_that_there_is_no_room)
+{
+  const One_rings rings(3, { { 0, 1, 2 } });
+  std::vector<Point_2> uv = { Point_2(0.1, 0.1), Point_2(0.4, 0.1), Point_2(0.1, 0.4) };
+  EXPECT_FALSE(round_map(rings, &to_integer, 0, uv));
 }
 
 } // namespace

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/number_utils.h>
@@ -64,6 +65,9 @@ Error_code settle_flips(const TriangleMesh& mesh, typename boost::graph_traits<T
   const internal::One_rings rings(uv.size(), component.surface().triangles);
   summary.error.code = internal::apply_flip_policy(
       policy, rings, [&] { return std::move(component.surface()); }, uv, summary);
+  const internal::Round_coordinate round = internal::rounding_to<User_point_2>();
+  if (summary.error.code == OK && summary.moved_vertices > 0 && round && !internal::round_map(rings, round, 0, uv))
+    summary.error.code = ERROR_NO_1_TO_1_MAPPING;
   if (summary.error.code == OK && summary.moved_vertices > 0)
     for (std::size_t i = 0; i < uv.size(); ++i)
       put(uvmap, component.vertices_of_component()[i], User_point_2(uv[i].x(), uv[i].y()));

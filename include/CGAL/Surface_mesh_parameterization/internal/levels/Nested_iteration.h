@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Real_timer.h>
@@ -49,6 +50,7 @@ struct Nested_iteration_options
   bool fills_holes = false;
   Flip_policy flip_policy = Flip_policy::FAIL;      // for what methods leave that do not keep triangles positive
   unsigned int most_seeds = 3;      // so many hierarchies are tried where doubles leave no room for a vertex
+  Round_coordinate round = nullptr;       // to the number type of the result; null if that holds doubles
 };
 
 // `defaults` with what named parameters hold.
@@ -89,6 +91,7 @@ private:
   Error_code refine(const Level& level, Level::Uv& uv);
   Error_code insert_vertices(const Level& level, Level::Uv& uv) const;
   Error_code finish(const Level& level, Level::Uv& uv);
+  Error_code round(const Level& level, Level::Uv& uv);
   Error_code stop();
 
   // A coarsest level that the method cannot lay out without a flip is coarsened further: the vertices come back by

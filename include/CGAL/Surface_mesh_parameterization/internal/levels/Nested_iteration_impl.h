@@ -150,7 +150,20 @@ Error_code Nested_iteration::finish(const Level& level, Level::Uv& uv)
     }
     return surface;
   };
-  return m_method.settle_flips(m_options.flip_policy, level.rings(), surface_by_rank, uv, m_summary);
+  const Error_code status =
+      m_method.settle_flips(m_options.flip_policy, level.rings(), surface_by_rank, uv, m_summary);
+  return status == OK && m_options.round ? round(level, uv) : status;
+}
+
+// What is promised of the map is promised of what the user gets.
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::round(const Level& level, Level::Uv& uv)
+{
+  if (!m_method.is_flip_free() && m_options.flip_policy == Flip_policy::KEEP)
+    return OK;
+  const bool is_good = round_map(level.rings(), m_options.round, level.scale_exponent(), uv) &&
+                       !(m_method.keep_borders_apart(true) && has_crossings(border_edges(level.rings()), uv));
+  return is_good ? OK : ERROR_NO_1_TO_1_MAPPING;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -17,6 +17,7 @@
 #include <CGAL/Real_timer.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <type_traits>
 #include <utility>
@@ -109,10 +110,13 @@ Error_code run_nested_iteration(Method method, const Nested_iteration_options& o
   if (options.fills_holes)
     component.fill_holes();
 
+  typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
+  Nested_iteration_options options_of_run = options;
+  options_of_run.round = rounding_to<User_point_2>();
   Refinable_method_of<Method> engine_method(method);
   std::vector<Point_2> uv;
   Error_code status =
-      Nested_iteration(engine_method, options, visitor, summary).run(std::move(component.surface()), timer, uv);
+      Nested_iteration(engine_method, options_of_run, visitor, summary).run(std::move(component.surface()), timer, uv);
   if (status == OK)
     status = summary.error.code = write_map(component, component.surface().scale_exponent, uv, uvmap, vpmap);
   return status;

@@ -5,7 +5,9 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_POLYGON_KERNEL_2_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -75,6 +77,22 @@ private:
   Point_2 m_origin;
   std::vector<Vector_2> m_polygon, m_clipped;   // corners relative to m_origin, counter-clockwise
 };
+
+// The centroid of the kernel of v's star. That of a border vertex is unbounded: it is clipped to the box that bounds
+// the ring. `kernel` is scratch.
+inline Point_2 kernel_centroid(const One_rings& rings, const std::vector<Point_2>& uv, Index v,
+                               Polygon_kernel_2& kernel)
+{
+  const One_rings::Ring ring = rings[v];
+  const Point_2& origin = uv[ring.front()];
+  double half_width = 0;
+  for (Index w : ring)
+    half_width = (std::max)({ half_width, std::abs(uv[w].x() - origin.x()), std::abs(uv[w].y() - origin.y()) });
+  kernel.reset(origin, half_width);
+  for (std::size_t i = 0; i < rings.number_of_triangles(v); ++i)
+    kernel.clip(uv[ring[i]], uv[ring[i + 1 == ring.size() ? 0 : i + 1]]);
+  return kernel.is_empty() ? origin : kernel.centroid();
+}
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

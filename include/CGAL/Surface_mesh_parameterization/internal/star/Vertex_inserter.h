@@ -69,7 +69,7 @@ public:
     const Point_2 kept = m_uv[parent[0]];
     const Point_2 stored = kept + coordinates[1] * (m_uv[parent[1]] - kept) + coordinates[2] * (m_uv[parent[2]] - kept);
     const Point_2 first = is_ear ? corners[0].similar_apex(m_uv[m_rings[v].front()], m_uv[m_rings[v].back()]) : stored;
-    const Point_2 centroid = kernel_centroid(v);
+    const Point_2 centroid = kernel_centroid(m_rings, m_uv, v, m_kernel);
     offer(v, first);
     offer(v, centroid);
 
@@ -107,20 +107,6 @@ private:
       m_best = place;
       m_best_energy = energy;
     }
-  }
-
-  // The kernel of a border vertex's star is unbounded: it is clipped to the box that bounds the ring.
-  Point_2 kernel_centroid(Index v)
-  {
-    const One_rings::Ring ring = m_rings[v];
-    const Point_2& origin = m_uv[ring.front()];
-    double half_width = 0;
-    for (Index w : ring)
-      half_width = (std::max)({ half_width, std::abs(m_uv[w].x() - origin.x()), std::abs(m_uv[w].y() - origin.y()) });
-    m_kernel.reset(origin, half_width);
-    for (std::size_t i = 0; i < m_rings.number_of_triangles(v); ++i)
-      m_kernel.clip(m_uv[ring[i]], m_uv[ring[i + 1 == ring.size() ? 0 : i + 1]]);
-    return m_kernel.is_empty() ? origin : m_kernel.centroid();
   }
 
   // A vector from W0 into the kernel: along the bisector of the corner that the fan of W0 filled, as far as the shorter

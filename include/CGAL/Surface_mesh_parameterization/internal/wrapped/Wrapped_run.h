@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/build_interpolation.h>
 
@@ -104,6 +105,9 @@ public:
     const One_rings rings(uv.size(), m_surface.triangles);
     summary().error.code = internal::apply_flip_policy(
         m_options.flip_policy, rings, [this] { return std::move(m_surface); }, map, summary());
+    const Round_coordinate round = rounding_to<Point>();
+    if (error() == OK && summary().moved_vertices > 0 && round && !round_map(rings, round, 0, map))
+      summary().error.code = ERROR_NO_1_TO_1_MAPPING;
     if (summary().moved_vertices > 0)
       for (std::size_t i = 0; i < uv.size(); ++i)
         uv[i] = Point(map[i].x(), map[i].y());

@@ -1,0 +1,41 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_ROUND_MAP_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_ROUND_MAP_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+
+#include <cmath>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Rounds a coordinate, of which 2^exponent is one unit of the user's, to what the user's number type holds.
+typedef double (*Round_coordinate)(double x, int exponent);
+
+// That for a point type of the user's, null if its number type holds doubles.
+template <class User_point_2>
+constexpr Round_coordinate rounding_to()
+{
+  if constexpr (std::is_same<std::decay_t<decltype(std::declval<User_point_2>().x())>, float>::value)
+    return [](double x, int exponent) { return std::ldexp(double(float(std::ldexp(x, -exponent))), exponent); };
+  else
+    return nullptr;
+}
+
+// Rounds the coordinates of a valid map. A vertex whose star would not be valid any more goes to the middle of the
+// kernel of its star, rounded. Returns whether the result is valid.
+bool round_map(const One_rings& rings, Round_coordinate round, int exponent, std::vector<Point_2>& uv);
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/star/round_map_impl.h>
+#endif
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_ROUND_MAP_H
