@@ -8,7 +8,9 @@
 #include "real_meshes.h"
 #include "test_meshes.h"
 
+#include <CGAL/Surface_mesh_parameterization/Distortion_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
@@ -25,10 +27,15 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <cstddef>
 #include <functional>
+#include <mutex>
+#include <set>
 #include <string>
+#include <thread>
 #include <type_traits>
 #include <vector>
 
@@ -165,6 +172,47 @@ std::vector<Kernel::Point_2> map_of(const Flat_mesh& m, int threads)
   Mapped_mesh mapped(m);
   EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Method>(Method(parameters::tolerance(1e-3)))), OK);
   return mapped.uv();
+}
+
+// MIPS, where a thread waits from time to time, but never long, for another one to come.
+struct Energy_for_two : MIPS_energy_2
+{
+  static inline std::mutex mutex;
+  static inline std::condition_variable another_came;
+  static inline std::set<std::thread::id> threads;
+
+  static void wait_for_another()
+  {
+    static thread_local int calls = 0;
+    if (calls++ % 1000 != 0)
+      return;
+    std::unique_lock<std::mutex> lock(mutex);
+    threads.insert(std::this_thread::get_id());
+    another_came.notify_all();
+    another_came.wait_for(lock, std::chrono::milliseconds(1), [] { return threads.size() > 1; });
+  }
+
+  const Energy_for_two& of_area(double) const { return *this; }
+  static Distortion_derivatives_2 derivatives(double frobenius, double determinant)
+  {
+    wait_for_another();
+    return MIPS_energy_2::derivatives(frobenius, determinant);
+  }
+};
+
+TEST(Threads, run_at_the_same_time)
+{
+  if (std::thread::hardware_concurrency() < 2)
+    GTEST_SKIP() << "one processor";
+  typedef Distortion_parameterizer_3<Surface_mesh, Energy_for_two, CGAL::Parallel_tag> Method;
+  // Of one level: on coarse ones there would be nothing to do for the other one.
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
+  Mapped_mesh mapped(grid(120, 110, wavy)), alone(grid(120, 110, wavy));
+  const auto np = parameters::tolerance(1e-2);
+  EXPECT_EQ(mapped.parameterize(Method(np)), OK);
+  EXPECT_EQ(Energy_for_two::threads.size(), 2u);
+  EXPECT_EQ(alone.parameterize(MIPS(np)), OK);
+  EXPECT_EQ(mapped.uv(), alone.uv());
 }
 
 TEST(Threads, do_not_change_the_map)

@@ -130,6 +130,67 @@ TEST(HierarchyVisitor_3, can_stop_the_run)
   }
 }
 
+// ---- exceptions of the user's ----
+
+struct Users_exception { };
+
+struct Throwing_visitor : Hierarchy_visitor_3
+{
+  bool level_parameterized(const Level& level, const Level::Uv&, const Level_summary&)
+  {
+    if (level.index() == 2)
+      throw Users_exception();
+    return true;
+  }
+};
+
+TEST(Users_exceptions, of_a_visitor_leave_the_map_untouched)
+{
+  Mapped_mesh mapped(grid(16, 12, wavy));
+  const Hierarchical_MIPS parameterizer(MIPS(), parameters::coarsest_size(10).visitor(Throwing_visitor()));
+  EXPECT_THROW(mapped.parameterize(parameterizer), Users_exception);
+  EXPECT_TRUE(mapped.is_untouched());
+}
+
+// Throws when it is written to for the fourth time.
+struct Throwing_map
+{
+  typedef Surface_mesh::Vertex_index                key_type;
+  typedef Kernel::Point_2                           value_type;
+  typedef value_type                                reference;
+  typedef boost::read_write_property_map_tag        category;
+
+  Mapped_mesh::UV_map uvmap;
+  int* writes_left;
+
+  friend value_type get(const Throwing_map& map, key_type v) { return map.uvmap[v]; }
+  friend void put(const Throwing_map& map, key_type v, const value_type& p)
+  {
+    if ((*map.writes_left)-- == 0)
+      throw Users_exception();
+    map.uvmap[v] = p;
+  }
+};
+
+TEST(Users_exceptions, of_a_property_map_leave_what_was_not_written)
+{
+  Mapped_mesh mapped(grid(16, 12, wavy)), whole(grid(16, 12, wavy));
+  EXPECT_EQ(whole.parameterize(Hierarchical_MIPS()), OK);
+  int writes_left = 3;
+  const Throwing_map uvmap = { mapped.uvmap, &writes_left };
+  EXPECT_THROW(SMP::parameterize(mapped.mesh, Hierarchical_MIPS(), longest_border(mapped.mesh), uvmap),
+               Users_exception);
+  int written = 0;
+  for (const auto v : vertices(mapped.mesh))
+    if (mapped.uvmap[v] != Mapped_mesh::untouched()) {
+      ++written;
+      EXPECT_EQ(mapped.uvmap[v], whole.uvmap[v]);
+    }
+  EXPECT_EQ(written, 3);
+}
+
+// ---- what a visitor is told ----
+
 TEST(HierarchyVisitor_3, is_told_of_every_level)
 {
   Mapped_mesh mapped(grid(16, 12, wavy));
