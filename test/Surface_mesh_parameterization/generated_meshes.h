@@ -4,19 +4,39 @@
 #ifndef GENERATED_MESHES_H
 #define GENERATED_MESHES_H
 
+#include "hostile_meshes.h"
 #include "test_meshes.h"
 
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <utility>
 #include <vector>
 
 // Kinds of surfaces that are hard to lay out, of any size.
 namespace test_meshes {
+
+inline Flat_mesh flat_mesh(const hostile_meshes::Mesh& m)
+{
+  Flat_mesh result;
+  for (const hostile_meshes::Point& p : m.points)
+    result.points.emplace_back(p[0], p[1], p[2]);
+  for (const std::vector<long>& t : m.polygons)
+    result.triangles.push_back({ Index(t[0]), Index(t[1]), Index(t[2]) });
+  return result;
+}
+
+template <class Place>
+Flat_mesh moved(Flat_mesh m, const Place& place)
+{
+  for (Point_3& p : m.points)
+    p = place(p);
+  return m;
+}
 
 // `valence` triangles around every interior vertex, so that the number of vertices grows exponentially with the ring;
 // the heights alternate.
@@ -69,23 +89,9 @@ inline Flat_mesh hyperbolic_disk(Index valence, Index rings)
 // Flat, with teeth of width 1, one unit apart, and so many squares along each.
 inline Flat_mesh flat_comb(Index teeth, double length, Index squares)
 {
-  Flat_mesh m;
-  std::map<std::pair<Index, Index>, Index> vertices;
-  const auto vertex = [&](Index column, Index row) {
-    const auto [it, is_new] = vertices.insert({ { column, row }, Index(m.points.size()) });
-    if (is_new)
-      m.points.emplace_back(double(column), row == 0 ? 0 : 1 + (row - 1) * length / squares, 0);
-    return it->second;
-  };
-  for (Index row = 0; row <= squares; ++row)
-    for (Index column = 0; column < 2 * teeth - 1; ++column)
-      if (row == 0 || column % 2 == 0) {
-        const Index a = vertex(column, row), b = vertex(column + 1, row), c = vertex(column + 1, row + 1),
-                    d = vertex(column, row + 1);
-        m.triangles.push_back({ a, b, c });
-        m.triangles.push_back({ a, c, d });
-      }
-  return m;
+  return moved(flat_mesh(hostile_meshes::comb(teeth, squares)), [&](const Point_3& p) {
+    return Point_3(p.x(), p.y() <= 1 ? p.y() : 1 + (p.y() - 1) * length / squares, 0);
+  });
 }
 
 // A cone of height 1 whose base is a narrow flat ring.
@@ -126,16 +132,231 @@ inline Flat_mesh apollonian_disk(std::size_t triangles, unsigned int seed)
 }
 
 // A vertex with so many triangles, its neighbors up and down.
-inline Flat_mesh ruffled_fan(Index triangles)
+inline Flat_mesh ruffled_fan(Index triangles, double height = 0.5)
 {
-  Flat_mesh m;
-  m.points.emplace_back(0, 0, 0);
-  for (Index i = 0; i < triangles; ++i) {
-    const double angle = 2 * CGAL_PI * i / triangles;
-    m.points.emplace_back(std::cos(angle), std::sin(angle), i % 2 == 0 ? 0.5 : -0.5);
-    m.triangles.push_back({ 0, 1 + i, 1 + (i + 1) % triangles });
+  return flat_mesh(hostile_meshes::hub(triangles, -height));
+}
+
+// ---- strips ----
+
+// Flat, with one row of rectangles.
+inline Flat_mesh ribbon(Index rectangles, double width, double height)
+{
+  return moved(grid(rectangles, 1, flat), [&](const Point_3& p) {
+    return Point_3(width * rectangles * p.x(), height * rectangles * p.y(), 0);
+  });
+}
+
+// Around an axis, like a winding stair.
+inline Flat_mesh helix(Index squares, double turns)
+{
+  return moved(grid(squares, 1, flat), [&](const Point_3& p) {
+    const double radius = 1 + 0.02 * squares * p.y(), phi = -2 * CGAL_PI * turns * p.x();
+    return Point_3(radius * std::cos(phi), radius * std::sin(phi), 0.01 * turns * p.x());
+  });
+}
+
+// Around its own middle line.
+inline Flat_mesh twisted_strip(Index squares, double turns)
+{
+  return moved(grid(squares, 2, flat), [&](const Point_3& p) {
+    const double y = squares * p.y() - 1, phi = 2 * CGAL_PI * turns * p.x();
+    return Point_3(squares * p.x(), y * std::cos(phi), y * std::sin(phi));
+  });
+}
+
+// Squares to and fro, which leave a row free at each turn.
+inline Flat_mesh meander(Index columns, Index rows)
+{
+  return flat_mesh(hostile_meshes::cells(columns, rows, [=](long i, long j) {
+    return j % 2 == 0 || i == (j % 4 == 1 ? columns - 1 : 0);
+  }));
+}
+
+// Flat, of width 1 and, in so many places, as narrow as a neck.
+inline Flat_mesh necklace(Index columns, Index necks, double neck)
+{
+  return moved(grid(columns, 4, flat), [&](const Point_3& p) {
+    const double s = std::sin(CGAL_PI * necks * p.x());
+    return Point_3(necks * p.x(), std::pow(neck, s * s) * (columns * p.y() / 4 - 0.5), 0);
+  });
+}
+
+// ---- trees: without interior vertices ----
+
+typedef std::array<Index, 2>   Directed_edge;    // of the border, with the surface on its left
+
+// The step out of the surface that is as long as the edge, and a little upwards, so that no branch meets another one.
+inline Vector_3 step_out(const Flat_mesh& m, const Directed_edge& e)
+{
+  const Vector_3 along = m.points[e[1]] - m.points[e[0]];
+  return Vector_3(along.y(), -along.x(), 1e-3);
+}
+
+// Returns the edges from e[0] to the new vertex and from there to e[1].
+inline std::array<Directed_edge, 2> add_triangle(Flat_mesh& m, const Directed_edge& e)
+{
+  const Index v = Index(m.points.size());
+  m.points.push_back(CGAL::midpoint(m.points[e[0]], m.points[e[1]]) + std::sqrt(0.75) * step_out(m, e));
+  m.triangles.push_back({ e[1], e[0], v });
+  return { { { e[0], v }, { v, e[1] } } };
+}
+
+// Returns the edges along the square: the one from e[0], the far one, the one to e[1].
+inline std::array<Directed_edge, 3> add_square(Flat_mesh& m, const Directed_edge& e)
+{
+  const Vector_3 step = step_out(m, e);
+  const Index a = Index(m.points.size()), b = a + 1;
+  m.points.push_back(m.points[e[0]] + step);
+  m.points.push_back(m.points[e[1]] + step);
+  m.triangles.push_back({ e[1], e[0], a });
+  m.triangles.push_back({ e[1], a, b });
+  return { { { e[0], a }, { a, b }, { b, e[1] } } };
+}
+
+// Squares on squares at random, mostly straight on with a chance of `straight`.
+inline Flat_mesh tree_of_strips(std::size_t triangles, double straight, Random& random)
+{
+  Flat_mesh m = ribbon(1, 1, 1);
+  std::vector<Directed_edge> border = { { 0, 1 }, { 1, 3 }, { 3, 2 }, { 2, 0 } };
+  while (m.triangles.size() < triangles) {
+    const std::size_t i = random(0, 1) < straight ? border.size() - 1 : random.below(border.size());
+    std::swap(border[i], border.back());
+    const auto [left, end, right] = add_square(m, border.back());
+    border.pop_back();
+    border.insert(border.end(), { left, right, end });
   }
   return m;
+}
+
+// Equilateral triangles, grown at a random edge, or with a chance of `young` at one of the last two.
+inline Flat_mesh tree_of_triangles(std::size_t triangles, double young, Random& random)
+{
+  Flat_mesh m{ { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0.5, std::sqrt(0.75), 0) }, { { 0, 1, 2 } } };
+  std::vector<Directed_edge> border = { { 0, 1 }, { 1, 2 }, { 2, 0 } };
+  while (m.triangles.size() < triangles) {
+    const std::size_t i =
+        random(0, 1) < young ? border.size() - 1 - random.below(2) : random.below(border.size());
+    std::swap(border[i], border.back());
+    const auto [left, right] = add_triangle(m, border.back());
+    border.pop_back();
+    border.insert(border.end(), { left, right });
+  }
+  return m;
+}
+
+// Every branch ends in two, which are as wide as the sides of an equilateral triangle upon it, scaled by `taper`.
+inline Flat_mesh fractal_tree(std::size_t triangles, Index squares, double taper)
+{
+  Flat_mesh m{ { Point_3(0, 0, 0), Point_3(-1, 0, 0) }, {} };
+  std::vector<Directed_edge> ends = { { 0, 1 } };
+  for (std::size_t i = 0; m.triangles.size() < triangles; ++i) {
+    Directed_edge end = ends[i];
+    for (Index k = 0; k < squares; ++k) {
+      end = add_square(m, end)[1];
+      const Point_3 middle = CGAL::midpoint(m.points[end[0]], m.points[end[1]]);
+      for (const Index v : end)
+        m.points[v] = middle + std::pow(taper, 1. / squares) * (m.points[v] - middle);
+    }
+    for (const Directed_edge& e : add_triangle(m, end))
+      ends.push_back(e);
+  }
+  return m;
+}
+
+// ---- around an axis ----
+
+// Closed at its end, its radius between 1 and that of the necks.
+inline Flat_mesh pearls(Index around, Index rings, Index necks, double neck)
+{
+  return flat_mesh(hostile_meshes::revolution(around, rings, [&](long j) {
+    const double t = double(j) / rings, s = std::sin(CGAL_PI * necks * t);
+    return std::make_pair(j == long(rings) ? 0. : std::pow(neck, s * s), -2. * necks * t);
+  }));
+}
+
+// A tube without ends.
+inline Flat_mesh open_tube(Index around, Index rings, double height)
+{
+  return flat_mesh(hostile_meshes::revolution(around, rings + 1, [&](long j) {
+    return std::make_pair(1., height * double(j));
+  }));
+}
+
+inline Flat_mesh steep_cone(Index around, Index rings, double height)
+{
+  return flat_mesh(hostile_meshes::revolution(around, rings, [&](long j) {
+    const double t = double(j) / rings;
+    return std::make_pair(1 - t, height * t);
+  }));
+}
+
+// Cut open from its apex, with that half angle.
+inline Flat_mesh cut_cone(Index sectors, Index rings, double angle)
+{
+  return moved(flat_mesh(hostile_meshes::staircase(sectors, rings, 1)), [&](const Point_3& p) {
+    const double radius = std::hypot(p.x(), p.y());
+    return Point_3(std::sin(angle) * p.x(), std::sin(angle) * p.y(), -std::cos(angle) * radius);
+  });
+}
+
+// Its rim goes up and down, so often and so high.
+inline Flat_mesh ruffled_disk(Index rings, Index sectors, Index waves, double height)
+{
+  return rings_around_pole(rings, sectors, [=](Index r, double phi) {
+    const double radius = double(r) / rings;
+    return Point_3(radius * std::cos(phi), radius * std::sin(phi), height * radius * radius * std::sin(waves * phi));
+  });
+}
+
+// Flat, with so many narrow rays.
+inline Flat_mesh star(Index rings, Index sectors, Index rays)
+{
+  return rings_around_pole(rings, sectors, [=](Index r, double phi) {
+    const double radius = r * (0.02 + std::pow(std::cos(0.5 * rays * phi), 4));
+    return Point_3(radius * std::cos(phi), radius * std::sin(phi), 0);
+  });
+}
+
+// ---- terrains ----
+
+// Tents of that height on a flat square, at random places.
+inline Flat_mesh tents(Index n, Index number, double height, Random& random)
+{
+  std::vector<Point_2> tops;
+  for (Index i = 0; i < number; ++i) {
+    const double x = random(0.2, 0.8);
+    tops.emplace_back(x, random(0.2, 0.8));
+  }
+  return grid(n, n, [&](double x, double y) {
+    double z = 0;
+    for (const Point_2& p : tops)
+      z = (std::max)(z, height * (1 - std::hypot(x - p.x(), y - p.y()) / 0.2));
+    return z;
+  });
+}
+
+// Every height at random, to so many times the distance of the columns.
+inline Flat_mesh noise(Index n, double height, Random& random)
+{
+  return grid(n, n, [&](double, double) { return random(-height, height) / n; });
+}
+
+// Paper in pleats of so many columns, pressed together to that part of its width.
+inline Flat_mesh accordion(Index n, Index pleat, double width)
+{
+  return moved(grid(n, n, flat), [&](const Point_3& p) {
+    const double t = p.x() * n / pleat, height = std::abs(t - 2 * std::round(t / 2));
+    return Point_3(width * p.x(), p.y(), std::sqrt(1 - width * width) * height * pleat / n);
+  });
+}
+
+// Squares with a square hole between any four, each hole with that chance.
+inline Flat_mesh sieve(Index n, double chance, Random& random)
+{
+  return flat_mesh(hostile_meshes::cells(n, n, [&](long i, long j) {
+    return i % 2 == 0 || j % 2 == 0 || random(0, 1) >= chance;
+  }));
 }
 
 } // namespace test_meshes

@@ -3,6 +3,7 @@
 
 // On surfaces of hard kinds: there is a result wherever Tutte's map is valid, and it is not worse than a map at hand.
 
+#include "distortion_runs.h"
 #include "energy_archetype.h"
 #include "generated_meshes.h"
 #include "mapped_mesh.h"
@@ -14,14 +15,8 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
-
-#include <CGAL/tags.h>
 
 #include <gtest/gtest.h>
 
@@ -50,38 +45,8 @@ std::vector<std::pair<std::string, Flat_mesh>> hard_surfaces()
            { "fan", ruffled_fan(1000) } };
 }
 
-// Tutte's map on a circle, scaled to the surface's area.
-struct Tutte_parameterizer : Refinable_parameterizer_base_3<Tutte_parameterizer, Surface_mesh>
-{
-  typedef Refinable_parameterizer_base_3<Tutte_parameterizer, Surface_mesh>   Base;
-
-  Tutte_parameterizer() : Base(parameters::default_values()) { }
-
-  Error_code parameterize_coarsest(const Level& level, Level::Uv& uv)
-  {
-    return SMP::internal::compute_first_map(level, uv);
-  }
-
-  Error_code refine(const Level&, Level::Uv&, Level_summary&) { return OK; }
-};
-
 template <class Energy>
-class Hard_surfaces : public testing::Test
-{
-protected:
-  typedef Distortion_parameterizer_3<Surface_mesh, Energy>    Method;
-  typedef Hierarchical_parameterizer_3<Method>                Parameterizer;
-
-  static double energy(const Parameterization_quality& q)
-  {
-    return Energy::is_scale_invariant ? q.mips : q.symmetric_dirichlet;
-  }
-
-  static Error_code run(Mapped_mesh& m, bool globally_injective)
-  {
-    return m.parameterize(Parameterizer(Method(parameters::globally_injective(globally_injective))));
-  }
-};
+class Hard_surfaces : public testing::Test { };
 
 typedef testing::Types<MIPS_energy_2, Symmetric_Dirichlet_energy_2> Energies;
 TYPED_TEST_SUITE(Hard_surfaces, Energies, );
@@ -90,12 +55,12 @@ TYPED_TEST(Hard_surfaces, have_maps_no_worse_than_Tuttes)
 {
   for (const auto& [name, surface] : hard_surfaces()) {
     Mapped_mesh m(surface);
-    ASSERT_EQ(m.parameterize(Tutte_parameterizer()), OK) << name;
-    const double tutte = this->energy(m.quality());
+    ASSERT_TRUE(has_Tutte_map(m)) << name;
+    const double tutte = energy<TypeParam>(m);
     for (const bool globally_injective : { false, true }) {
-      ASSERT_EQ(this->run(m, globally_injective), OK) << name;
+      ASSERT_EQ(minimize<TypeParam>(m, globally_injective), OK) << name;
       EXPECT_TRUE(m.is_valid()) << name;
-      EXPECT_LE(this->energy(m.quality()), tutte * (1 + 1e-9)) << name;
+      EXPECT_LE(energy<TypeParam>(m), tutte * (1 + 1e-9)) << name;
       EXPECT_TRUE(!globally_injective || m.quality().overlaps == 0) << name;
     }
   }
@@ -105,11 +70,11 @@ TYPED_TEST(Hard_surfaces, keep_a_map_that_is_one_to_one_of_itself)
 {
   for (const auto& [name, surface] : hard_surfaces()) {
     Mapped_mesh m(surface);
-    ASSERT_EQ(this->run(m, false), OK) << name;
+    ASSERT_EQ(minimize<TypeParam>(m, false), OK) << name;
     if (m.quality().overlaps > 0)
       continue;
     const auto free = m.uv();
-    ASSERT_EQ(this->run(m, true), OK) << name;
+    ASSERT_EQ(minimize<TypeParam>(m, true), OK) << name;
     EXPECT_EQ(m.uv(), free) << name;
   }
 }
@@ -159,7 +124,7 @@ TEST(Energy_that_overflows, ends_finite)
   typedef Distortion_parameterizer_3<Surface_mesh, Exponential_energy_2>   Method;
   for (const Flat_mesh& surface : { deep_cap(), flat_comb(2, 1e4, 20), tube(200, 12, 30) }) {
     Mapped_mesh m(surface);
-    ASSERT_EQ(m.parameterize(Tutte_parameterizer()), OK);
+    ASSERT_TRUE(has_Tutte_map(m));
     const Error_code status = m.parameterize(
         Hierarchical_parameterizer_3<Method>(Method(), parameters::summary(std::ref(m.summary))));
     if (status == OK) {

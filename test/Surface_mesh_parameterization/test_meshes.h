@@ -43,7 +43,10 @@ class Random
 public:
   explicit Random(unsigned int seed) : m_generator(seed) { }
   double operator()(double from, double to) { return from + (to - from) * (double(m_generator()) / 4294967296.); }
+  // with evenly spread logarithms
+  double power(double from, double to) { return from * std::pow(to / from, (*this)(0, 1)); }
   std::size_t below(std::size_t n) { return std::size_t((*this)(0, double(n))); }
+  unsigned int seed() { return unsigned(below(1000000)); }
 
 private:
   std::mt19937 m_generator;
