@@ -62,6 +62,30 @@ TEST(Parameterization_quality, is_perfect_for_similarities)
   }
 }
 
+// Coordinates whose squares are no doubles, in space, in the plane, or in both.
+TEST(Parameterization_quality, knows_no_scale)
+{
+  Mapped_mesh usual(delaunay_patch(100, 1, wavy));
+  ASSERT_EQ(usual.parameterize(Hierarchical_MIPS()), OK);
+  const Parameterization_quality q = usual.quality();
+  for (const double scale : { 1e-200, 1e-150, 1., 1e150, 1e200 })
+    for (const double scale_of_map : { 1e-200, 1., 1e200 }) {
+      Mapped_mesh m(delaunay_patch(100, 1, wavy));
+      for (const auto v : vertices(m.mesh)) {
+        const Kernel::Point_3& p = usual.mesh.point(v);
+        m.mesh.point(v) = Kernel::Point_3(scale * p.x(), scale * p.y(), scale * p.z());
+        m.uvmap[v] = Kernel::Point_2(scale_of_map * usual.uvmap[v].x(), scale_of_map * usual.uvmap[v].y());
+      }
+      const Parameterization_quality scaled = m.quality();
+      EXPECT_EQ(scaled.flips, 0u);
+      EXPECT_NEAR(scaled.mips, q.mips, 1e-9 * q.mips);
+      for (const auto measure : { &Parameterization_quality::symmetric_dirichlet, &Parameterization_quality::l2_stretch,
+                                  &Parameterization_quality::linf_stretch, &Parameterization_quality::angle,
+                                  &Parameterization_quality::area })
+        EXPECT_NEAR(scaled.*measure, q.*measure, 1e-9 * q.*measure);
+    }
+}
+
 TEST(Parameterization_quality, of_a_shear)
 {
   const double k = 1.5, f = 2 + k * k, s1 = 0.5 * (k + std::sqrt(k * k + 4));     // s1 s2 = 1

@@ -55,6 +55,8 @@ namespace internal {
 class Quality_sums
 {
 public:
+  explicit Quality_sums(const Unit_scale& scale) : m_scale(scale) { }
+
   void add(const Mapped_triangle& t)
   {
     const Orientation turn = t.is_finite() ? internal::exact_orientation(t.uv[0], t.uv[1], t.uv[2]) : RIGHT_TURN;
@@ -64,7 +66,7 @@ public:
       m_quality.degenerate += turn == COLLINEAR;
       return;
     }
-    const Map_invariants map(t);
+    const Map_invariants map(m_scale(t));
     const double f = map.frobenius, d = map.determinant;
     m_area += map.area;
     m_image_area += map.area * d;
@@ -95,6 +97,7 @@ public:
   }
 
 private:
+  Unit_scale m_scale;
   Parameterization_quality m_quality;
   std::size_t m_triangles = 0;
   double m_area = 0, m_image_area = 0, m_dirichlet = 0, m_inverse_dirichlet = 0, m_angle = 0, m_inverse_determinant = 0;
@@ -176,7 +179,10 @@ template <class TriangleMesh, class FaceRange, class VertexUVMap>
 Parameterization_quality parameterization_quality(const TriangleMesh& mesh, const FaceRange& face_range,
                                                   VertexUVMap uvmap)
 {
-  internal::Quality_sums sums;
+  internal::Unit_scale scale;
+  for (const auto f : face_range)
+    scale.include(internal::Mapped_triangle(f, mesh, uvmap));
+  internal::Quality_sums sums(scale);
   for (const auto f : face_range)
     sums.add(internal::Mapped_triangle(f, mesh, uvmap));
   Parameterization_quality result = sums.quality();

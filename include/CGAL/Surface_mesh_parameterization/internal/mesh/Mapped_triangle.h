@@ -43,6 +43,41 @@ struct Mapped_triangle
   }
 };
 
+// The powers of two that bring the longest edges of some triangles, and of their images, to about length 1. Measures that
+// know no scale do not feel them, and no product of lengths over- or underflows then.
+class Unit_scale
+{
+public:
+  void include(const Mapped_triangle& t)
+  {
+    for (int i = 0; i < 3; ++i) {
+      const Vector_3 edge = t.points[(i + 1) % 3] - t.points[i];
+      const Vector_2 image = t.uv[(i + 1) % 3] - t.uv[i];
+      m_longest = (std::max)({ m_longest, std::abs(edge.x()), std::abs(edge.y()), std::abs(edge.z()) });
+      m_longest_image = (std::max)({ m_longest_image, std::abs(image.x()), std::abs(image.y()) });
+    }
+  }
+
+  // The triangle so scaled, with its first corner at the origin.
+  Mapped_triangle operator()(const Mapped_triangle& t) const
+  {
+    const int k = exponent(m_longest), l = exponent(m_longest_image);
+    Mapped_triangle result = t;
+    for (int i = 0; i < 3; ++i) {
+      const Vector_3 p = t.points[i] - t.points[0];
+      const Vector_2 q = t.uv[i] - t.uv[0];
+      result.points[i] = Point_3(std::ldexp(p.x(), k), std::ldexp(p.y(), k), std::ldexp(p.z(), k));
+      result.uv[i] = Point_2(std::ldexp(q.x(), l), std::ldexp(q.y(), l));
+    }
+    return result;
+  }
+
+private:
+  static int exponent(double longest) { return longest > 0 && std::isfinite(longest) ? -std::ilogb(longest) : 0; }
+
+  double m_longest = 0, m_longest_image = 0;
+};
+
 // What the singular values s1 >= s2 of the map of a triangle are functions of.
 struct Map_invariants
 {
