@@ -27,11 +27,44 @@ Error_code compute_first_map(const Level& level, Level::Uv& uv)
   return status;
 }
 
+inline Level::Uv scaled(const Level::Uv& uv, double factor)
+{
+  Level::Uv result;
+  result.reserve(uv.size());
+  for (const Point_2& p : uv)
+    result.emplace_back(factor * p.x(), factor * p.y());
+  return result;
+}
+
+// Scales a map so that the energy is about least. Tutte's map of a long surface is far too small in most places where
+// it has the right area.
+inline void scale_to_energy(const Level_energy& energy, Level::Uv& uv)
+{
+  constexpr double least_step = 0.01;
+  double exponent = 0, least = energy(uv);
+  const auto try_exponent = [&](double other) {
+    const double value = energy(scaled(uv, std::exp2(other)));
+    if (!(value < least))
+      return false;
+    least = value;
+    exponent = other;
+    return true;
+  };
+  for (double step = 1; step > least_step; step /= 4)
+    while (try_exponent(exponent + step) || try_exponent(exponent - step))
+      ;
+  Level::Uv result = scaled(uv, std::exp2(exponent));
+  if (is_map_valid(energy.level().rings(), result, energy.level().loops()))
+    uv.swap(result);
+}
+
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code choose_first_map(const Level_energy& energy, const Refinement_options& options, Level::Uv& uv)
 {
   const Level& level = energy.level();
   const Error_code status = compute_first_map(level, uv);
+  if (status == OK)
+    scale_to_energy(energy, uv);
   Level::Uv unfolded;
   const bool is_better = unfold(level, unfolded) && (status != OK || energy(unfolded) < energy(uv)) &&
                          !(options.is_globally_injective && has_crossings(border_edges(level.rings()), unfolded));
@@ -53,17 +86,12 @@ void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv
   if (!(area > 0))
     return;
   const double scale = std::sqrt(area / image_area);
-  Level::Uv scaled = uv;
-  for (Point_2& p : scaled)
-    p = Point_2(scale * p.x(), scale * p.y());
-  const bool is_spoilt = !is_map_valid(level.rings(), scaled, level.loops()) ||
-                         (borders_must_not_meet && has_crossings(border_edges(level.rings()), scaled));
-  if (is_spoilt) {
-    const double power_of_two = std::exp2(std::round(std::log2(scale)));
-    for (std::size_t v = 0; v < uv.size(); ++v)
-      scaled[v] = Point_2(power_of_two * uv[v].x(), power_of_two * uv[v].y());
-  }
-  uv.swap(scaled);
+  Level::Uv result = scaled(uv, scale);
+  const bool is_spoilt = !is_map_valid(level.rings(), result, level.loops()) ||
+                         (borders_must_not_meet && has_crossings(border_edges(level.rings()), result));
+  if (is_spoilt)
+    result = scaled(uv, std::exp2(std::round(std::log2(scale))));
+  uv.swap(result);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
