@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Kernel/global_functions.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <gtest/gtest.h>
@@ -137,9 +138,26 @@ TYPED_TEST(RefinableParameterizer_3, similar_surfaces_have_similar_maps)
     for (Point_3& p : moved.points)
       p = Point_3(scale * (0.6 * p.x() - 0.8 * p.z() + 3), scale * (0.8 * p.x() + 0.6 * p.z()), scale * (5 - p.y()));
     const Parameterization_quality found = run(moved, scale);
-    EXPECT_NEAR(found.mips_excess / expected.mips_excess, 1, 1e-6) << "scale " << scale;
-    EXPECT_NEAR((found.symmetric_dirichlet - 4) / (expected.symmetric_dirichlet - 4), 1, 1e-5)
-        << "scale " << scale;      // is not what MIPS minimizes
+    // What a method does not minimize is less exact.
+    constexpr bool is_MIPS = std::is_same<TypeParam, MIPS>::value;
+    EXPECT_NEAR(found.mips_excess / expected.mips_excess, 1, is_MIPS ? 1e-6 : 1e-4) << "scale " << scale;
+    EXPECT_NEAR((found.symmetric_dirichlet - 4) / (expected.symmetric_dirichlet - 4), 1, is_MIPS ? 1e-5 : 1e-6)
+        << "scale " << scale;
+  }
+}
+
+// Newton's steps on the finest level, with default options. Without the negative twist of the Hessian it takes up to
+// three times as many.
+TEST(Symmetric_Dirichlet, takes_few_steps_on_any_size)
+{
+  for (const Index rings : { 20, 40, 80 }) {
+    Mapped_mesh m(cap(rings, 3 * rings, 0.8 * CGAL_PI));
+    Parameterization_summary summary;
+    EXPECT_EQ(m.parameterize(Hierarchical_parameterizer_3<Symmetric_Dirichlet>(
+                  Symmetric_Dirichlet(), parameters::summary(std::ref(summary)))),
+              OK);
+    EXPECT_TRUE(summary.converged);
+    EXPECT_LE(summary.levels.back().iterations, 6u);
   }
 }
 

@@ -35,9 +35,11 @@ public:
 
   const Level& level() const { return m_level; }
 
-  // The least energy of a triangle of weight 1, and whether the energy keeps triangles positive.
+  // The least energy of a triangle of weight 1, whether the energy keeps triangles positive, and whether it stays the
+  // same when the plane is scaled.
   double minimum() const { return m_minimum; }
   bool is_flip_free() const { return m_is_flip_free; }
+  bool is_scale_invariant() const { return m_is_scale_invariant; }
 
   double weight(const Rest_corner& c) const { return m_weight == Triangle_weight::AREA ? 1 / c.inverse_area : 1; }
   double total_weight() const;
@@ -55,8 +57,9 @@ public:
   virtual std::unique_ptr<Vertex_relaxer> make_vertex_relaxer() const = 0;
 
 protected:
-  Level_energy(const Level& level, Triangle_weight weight, double minimum, bool is_flip_free)
-    : m_level(level), m_weight(weight), m_minimum(minimum), m_is_flip_free(is_flip_free)
+  Level_energy(const Level& level, Triangle_weight weight, double minimum, bool is_flip_free, bool is_scale_invariant)
+    : m_level(level), m_weight(weight), m_minimum(minimum), m_is_flip_free(is_flip_free),
+      m_is_scale_invariant(is_scale_invariant)
   { }
 
   Triangle_weight triangle_weight() const { return m_weight; }
@@ -71,7 +74,7 @@ private:
   const Level& m_level;
   Triangle_weight m_weight;
   double m_minimum;
-  bool m_is_flip_free;
+  bool m_is_flip_free, m_is_scale_invariant;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

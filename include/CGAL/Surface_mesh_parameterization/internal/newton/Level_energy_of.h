@@ -28,7 +28,7 @@ class Level_energy_of final
 {
 public:
   Level_energy_of(const Level& level, Triangle_weight weight, const Energy& energy = Energy())
-    : Level_energy(level, weight, Energy::minimum, Energy::is_flip_free), m_energy(energy)
+    : Level_energy(level, weight, Energy::minimum, Energy::is_flip_free, Energy::is_scale_invariant), m_energy(energy)
   { }
 
   void gather(Index v, const Level::Uv& uv, Star<Energy>& star) const

@@ -56,12 +56,17 @@ public:
       m_system.keep_negative_twist(false);
       result = try_step(uv, energy);
     }
-    // Where a step cannot be taken in full length the model is indefinite, or no good.
-    m_system.keep_negative_twist(!m_energy.is_flip_free() && result.length == 1);
+    m_system.keep_negative_twist(is_model_good(result));
     return result;
   }
 
 private:
+  // Where a step cannot be taken in full length, or gains little, the model is indefinite, or no good.
+  bool is_model_good(const Step& step) const
+  {
+    return step.length == 1 && step.decrease > m_options.least_part_of_prediction * step.predicted;
+  }
+
   Step try_step(Level::Uv& uv, double energy)
   {
     Step result;

@@ -37,14 +37,17 @@ public:
   // them.
   void fix_vertices(std::vector<Index> vertices) { m_fixed = std::move(vertices); }
 
-  // Whether the next Hessians keep a part of their negative twist, see Jacobian_hessian. An energy that lets triangles
-  // flip has one wherever they are compressed, and without it Newton's method creeps: on a camel's head it takes six
+  // Whether the next Hessians keep a part of their negative twist, see Jacobian_hessian. Energies that depend on scale
+  // have one wherever triangles are compressed, and without it Newton's method creeps: on a camel's head it takes six
   // times as many steps. But the Hessian may be indefinite then.
   bool keeps_negative_twist() const { return m_negative_twist > 0; }
 
   void keep_negative_twist(bool keeps)
   {
-    const double part = keeps ? m_options.negative_twist : 0;
+    const double greatest_part = m_energy.is_scale_invariant() ? 0
+                                 : m_energy.is_flip_free()     ? m_options.negative_twist
+                                                               : m_options.negative_twist_with_flips;
+    const double part = keeps ? greatest_part : 0;
     m_needs_setup = m_needs_setup || part != m_negative_twist;
     m_negative_twist = part;
   }
