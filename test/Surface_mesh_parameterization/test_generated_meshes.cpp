@@ -10,8 +10,12 @@
 #include "mesh_kinds.h"
 #include "test_meshes.h"
 
+#include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <gtest/gtest.h>
 
@@ -28,6 +32,7 @@ namespace {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
+namespace parameters = CGAL::parameters;
 
 class Generated_mesh : public testing::TestWithParam<Mesh_kind>
 {
@@ -111,6 +116,22 @@ TEST_P(Generated_mesh, has_a_one_to_one_isometric_map_no_worse_than_those_at_han
   holds(has_a_one_to_one_map_no_worse_than_those_at_hand<Symmetric_Dirichlet_energy_2>, { 2, 12, 40, 200 });
 }
 
+// What flips triangles is repaired, and not mirrored.
+TEST_P(Generated_mesh, has_a_repaired_map)
+{
+  typedef Hierarchical_parameterizer_3<As_rigid_as_possible_parameterizer_3<Surface_mesh>> Parameterizer;
+  const Parameterizer parameterizer(As_rigid_as_possible_parameterizer_3<Surface_mesh>(),
+                                    parameters::flip_policy(Flip_policy::REPAIR));
+  holds(
+      [&](Mapped_mesh& m) {
+        const bool has_Tutte = has_Tutte_map(m);
+        const Error_code status = m.parameterize(parameterizer);
+        EXPECT_TRUE(status == OK || !has_Tutte);
+        EXPECT_TRUE(status != OK || m.is_valid());
+      },
+      { 2, 12, 40, 200 });
+}
+
 // ---- work ----
 
 struct Work
@@ -164,9 +185,10 @@ std::string name_of(const testing::TestParamInfo<Mesh_kind>& info) { return info
 
 INSTANTIATE_TEST_SUITE_P(All_kinds, Generated_mesh, testing::ValuesIn(mesh_kinds()), name_of);
 
-// Left out are those that break the law today.
+// Left out are those on which a run of the large one comes to the limit of steps, or near it.
 INSTANTIATE_TEST_SUITE_P(Most_kinds, Large_generated_mesh,
-                         testing::ValuesIn(kinds_without({ "hyperbolic_disk_7", "tree_of_strips", "staircase", "star" })),
+                         testing::ValuesIn(kinds_without({ "hyperbolic_disk_7", "hyperbolic_disk_20", "octopus",
+                                                           "pearls", "staircase", "star", "tree_of_strips" })),
                          name_of);
 
 } // namespace

@@ -194,7 +194,7 @@ private:
   }
 
   // Moves all displaced vertices to their wanted places at once, and those back, with their neighbors, whose stars are
-  // not valid then: until all are.
+  // not valid then: until all are. They jump, so the turn around an interior vertex may change, too.
   void advance(Level::Uv& uv)
   {
     const auto is_displaced = [&](Index v) { return uv[v] != m_wanted[v]; };
@@ -204,9 +204,18 @@ private:
         m_displaced.push_back(v);
 
     m_before = uv;
+    std::vector<Index> touched;
     for (const Index v : m_displaced)
-      if (has_wanted_place(v))
+      if (has_wanted_place(v)) {
         uv[v] = m_wanted[v];
+        touched.push_back(v);
+        touched.insert(touched.end(), m_level.one_ring(v).begin(), m_level.one_ring(v).end());
+      }
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    const auto is_valid = [&](Index v) {
+      return is_star_positive(m_level.rings(), uv, v) && !turns_too_far(m_level.rings(), Place_of_vertex{ uv }, v);
+    };
     bool has_changed = true;
     while (has_changed) {
       has_changed = false;
@@ -214,8 +223,8 @@ private:
         has_changed = has_changed || uv[v] != m_before[v];
         uv[v] = m_before[v];
       };
-      for (const Index v : m_displaced)
-        if (!is_star_valid(m_level.rings(), uv, v)) {
+      for (const Index v : touched)
+        if (!is_valid(v)) {
           move_back(v);
           for (const Index w : m_level.one_ring(v))
             move_back(w);

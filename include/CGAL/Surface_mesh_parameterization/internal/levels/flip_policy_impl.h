@@ -56,29 +56,37 @@ inline std::size_t number_of_flips(const One_rings& rings, const std::vector<Poi
 }
 
 // Makes a map with flips, given by the surface's points, free of them, and counts the vertices that were moved.
+inline Error_code repair_map(const Triangulated_surface_3& surface, const Hierarchy_options& options,
+                             std::vector<Point_2>& uv, std::size_t& moved_vertices)
+{
+  const Collapse_hierarchy_3 hierarchy(surface, options, Loops());
+  std::vector<Point_2> map(uv.size()), repaired;
+  for (Index rank = 0; rank < map.size(); ++rank)
+    map[rank] = uv[hierarchy.input_vertex(rank)];
+  const Error_code status = Map_repair(hierarchy, map).run(repaired);
+  if (status != OK)
+    return status;
+  for (Index rank = 0; rank < map.size(); ++rank)
+    if (repaired[rank] != map[rank]) {
+      uv[hierarchy.input_vertex(rank)] = repaired[rank];
+      ++moved_vertices;
+    }
+  return OK;
+}
+
+// The same. Where doubles leave no room for a vertex, in another hierarchy they may; at last Tutte's map of the whole
+// surface is where the repair starts.
 inline Error_code repair_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv,
                              std::size_t& moved_vertices)
 {
-  constexpr unsigned int most_seeds = 3;      // where doubles leave no room for a vertex, in another hierarchy they may
+  constexpr unsigned int most_seeds = 3;
   Hierarchy_options options;
   options.coarsest_size = 4;      // as coarse as possible: there Tutte's map has surely no flip, if a start is needed
-  Error_code status = OK;
-  for (; options.random_seed < most_seeds; ++options.random_seed) {
-    const Collapse_hierarchy_3 hierarchy(surface, options, Loops());
-    std::vector<Point_2> map(uv.size()), repaired;
-    for (Index rank = 0; rank < map.size(); ++rank)
-      map[rank] = uv[hierarchy.input_vertex(rank)];
-    status = Map_repair(hierarchy, map).run(repaired);
-    if (status != OK)
-      continue;
-    for (Index rank = 0; rank < map.size(); ++rank)
-      if (repaired[rank] != map[rank]) {
-        uv[hierarchy.input_vertex(rank)] = repaired[rank];
-        ++moved_vertices;
-      }
-    return OK;
-  }
-  return status;
+  for (; options.random_seed < most_seeds; ++options.random_seed)
+    if (repair_map(surface, options, uv, moved_vertices) == OK)
+      return OK;
+  options.coarsest_size = surface.points.size();
+  return repair_map(surface, options, uv, moved_vertices);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -36,8 +36,8 @@ inline Level::Uv scaled(const Level::Uv& uv, double factor)
   return result;
 }
 
-// Scales a map so that the energy is about least. Tutte's map of a long surface is far too small in most places where
-// it has the right area.
+// Scales a map so that the energy is about least: Tutte's map of a long surface is far too small in most places if it
+// has the right area.
 inline void scale_to_energy(const Level_energy& energy, Level::Uv& uv)
 {
   constexpr double least_step = 0.01;
@@ -63,8 +63,6 @@ Error_code choose_first_map(const Level_energy& energy, const Refinement_options
 {
   const Level& level = energy.level();
   const Error_code status = compute_first_map(level, uv);
-  if (status == OK)
-    scale_to_energy(energy, uv);
   Level::Uv unfolded;
   const bool is_better = unfold(level, unfolded) && (status != OK || energy(unfolded) < energy(uv)) &&
                          !(options.is_globally_injective && has_crossings(border_edges(level.rings()), unfolded));
@@ -138,21 +136,17 @@ inline bool is_far_above_minimum(const Level_energy& energy, double value)
   return minimum > 0 && !(value <= greatest_ratio * minimum);
 }
 
-// What coarse levels decide may be wrong where they have little in common with the surface. So a bad result is compared
-// with what comes of a first map of the finest level: on a large level only if that is better to begin with.
-inline void start_again_from_first_map(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
-                                       Level_summary& summary, Error_code& status)
+// Replaces a result by what comes of another start, if that is better; on a large level only if the start is, too.
+inline void start_again(const Level_energy& energy, Level::Uv start, Level::Uv& uv, const Refinement_options& options,
+                        Level_summary& summary, Error_code& status)
 {
-  Level::Uv other;
-  if (choose_first_map(energy, options, other) != OK)
-    return;
   const double value = energy(uv);
-  if (status == OK && !is_small(energy.level()) && !(energy(other) < value))
+  if (status == OK && !is_small(energy.level()) && !(energy(start) < value))
     return;
   Level_summary other_summary;
-  if (minimize_from(energy, other, options, other_summary) != OK || (status == OK && !(energy(other) < value)))
+  if (minimize_from(energy, start, options, other_summary) != OK || (status == OK && !(energy(start) < value)))
     return;
-  uv.swap(other);
+  uv.swap(start);
   summary.iterations += other_summary.iterations;
   summary.cycles += other_summary.cycles;
   summary.vertex_visits += other_summary.vertex_visits;
@@ -161,14 +155,31 @@ inline void start_again_from_first_map(const Level_energy& energy, Level::Uv& uv
   status = OK;
 }
 
+// What coarse levels decide may be wrong where they have little in common with the surface. So a bad result is compared
+// with what comes of a first map of the finest level, and of the same at the scale of least energy: surfaces that do
+// not arrive from the one may do so from the other.
+inline void start_again_from_first_map(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
+                                       Level_summary& summary, Error_code& status)
+{
+  const bool began_there = energy.level().index() == 0;
+  Level::Uv first;
+  if ((began_there && energy.is_scale_invariant()) || choose_first_map(energy, options, first) != OK)
+    return;
+  if (!began_there)
+    start_again(energy, first, uv, options, summary, status);
+  if (!energy.is_scale_invariant() && (status != OK || is_far_above_minimum(energy, energy(uv)))) {
+    scale_to_energy(energy, first);
+    start_again(energy, first, uv, options, summary, status);
+  }
+}
+
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, Level::Uv& uv,
                               const Refinement_options& options, Level_summary& summary)
 {
   const Level& level = energy.level();
   Error_code status = minimize_from(energy, uv, options, summary);
-  const bool is_last_of_many = level.is_finest() && level.index() > 0;
-  if (is_last_of_many && (status != OK || is_far_above_minimum(energy, energy(uv))))
+  if (level.is_finest() && (status != OK || is_far_above_minimum(energy, energy(uv))))
     start_again_from_first_map(energy, uv, options, summary, status);
   if (status == OK && scales_to_area)
     scale_to_area(level, options.is_globally_injective, uv);
