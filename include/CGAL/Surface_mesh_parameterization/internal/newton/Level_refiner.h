@@ -41,8 +41,10 @@ struct Level_refiner_options
   // part.
   double short_step = 0.3, great_decrease = 0.01;
   double barrier_stiffness = 0.1;       // relative to the mean weight of a triangle
-  double rounding =
-      1e-12;      // of the energy, relative to the weight: on a surface that lies in the plane without distortion the excess is no more
+  // On a surface that can be laid in the plane without distortion the excess has no bound from below. Less of it than
+  // this part of the energy is not looked at closer.
+  double least_excess = 1e-4;
+  double rounding = 1e-12;      // of the energy, relative to the weight
   Newton_options newton;
 };
 
@@ -79,7 +81,11 @@ public:
 private:
   bool is_coarsest_of_many() const { return m_level.index() == 0 && !m_level.is_finest(); }
   std::size_t size() const { return m_level.number_of_vertices(); }
-  double excess() const { return m_current - m_energy.minimum() * m_total_weight; }
+  double excess() const
+  {
+    const double minimum = m_energy.minimum() * m_total_weight;
+    return (std::max)(m_current - minimum, m_options.least_excess * minimum);
+  }
 
   // Subtracts what an iteration gained. After a deep fall, from a triangle that was almost degenerate, the difference
   // means nothing.
