@@ -190,7 +190,7 @@ Solution solve_by_multigrid(const Problem& problem)
   constexpr bool defers = true;
   auto session =
       std::make_shared<SMP::internal::Multigrid_session>(hierarchy, SMP::internal::Mesh_unknowns(hierarchy->ranks()),
-                                                         solver_options, &SMP::internal::make_multigrid_linear_solver<>,
+                                                         solver_options, &SMP::internal::make_multigrid_linear_solver<2>,
                                                          defers);
   SMP::Multigrid_solver_traits solver(session);
   double denominator;

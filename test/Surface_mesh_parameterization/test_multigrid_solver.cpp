@@ -300,7 +300,7 @@ struct Deferring
     const auto interpolation =
         std::make_shared<const internal::Hierarchy_interpolation>(surface(mesh), internal::Hierarchy_options());
     session = std::make_unique<Multigrid_session>(interpolation, internal::Mesh_unknowns(interpolation->ranks()),
-                                                  options, &internal::make_multigrid_linear_solver<>, true);
+                                                  options, &internal::make_multigrid_linear_solver<2>, true);
     for (std::size_t i = 0; i < second_right_side.size(); ++i) {
       second_right_side[i] *= -3;
       second_expected[i] *= -3;

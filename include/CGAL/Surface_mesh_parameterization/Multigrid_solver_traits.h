@@ -134,7 +134,7 @@ public:
       ranks.push_back(rank);
     m_session = std::make_shared<internal::Multigrid_session>(hierarchy, internal::Mesh_unknowns(std::move(ranks)),
                                                               internal::linear_solver_options_of(np),
-                                                              &internal::make_multigrid_linear_solver<>);
+                                                              &internal::make_multigrid_linear_solver<1>);
   }
 
   /// \cond SKIP_IN_MANUAL

@@ -63,8 +63,8 @@ Error_code settle_flips(const TriangleMesh& mesh, typename boost::graph_traits<T
     uv.emplace_back(CGAL::to_double(get(uvmap, v).x()), CGAL::to_double(get(uvmap, v).y()));
 
   const internal::One_rings rings(uv.size(), component.surface().triangles);
-  summary.error.code = internal::apply_flip_policy(
-      policy, rings, [&] { return std::move(component.surface()); }, uv, summary);
+  summary.error.code = internal::settle_flips(
+      { policy, &internal::repair_map }, rings, [&] { return std::move(component.surface()); }, uv, summary);
   const internal::Round_coordinate round = internal::rounding_to<User_point_2>();
   if (summary.error.code == OK && summary.moved_vertices > 0 && round && !internal::round_map(rings, round, 0, uv))
     summary.error.code = ERROR_NO_1_TO_1_MAPPING;

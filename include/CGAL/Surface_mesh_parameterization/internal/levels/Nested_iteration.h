@@ -5,7 +5,6 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_NESTED_ITERATION_H
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
-#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
@@ -15,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -38,8 +38,8 @@ public:
   virtual bool leave_room() = 0;
   virtual bool keep_borders_apart(bool yes) = 0;
 
-  // Does with the flips of a finished map what the policy says, see apply_flip_policy().
-  virtual Error_code settle_flips(Flip_policy policy, const One_rings& rings,
+  // Does with the flips of a finished map what the policy says, see internal::settle_flips().
+  virtual Error_code settle_flips(const Flip_settlement& settlement, const One_rings& rings,
                                   Function_ref<Triangulated_surface_3()> make_surface, Level::Uv& uv,
                                   Parameterization_summary& summary) const = 0;
 };
@@ -48,7 +48,7 @@ struct Nested_iteration_options
 {
   Hierarchy_options hierarchy;                      // a flat run: `coarsest_size` is at least the number of vertices
   bool fills_holes = false;
-  Flip_policy flip_policy = Flip_policy::FAIL;      // for what methods leave that do not keep triangles positive
+  Flip_settlement flips;            // for what methods leave that do not keep triangles positive
   unsigned int most_seeds = 3;      // so many hierarchies are tried where doubles leave no room for a vertex
   Round_coordinate round = nullptr;       // to the number type of the result; null if that holds doubles
 };
@@ -64,7 +64,7 @@ nested_iteration_options_of(const NamedParameters& np,
   Nested_iteration_options options = defaults;
   options.hierarchy = hierarchy_options_of(np, options.hierarchy);
   options.fills_holes = choose_parameter(get_parameter(np, internal_np::fill_holes), options.fills_holes);
-  options.flip_policy = choose_parameter(get_parameter(np, internal_np::flip_policy), options.flip_policy);
+  options.flips = flip_settlement_of(np);
   return options;
 }
 

@@ -151,7 +151,7 @@ Error_code Nested_iteration::finish(const Level& level, Level::Uv& uv)
     return surface;
   };
   const Error_code status =
-      m_method.settle_flips(m_options.flip_policy, level.rings(), surface_by_rank, uv, m_summary);
+      m_method.settle_flips(m_options.flips, level.rings(), surface_by_rank, uv, m_summary);
   return status == OK && m_options.round ? round(level, uv) : status;
 }
 
@@ -159,7 +159,7 @@ Error_code Nested_iteration::finish(const Level& level, Level::Uv& uv)
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::round(const Level& level, Level::Uv& uv)
 {
-  if (!m_method.is_flip_free() && m_options.flip_policy == Flip_policy::KEEP)
+  if (!m_method.is_flip_free() && m_options.flips.policy == Flip_policy::KEEP)
     return OK;
   const bool is_good = round_map(level.rings(), m_options.round, level.scale_exponent(), uv) &&
                        !(m_method.keep_borders_apart(true) && has_crossings(border_edges(level.rings()), uv));

@@ -13,7 +13,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -21,12 +23,33 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Whether a map has no flips, or its mirror image has none.
 bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const Loops& loops = Loops());
 
+// Makes a map of a surface one without flips, see Map_repair; adds the number of vertices that it moves to
+// `moved_vertices`.
+Error_code repair_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv, std::size_t& moved_vertices);
+
+// What becomes of flips. `repair`, for a policy that needs it, is repair_map(): it is compiled, header-only, by who
+// gives a policy, and not by everybody.
+struct Flip_settlement
+{
+  Flip_policy policy = Flip_policy::FAIL;
+  decltype(&repair_map) repair = nullptr;
+};
+
+template <class NamedParameters>
+Flip_settlement flip_settlement_of(const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::flip_policy_t>::value)
+    return Flip_settlement();
+  else
+    return { parameters::get_parameter(np, internal_np::flip_policy), &repair_map };
+}
+
 // Does with the flips of a map what the policy says. `rings` are those of the surface that `make_surface()` makes, if
 // it is needed. Returns `OK`, `ERROR_NO_1_TO_1_MAPPING` if there are flips that the policy forbids or that cannot be
 // repaired, or another error of the repair.
-Error_code apply_flip_policy(Flip_policy policy, const One_rings& rings,
-                             Function_ref<Triangulated_surface_3()> make_surface, std::vector<Point_2>& uv,
-                             Parameterization_summary& summary);
+Error_code settle_flips(const Flip_settlement& settlement, const One_rings& rings,
+                        Function_ref<Triangulated_surface_3()> make_surface, std::vector<Point_2>& uv,
+                        Parameterization_summary& summary);
 
 // Mirrors a map whose triangles are all negative.
 void mirror_back(const One_rings& rings, std::vector<Point_2>& uv);

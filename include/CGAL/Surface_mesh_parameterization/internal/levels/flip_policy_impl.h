@@ -76,8 +76,8 @@ inline Error_code repair_map(const Triangulated_surface_3& surface, const Hierar
 
 // The same. Where doubles leave no room for a vertex, in another hierarchy they may; at last Tutte's map of the whole
 // surface is where the repair starts.
-inline Error_code repair_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv,
-                             std::size_t& moved_vertices)
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code repair_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv, std::size_t& moved_vertices)
 {
   constexpr unsigned int most_seeds = 3;
   Hierarchy_options options;
@@ -90,16 +90,16 @@ inline Error_code repair_map(const Triangulated_surface_3& surface, std::vector<
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code apply_flip_policy(Flip_policy policy, const One_rings& rings,
-                             Function_ref<Triangulated_surface_3()> make_surface, std::vector<Point_2>& uv,
-                             Parameterization_summary& summary)
+Error_code settle_flips(const Flip_settlement& settlement, const One_rings& rings,
+                        Function_ref<Triangulated_surface_3()> make_surface, std::vector<Point_2>& uv,
+                        Parameterization_summary& summary)
 {
-  if (policy == Flip_policy::KEEP || has_no_flips(rings, uv))
+  if (settlement.policy == Flip_policy::KEEP || has_no_flips(rings, uv))
     return OK;
   summary.flips = number_of_flips(rings, uv);
-  if (policy == Flip_policy::FAIL)
+  if (settlement.policy == Flip_policy::FAIL)
     return ERROR_NO_1_TO_1_MAPPING;
-  const Error_code status = repair_map(make_surface(), uv, summary.moved_vertices);
+  const Error_code status = settlement.repair(make_surface(), uv, summary.moved_vertices);
   return status != OK || has_no_flips(rings, uv) ? status : ERROR_NO_1_TO_1_MAPPING;
 }
 

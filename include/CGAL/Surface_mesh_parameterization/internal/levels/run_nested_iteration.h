@@ -56,15 +56,15 @@ public:
   bool keep_borders_apart(bool yes) override { return keep_borders_apart(m_method, yes, 0); }
 
   // Results without flips need no repair, and their methods do not compile it.
-  Error_code settle_flips(Flip_policy policy, const One_rings& rings,
+  Error_code settle_flips(const Flip_settlement& settlement, const One_rings& rings,
                           Function_ref<Triangulated_surface_3()> make_surface, Level::Uv& uv,
                           Parameterization_summary& summary) const override
   {
     if constexpr (Is_result_flip_free<Method>::value)
-      return policy == Flip_policy::KEEP || has_no_flips(rings, uv) ? OK : ERROR_NO_1_TO_1_MAPPING;
+      return settlement.policy == Flip_policy::KEEP || has_no_flips(rings, uv) ? OK : ERROR_NO_1_TO_1_MAPPING;
     else {
-      const Error_code status = apply_flip_policy(policy, rings, make_surface, uv, summary);
-      if (status == OK && policy != Flip_policy::KEEP)
+      const Error_code status = internal::settle_flips(settlement, rings, make_surface, uv, summary);
+      if (status == OK && settlement.policy != Flip_policy::KEEP)
         mirror_back(rings, uv);
       return status;
     }

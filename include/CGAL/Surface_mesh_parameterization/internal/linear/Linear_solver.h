@@ -46,27 +46,31 @@ public:
 
   virtual const std::shared_ptr<const Sparse_rows<double>>& rows() const = 0;
 
-  // Solves for one right side, or for two side by side; writes the solutions, of the right sides' size, if all is
-  // solved.
+  // Solves for one right side, or for two side by side if the solver was made for them; writes the solutions, of the
+  // right sides' size, if all is solved.
   virtual Linear_solver_result solve(const std::vector<const double*>& right_sides,
                                      const std::vector<double*>& solutions, const Linear_solver_options& options) = 0;
 };
 
-// A Multigrid_linear_solver for a matrix. `unknowns[i]` tells where unknown i sits. At `tied_vertices` there is none,
-// since the values of others give theirs.
+// A Multigrid_linear_solver for a matrix, and for so many right sides side by side. `unknowns[i]` tells where unknown i
+// sits. At `tied_vertices` there is none, since the values of others give theirs.
 //
-// A template for the sake of who uses the package header-only: what does not solve linear systems need not compile it.
-template <class Grid_real = float>
+// A template for the sake of who uses the package header-only: what does not solve linear systems, or not in pairs,
+// need not compile it.
+template <int most_right_sides>
 std::unique_ptr<Linear_solver>
 make_multigrid_linear_solver(const Hierarchy_interpolation& hierarchy, std::shared_ptr<const Sparse_rows<double>> rows,
                              std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices);
 
-typedef decltype(&make_multigrid_linear_solver<float>)   Make_linear_solver;
+typedef decltype(&make_multigrid_linear_solver<1>)   Make_linear_solver;
 
 #ifdef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
 extern template std::unique_ptr<Linear_solver>
-make_multigrid_linear_solver<float>(const Hierarchy_interpolation&, std::shared_ptr<const Sparse_rows<double>>,
-                                    std::vector<Mesh_unknown>, const std::vector<Index>&);
+make_multigrid_linear_solver<1>(const Hierarchy_interpolation&, std::shared_ptr<const Sparse_rows<double>>,
+                                std::vector<Mesh_unknown>, const std::vector<Index>&);
+extern template std::unique_ptr<Linear_solver>
+make_multigrid_linear_solver<2>(const Hierarchy_interpolation&, std::shared_ptr<const Sparse_rows<double>>,
+                                std::vector<Mesh_unknown>, const std::vector<Index>&);
 #endif
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -24,13 +24,13 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Solves a linear system whose unknowns sit at the vertices of a hierarchy, for any number of right sides: conjugate
-// gradients if it is symmetric, stabilized bi-conjugate gradients if not, preconditioned by V-cycles, from the first
-// guess of full multigrid. Where these do not arrive, it solves directly.
+// Solves a linear system whose unknowns sit at the vertices of a hierarchy, for as many right sides as it has
+// `columns`: conjugate gradients if it is symmetric, stabilized bi-conjugate gradients if not, preconditioned by
+// V-cycles, from the first guess of full multigrid. Where these do not arrive, it solves directly.
 //
 // `Real` is the type of the grids' numbers: with single precision they take half the memory, and are exact enough for a
 // preconditioner.
-template <class Real>
+template <class Real, int columns>
 class Multigrid_linear_solver final
   : public Linear_solver
 {
@@ -57,38 +57,12 @@ public:
   Linear_solver_result solve(const std::vector<const double*>& right_sides, const std::vector<double*>& solutions,
                              const Linear_solver_options& options) override
   {
-    return right_sides.size() == 1 ? solve_side_by_side<1>(right_sides, solutions, options)
-                                   : solve_side_by_side<2>(right_sides, solutions, options);
-  }
-
-private:
-  typedef Scalar_multigrid<Real>   Multigrid;
-
-  // Right sides as one vector of their values.
-  template <int columns>
-  struct Side_by_side
-  {
-    const std::vector<const double*>& right_sides;
-
-    Values<double, columns> operator[](Index i) const
-    {
-      Values<double, columns> values;
-      for (int c = 0; c < columns; ++c)
-        values[c] = right_sides[c][i];
-      return values;
-    }
-  };
-
-  template <int columns>
-  Linear_solver_result solve_side_by_side(const std::vector<const double*>& right_sides,
-                                          const std::vector<double*>& solutions, const Linear_solver_options& options)
-  {
-    const Side_by_side<columns> b{ right_sides };
-    Value_vector<double, columns> x;
+    const Side_by_side b{ right_sides };
+    Vector x;
     m_system.set_to_fixed_unknowns(b, x);
-    Value_vector<double, columns> r(x.size());
+    Vector r(x.size());
     m_system.compute_residual(b, x, r);
-    const Values<double, columns> start = m_system.norm(r);
+    const Value start = m_system.norm(r);
 
     Linear_solver_result result;
     if (m_multigrid && m_multigrid->is_ready())
@@ -99,18 +73,34 @@ private:
       solve_directly(b, x, r, start, options, result);
     if (result.is_solved)
       for (std::size_t i = 0; i < x.size(); ++i)
-        for (int c = 0; c < columns; ++c)
-          solutions[c][i] = x[i][c];
+        for (std::size_t c = 0; c < solutions.size(); ++c)
+          solutions[c][i] = x[i][int(c)];
     return result;
   }
 
+private:
+  typedef Scalar_multigrid<Real>           Multigrid;
+  typedef Values<double, columns>          Value;
+  typedef Value_vector<double, columns>    Vector;
+
+  // Right sides as one vector of their values. What there is less than columns is 0.
+  struct Side_by_side
+  {
+    const std::vector<const double*>& right_sides;
+
+    Value operator[](Index i) const
+    {
+      Value values = Value::zero();
+      for (int c = 0; c < columns; ++c)
+        if (std::size_t(c) < right_sides.size())
+          values[c] = right_sides[c][i];
+      return values;
+    }
+  };
+
   // The system as the Krylov methods see it.
-  template <int columns>
   class Iteration
   {
-    typedef Values<double, columns>          Value;
-    typedef Value_vector<double, columns>    Vector;
-
   public:
     Iteration(const Multigrid_linear_solver& solver, const Value& target, int patience)
       : m_system(solver.m_system), m_multigrid(*solver.m_multigrid), m_space(m_multigrid),
@@ -189,11 +179,10 @@ private:
   };
 
   // Changes x, where the free unknowns are 0, and its residual r, whose norms are `start`.
-  template <class Right_sides, class Vector, class Value>
-  Linear_solver_result iterate(const Right_sides& b, Vector& x, Vector& r, const Value& start,
+  Linear_solver_result iterate(const Side_by_side& b, Vector& x, Vector& r, const Value& start,
                                const Linear_solver_options& options) const
   {
-    Iteration<Value::size> iteration(*this, options.tolerance * start, options.patience);
+    Iteration iteration(*this, options.tolerance * start, options.patience);
     iteration.full_multigrid(r, x);
     m_system.compute_residual(b, x, r);
     if (!is_less_or_equal(m_system.norm(r), start)) {
@@ -218,8 +207,7 @@ private:
   }
 
   // Writes x, its residual r, and what `result` tells of them.
-  template <class Right_sides, class Vector, class Value>
-  void solve_directly(const Right_sides& b, Vector& x, Vector& r, const Value& start,
+  void solve_directly(const Side_by_side& b, Vector& x, Vector& r, const Value& start,
                       const Linear_solver_options& options, Linear_solver_result& result)
   {
     result.is_direct = true;

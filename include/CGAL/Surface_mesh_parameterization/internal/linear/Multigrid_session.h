@@ -25,7 +25,7 @@ class Multigrid_session
 public:
   typedef Solver_vector   Vector;
 
-  // `defers`: a first solution with a matrix is put off until it is read, or until the next right side comes: two of
+  // `defers`, for a solver of two right sides: a first solution with a matrix is put off until it is read, or until the next right side comes: two of
   // them are solved side by side in little more than the time of one. Whether that succeeds is told by finish() only.
   Multigrid_session(std::shared_ptr<const Hierarchy_interpolation> interpolation, Mesh_unknowns unknowns,
                     const Linear_solver_options& options, Make_linear_solver make_solver, bool defers = false);

@@ -40,33 +40,6 @@ class Filled_mesh
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<vertex_descriptor>>::const_type   Original_map;
 
 public:
-  // A property map of the original as one of the copy: the vertices in the middle of holes have the value `Value()`,
-  // and cannot be given another one.
-  template <class Map>
-  struct Map_of_copy
-  {
-    typedef vertex_descriptor                                        key_type;
-    typedef typename boost::property_traits<Map>::value_type         value_type;
-    typedef value_type                                               reference;
-    typedef boost::read_write_property_map_tag                       category;
-
-    Map map;
-    Original_map original;
-
-    friend value_type get(const Map_of_copy& m, vertex_descriptor v)
-    {
-      const vertex_descriptor w = get(m.original, v);
-      return w == Graph_traits::null_vertex() ? value_type() : value_type(get(m.map, w));
-    }
-
-    friend void put(const Map_of_copy& m, vertex_descriptor v, const value_type& value)
-    {
-      const vertex_descriptor w = get(m.original, v);
-      if (w != Graph_traits::null_vertex())
-        put(m.map, w, value);
-    }
-  };
-
   // A mesh that would be rejected is copied as it is.
   Filled_mesh(const TriangleMesh& mesh, halfedge_descriptor bhd) : m_mesh(mesh), m_border(bhd)
   {
@@ -99,8 +72,8 @@ public:
   // Whether a vertex of the original, where the user named one, is the same one in the copy.
   bool has_same_descriptors() const { return m_has_same_descriptors; }
 
-  template <class Map>
-  Map_of_copy<Map> of_copy(const Map& map) const { return { map, m_original }; }
+  // The vertex of the original that a vertex is a copy of, null_vertex() for those in the middle of holes.
+  vertex_descriptor original(vertex_descriptor v) const { return get(m_original, v); }
 
 private:
   void fill_holes(const Mesh_component<TriangleMesh>& component)

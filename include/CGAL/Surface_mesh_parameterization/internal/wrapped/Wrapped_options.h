@@ -4,12 +4,13 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_OPTIONS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_OPTIONS_H
 
-#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/linear_solver_options_of.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/build_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <memory>
@@ -22,7 +23,8 @@ struct Wrapped_options
   Hierarchy_options hierarchy;
   Linear_solver_options solver;
   bool fills_holes = false;
-  Flip_policy flip_policy = Flip_policy::FAIL;
+  Flip_settlement flips;
+  decltype(&build_interpolation) build = &build_interpolation;
   std::shared_ptr<Any_hierarchy_visitor> visitor;       // may be null
   Parameterization_summary* summary = nullptr;          // may be null
 };
@@ -36,9 +38,11 @@ Wrapped_options wrapped_options_of(const NamedParameters& np, const Hierarchy_op
   options.hierarchy = hierarchy_options_of(np, hierarchy_defaults);
   options.solver = linear_solver_options_of(np);
   options.fills_holes = choose_parameter(get_parameter(np, internal_np::fill_holes), options.fills_holes);
-  options.flip_policy = choose_parameter(get_parameter(np, internal_np::flip_policy), options.flip_policy);
-  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value)
+  options.flips = flip_settlement_of(np);
+  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value) {
     options.visitor = hierarchy_visitor_of(np);
+    options.build = &build_visited_interpolation;
+  }
   options.summary = summary_of(np);
   return options;
 }

@@ -5,7 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_PARAMETERIZER_3_H
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
-#include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
@@ -14,7 +14,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_run.h>
-#include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -22,7 +21,6 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -44,46 +42,45 @@ public:
 
   using Base::Base;
 
-  // Further arguments are handed on, as the number of iterations of Iterative_authalic_parameterizer_3.
+  // Further arguments are handed on, as the number of iterations of Iterative_authalic_parameterizer_3. Holes are filled
+  // in a copy of the mesh, where there can be one.
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
                           VertexParameterizedMap vpmap, Others&&... others)
   {
-    if (this->options().fills_holes)
-      return parameterize_filled(mesh, bhd, uvmap, vpmap, std::forward<Others>(others)...);
-    return parameterize_as_it_is(mesh, bhd, uvmap, vpmap, std::forward<Others>(others)...);
+    std::shared_ptr<Filled_mesh<Triangle_mesh>> filled;
+    if (this->options().fills_holes) {
+      if (this->optional_steps().fill_holes)
+        filled = this->optional_steps().fill_holes(mesh, bhd);
+      if (!filled || (this->has_arguments() && !filled->has_same_descriptors()))
+        return this->fail(ERROR_WRONG_PARAMETER);
+    }
+    return parameterize_surface(filled ? filled->mesh() : mesh, filled ? filled->border() : bhd, filled.get(), uvmap,
+                                vpmap, std::forward<Others>(others)...);
   }
 
 private:
-  // Runs on a copy of the mesh that has no holes, where there can be one.
+  // Runs on a mesh, which may be a copy of that of the property maps.
   template <class VertexUVMap, class VertexParameterizedMap, class... Others>
-  Error_code parameterize_filled(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap,
-                                 VertexParameterizedMap vpmap, Others&&... others)
+  Error_code parameterize_surface(Triangle_mesh& mesh, halfedge_descriptor bhd, const Filled_mesh<Triangle_mesh>* copy,
+                                  VertexUVMap uvmap, VertexParameterizedMap vpmap, Others&&... others)
   {
-    if constexpr (Is_fillable<Triangle_mesh>::value) {
-      Filled_mesh<Triangle_mesh> filled(mesh, bhd);
-      if (filled.has_same_descriptors() || !this->has_arguments())
-        return parameterize_as_it_is(filled.mesh(), filled.border(), filled.of_copy(uvmap), filled.of_copy(vpmap),
-                                     std::forward<Others>(others)...);
-    }
-    return this->fail(ERROR_WRONG_PARAMETER);
-  }
-
-  template <class VertexUVMap, class VertexParameterizedMap, class... Others>
-  Error_code parameterize_as_it_is(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap,
-                                   VertexParameterizedMap vpmap, Others&&... others)
-  {
+    typedef boost::graph_traits<Triangle_mesh>                          Graph_traits;
+    typedef typename Graph_traits::vertex_descriptor                    vertex_descriptor;
     typedef typename boost::property_traits<VertexUVMap>::value_type    User_point_2;
     typedef typename Wrapped_run<Triangle_mesh>::Index_map              Index_map;
 
     Wrapped_run<Triangle_mesh> run(mesh, bhd, this->options());
     if (run.error() != OK)
       return run.error();
-    const auto& vertices = run.vertices();
+    std::vector<vertex_descriptor> vertices = run.vertices();
+    if (copy)
+      for (vertex_descriptor& v : vertices)
+        v = copy->original(v);
     std::vector<User_point_2> uv(vertices.size());
     std::vector<char> is_placed(vertices.size(), false);
     for (std::size_t i = 0; i < vertices.size(); ++i)
-      if (get(vpmap, vertices[i])) {
+      if (vertices[i] != Graph_traits::null_vertex() && get(vpmap, vertices[i])) {
         uv[i] = get(uvmap, vertices[i]);
         is_placed[i] = true;
       }
@@ -93,7 +90,7 @@ private:
       is_locked = [&is_placed](std::size_t i) { return bool(is_placed[i]); };
     const auto session =
         std::make_shared<Multigrid_session>(run.interpolation(), Mesh_unknowns(run.interpolation()->ranks(), is_locked),
-                                            this->options().solver, &make_multigrid_linear_solver<>,
+                                            this->options().solver, &make_multigrid_linear_solver<Use::solves_in_pairs ? 2 : 1>,
                                             Use::solves_in_pairs);
     Error_code code = run.parameterize(session, uv, [&] {
       return this->make_parameterizer()->parameterize(
@@ -101,16 +98,20 @@ private:
           Component_map<Index_map, char>{ run.index(), &is_placed }, std::forward<Others>(others)...);
     });
     if (code == OK)
-      code = run.apply_flip_policy(uv);
-    typedef typename Flip_free_relative<Parameterizer>::type   Relative;
-    if constexpr (!std::is_void<Relative>::value)
-      if (code == OK && run.is_mostly_moved())
-        return Nested_iteration_parameterizer_3<Relative>(Relative(), parameters::summary(std::ref(run.summary())))
-            .parameterize(mesh, bhd, uvmap, run.index(), vpmap);
-    for (std::size_t i = 0; i < vertices.size() && code == OK; ++i) {
-      put(uvmap, vertices[i], uv[i]);
-      put(vpmap, vertices[i], bool(is_placed[i]));
+      code = run.settle_flips(uv);
+    if (code == OK && this->optional_steps().run_relative && run.is_mostly_moved()) {
+      std::vector<Point_2> places(uv.size());
+      code = this->optional_steps().run_relative(mesh, bhd, run.index(), places, run.summary());
+      for (std::size_t i = 0; i < uv.size(); ++i) {
+        uv[i] = User_point_2(places[i].x(), places[i].y());
+        is_placed[i] = true;
+      }
     }
+    for (std::size_t i = 0; i < vertices.size() && code == OK; ++i)
+      if (vertices[i] != Graph_traits::null_vertex()) {
+        put(uvmap, vertices[i], uv[i]);
+        put(vpmap, vertices[i], bool(is_placed[i]));
+      }
     return code;
   }
 };

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Optional_steps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_options.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -60,6 +61,7 @@ protected:
   std::unique_ptr<Parameterizer_with_multigrid> make_parameterizer() const { return m_make(); }
 
   const Wrapped_options& options() const { return m_options; }
+  const Optional_steps<Parameterizer>& optional_steps() const { return m_optional_steps; }
 
   // Whether the parameterizer is made of something that the caller gave, such as corners, which are vertices of the
   // caller's mesh.
@@ -92,11 +94,13 @@ private:
     Hierarchy_options hierarchy_defaults;
     hierarchy_defaults.has_unit_edges = Solver_use<Parameterizer>::has_uniform_weights;
     m_options = wrapped_options_of(np, hierarchy_defaults);
+    m_optional_steps = Optional_steps<Parameterizer>::of(np);
   }
 
   std::function<std::unique_ptr<Parameterizer_with_multigrid>()> m_make;
   bool m_has_arguments = false;
   Wrapped_options m_options;
+  Optional_steps<Parameterizer> m_optional_steps;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

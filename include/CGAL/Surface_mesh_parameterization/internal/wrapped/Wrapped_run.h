@@ -17,7 +17,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_options.h>
-#include <CGAL/Surface_mesh_parameterization/internal/wrapped/build_interpolation.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/properties.h>
@@ -57,11 +56,11 @@ public:
     m_vertices = component.vertices_of_component();
     for (std::size_t i = 0; i < m_vertices.size(); ++i)
       put(m_index, m_vertices[i], int(i));
-    if (options.flip_policy == Flip_policy::REPAIR)
+    if (options.flips.policy == Flip_policy::REPAIR)
       m_surface = component.surface();
-    else if (options.flip_policy == Flip_policy::FAIL)
+    else if (options.flips.policy == Flip_policy::FAIL)
       m_surface.triangles = component.surface().triangles;
-    m_interpolation = build_interpolation(std::move(component.surface()), options.hierarchy, options.visitor.get());
+    m_interpolation = options.build(std::move(component.surface()), options.hierarchy, options.visitor.get());
     summary().seconds_hierarchy = m_timer.time();
     if (!m_interpolation) {
       summary().stopped = true;
@@ -95,16 +94,16 @@ public:
 
   // Does with the flips of a map what the policy says.
   template <class Point>
-  Error_code apply_flip_policy(std::vector<Point>& uv)
+  Error_code settle_flips(std::vector<Point>& uv)
   {
-    if (m_options.flip_policy == Flip_policy::KEEP)
+    if (m_options.flips.policy == Flip_policy::KEEP)
       return error();
     std::vector<Point_2> map;
     for (const Point& p : uv)
       map.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
     const One_rings rings(uv.size(), m_surface.triangles);
-    summary().error.code = internal::apply_flip_policy(
-        m_options.flip_policy, rings, [this] { return std::move(m_surface); }, map, summary());
+    summary().error.code = internal::settle_flips(
+        m_options.flips, rings, [this] { return std::move(m_surface); }, map, summary());
     const Round_coordinate round = rounding_to<Point>();
     if (error() == OK && summary().moved_vertices > 0 && round && !round_map(rings, round, 0, map))
       summary().error.code = ERROR_NO_1_TO_1_MAPPING;

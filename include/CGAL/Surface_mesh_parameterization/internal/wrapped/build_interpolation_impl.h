@@ -14,10 +14,16 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 std::shared_ptr<const Hierarchy_interpolation>
-build_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options, Any_hierarchy_visitor* visitor)
+build_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options, Any_hierarchy_visitor*)
 {
-  if (!visitor)
-    return std::make_shared<const Hierarchy_interpolation>(std::move(surface), options);
+  return std::make_shared<const Hierarchy_interpolation>(std::move(surface), options);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::shared_ptr<const Hierarchy_interpolation>
+build_visited_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options,
+                            Any_hierarchy_visitor* visitor)
+{
   const Collapse_hierarchy_3 hierarchy(std::move(surface), options, Loops());
   return visitor->hierarchy_built(hierarchy) ? std::make_shared<const Hierarchy_interpolation>(hierarchy) : nullptr;
 }

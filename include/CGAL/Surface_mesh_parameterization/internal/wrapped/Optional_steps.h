@@ -1,0 +1,84 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_OPTIONAL_STEPS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_OPTIONAL_STEPS_H
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/Component_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/Filled_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_run.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <functional>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Steps of a wrapped run that only some named parameters ask for. Who gives none of these does not compile them.
+template <class Parameterizer>
+struct Optional_steps
+{
+  typedef typename Parameterizer::Triangle_mesh                               Triangle_mesh;
+  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;
+  typedef typename Wrapped_run<Triangle_mesh>::Index_map                      Index_map;
+  typedef typename Flip_free_relative<Parameterizer>::type                    Relative;
+
+  // A copy of the mesh without holes; null if the mesh type cannot have one.
+  std::shared_ptr<Filled_mesh<Triangle_mesh>> (*fill_holes)(const Triangle_mesh&, halfedge_descriptor) = nullptr;
+
+  // Runs the method without flips that takes the parameterizer's place where a repair left little of the map. Null if
+  // there is none.
+  Error_code (*run_relative)(Triangle_mesh&, halfedge_descriptor, const Index_map&, std::vector<Point_2>& uv,
+                             Parameterization_summary&) = nullptr;
+
+  template <class NamedParameters>
+  static Optional_steps of(const NamedParameters&)
+  {
+    using parameters::is_default_parameter;
+    Optional_steps steps;
+    if constexpr (!is_default_parameter<NamedParameters, internal_np::fill_holes_t>::value &&
+                  Is_fillable<Triangle_mesh>::value)
+      steps.fill_holes = [](const Triangle_mesh& mesh, halfedge_descriptor bhd) {
+        return std::make_shared<Filled_mesh<Triangle_mesh>>(mesh, bhd);
+      };
+    if constexpr (!is_default_parameter<NamedParameters, internal_np::flip_policy_t>::value &&
+                  !std::is_void<Relative>::value)
+      steps.run_relative = &run<Relative>;
+    return steps;
+  }
+
+private:
+  template <class Method>
+  static Error_code run(Triangle_mesh& mesh, halfedge_descriptor bhd, const Index_map& index, std::vector<Point_2>& uv,
+                        Parameterization_summary& summary)
+  {
+    typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor   vertex_descriptor;
+    const Constant_property_map<vertex_descriptor, bool> is_parameterized;
+    return Nested_iteration_parameterizer_3<Method>(Method(), parameters::summary(std::ref(summary)))
+        .parameterize(mesh, bhd, Component_map<Index_map, Point_2>{ index, &uv }, index, is_parameterized);
+  }
+};
+
+// A mesh with seams has no holes to fill, and its parameterizer no relative.
+template <class SeamMesh, class SolverTraits>
+struct Optional_steps<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
+{
+  template <class NamedParameters>
+  static Optional_steps of(const NamedParameters&) { return Optional_steps(); }
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_OPTIONAL_STEPS_H
