@@ -6,10 +6,10 @@
 #ifndef MESH_H
 #define MESH_H
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel       Kernel;
+typedef CGAL::Simple_cartesian<double>                            Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3>                       Mesh;
 typedef Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2>   UV_map;
 
