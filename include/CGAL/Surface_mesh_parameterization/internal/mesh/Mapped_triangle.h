@@ -43,8 +43,8 @@ struct Mapped_triangle
   }
 };
 
-// The powers of two that bring the longest edges of some triangles, and of their images, to about length 1. Measures that
-// know no scale do not feel them, and no product of lengths over- or underflows then.
+// The powers of two that bring the longest edges of some triangles, and of their images, to about length 1. Measures
+// that know no scale do not feel them, and no product of lengths over- or underflows then.
 class Unit_scale
 {
 public:

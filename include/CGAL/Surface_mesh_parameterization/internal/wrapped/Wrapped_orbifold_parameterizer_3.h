@@ -48,8 +48,9 @@ public:
     if (run.error() != OK)
       return run.error();
     std::vector<User_point_2> uv(run.vertices().size());
-    const auto session = std::make_shared<Constrained_session>(run.interpolation(), run.interpolation()->ranks(),
-                                                               this->options().solver, &make_multigrid_linear_solver<1>);
+    const auto session =
+        std::make_shared<Constrained_session>(run.interpolation(), run.interpolation()->ranks(), this->options().solver,
+                                              &make_multigrid_linear_solver<1>);
     const Error_code code = run.parameterize(session, uv, [&]() -> Error_code {
       if (num_vertices(mesh) != uv.size())
         return ERROR_NO_TOPOLOGICAL_DISC;

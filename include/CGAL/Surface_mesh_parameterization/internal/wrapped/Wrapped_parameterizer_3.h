@@ -42,8 +42,8 @@ public:
 
   using Base::Base;
 
-  // Further arguments are handed on, as the number of iterations of Iterative_authalic_parameterizer_3. Holes are filled
-  // in a copy of the mesh, where there can be one.
+  // Further arguments are handed on, as the number of iterations of Iterative_authalic_parameterizer_3. Holes are
+  // filled in a copy of the mesh, where there can be one.
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
                           VertexParameterizedMap vpmap, Others&&... others)
@@ -90,7 +90,8 @@ private:
       is_locked = [&is_placed](std::size_t i) { return bool(is_placed[i]); };
     const auto session =
         std::make_shared<Multigrid_session>(run.interpolation(), Mesh_unknowns(run.interpolation()->ranks(), is_locked),
-                                            this->options().solver, &make_multigrid_linear_solver<Use::solves_in_pairs ? 2 : 1>,
+                                            this->options().solver,
+                                            &make_multigrid_linear_solver<Use::solves_in_pairs ? 2 : 1>,
                                             Use::solves_in_pairs);
     Error_code code = run.parameterize(session, uv, [&] {
       return this->make_parameterizer()->parameterize(
