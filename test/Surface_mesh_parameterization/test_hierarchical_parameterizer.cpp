@@ -158,12 +158,11 @@ struct Throwing_map
   typedef Surface_mesh::Vertex_index                key_type;
   typedef Kernel::Point_2                           value_type;
   typedef value_type                                reference;
-  typedef boost::read_write_property_map_tag        category;
+  typedef boost::writable_property_map_tag          category;
 
   Mapped_mesh::UV_map uvmap;
   int* writes_left;
 
-  friend value_type get(const Throwing_map& map, key_type v) { return map.uvmap[v]; }
   friend void put(const Throwing_map& map, key_type v, const value_type& p)
   {
     if ((*map.writes_left)-- == 0)

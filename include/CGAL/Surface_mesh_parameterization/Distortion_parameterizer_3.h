@@ -34,8 +34,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// of less energy. If neither is a map in doubles, it starts from the result on a level that is coarse enough. With
 /// `Hierarchical_parameterizer_3` it starts from the result of a coarse level, which is much faster on large meshes.
 /// Where that ends at more than twice the minimum, or finds no map, the method also starts as without the adaptor, and
-/// the better result counts. On more than 5,000 vertices it does so only above four times the minimum, and only if that
-/// start has the lower energy.
+/// from the same map at the scale of least energy; the best result counts. On more than 5,000 vertices it does so only
+/// above four times the minimum, and only if the start has the lower energy.
 ///
 /// If an energy of one's own is not finite where a level starts, symmetric Dirichlet energy is minimized first.
 ///

@@ -53,16 +53,13 @@ struct Nested_iteration_options
   Round_coordinate round = nullptr;       // to the number type of the result; null if that holds doubles
 };
 
-// `defaults` with what named parameters hold.
 template <class NamedParameters>
-Nested_iteration_options
-nested_iteration_options_of(const NamedParameters& np,
-                            const Nested_iteration_options& defaults = Nested_iteration_options())
+Nested_iteration_options nested_iteration_options_of(const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  Nested_iteration_options options = defaults;
-  options.hierarchy = hierarchy_options_of(np, options.hierarchy);
+  Nested_iteration_options options;
+  options.hierarchy = hierarchy_options_of(np);
   options.fills_holes = choose_parameter(get_parameter(np, internal_np::fill_holes), options.fills_holes);
   options.flips = flip_settlement_of(np);
   return options;
