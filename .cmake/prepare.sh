@@ -3,6 +3,9 @@
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 mkdir -p "$root/.build"
 
+# Without it ccache takes no source that has a precompiled header.
+export CCACHE_SLOPPINESS=pch_defines,time_macros
+
 # Two runs at a time would build in the same folder. Where there is no flock, nothing is locked.
 exec 9>"$root/.build/lock"
 if command -v flock >/dev/null; then flock 9; fi
@@ -34,7 +37,7 @@ install_missing() {
     echo "could not install: trying to build without ${missing[*]}" >&2
 }
 
-build_packages=(g++ make cmake libcgal-dev libeigen3-dev nlohmann-json3-dev libtbb-dev libboost-program-options-dev)
+build_packages=(g++ ninja-build cmake libcgal-dev libeigen3-dev nlohmann-json3-dev libtbb-dev libboost-program-options-dev)
 
 # clang with its sanitizers, which some releases have in a package of their own.
 install_clang() {

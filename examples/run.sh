@@ -4,11 +4,11 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../.cmake/prepare.sh"
 
-build=$root/.build/examples
-log=$root/.build/examples.log
+build=$root/.build/program
+log=$root/.build/program.log
 
 compile() {
-  cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DHIERARCHICAL_PARAMETERIZATION_BUILD_TESTS=OFF &&
+  cmake -G Ninja -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DHIERARCHICAL_PARAMETERIZATION_BUILD_TESTS=OFF &&
     cmake --build "$build" -j"$(nproc)" --target hierarchical_parameterization_program
 }
 

@@ -3,11 +3,9 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../.cmake/prepare.sh"
 
-build=$root/.build/test
+build=$root/.build/tests
 install_missing "${build_packages[@]}" libgtest-dev ccache doxygen
-# Without it ccache takes no source that has a precompiled header.
-export CCACHE_SLOPPINESS=pch_defines,time_macros
-cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release
+cmake -G Ninja -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release
 cmake --build "$build" -j"$(nproc)"
 unlock
 cd "$build"
