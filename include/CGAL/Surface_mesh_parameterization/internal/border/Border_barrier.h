@@ -5,8 +5,10 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_BORDER_BARRIER_H
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/Contact.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/box_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/time_on_one_line.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 
 #include <CGAL/Bbox_2.h>
@@ -33,7 +35,7 @@ class Border_barrier
 public:
   // The energy is multiplied by `stiffness`.
   Border_barrier(const Level& level, double stiffness)
-    : m_stiffness(stiffness), m_edges(border_edges(level.rings())), m_gap(level.number_of_vertices(), 0)
+    : m_stiffness(stiffness), m_edges(border_edges(level.rings())), m_gap(level.number_of_vertices(), (std::numeric_limits<double>::infinity)())
   {
     for (const Border_edge& e : m_edges)
       m_previous.push_back(level.one_ring(e.source).back());
@@ -60,29 +62,21 @@ public:
     return sum;
   }
 
-  // Calls add(v, gradient, block) for the parts of the gradient, and of a block diagonal matrix that is at least the
-  // Hessian: in a square of a sum of multiples of moves, the mixed products are bounded by the squares.
-  template <class Add>
-  void derivatives(const Level::Uv& uv, const Add& add) const
+  void add_contacts(const Level::Uv& uv, Contacts& contacts) const
   {
     for_each_close_pair(uv, m_gap, [&](const Close_pair& p) {
       const double gap = gap_of(p), d = p.distance;
       if (!(d < gap))
         return;
-      const double first = -2 * m_stiffness * (gap / d - 1) * gap / (d * d),
-                   second = 2 * m_stiffness * gap * (3 * gap - 2 * d) / (d * d * d * d);
       const Block_vector normal(p.from_edge.x() / d, p.from_edge.y() / d);
-      const Block across(normal.x * normal.x, normal.x * normal.y, normal.y * normal.x, normal.y * normal.y);
-      const auto add_at = [&](Index v, double part) {
-        add(v, (first * part) * normal, (2 * std::abs(part) * second) * across);
-      };
-      add_at(p.vertex, 1);
-      add_at(p.edge.source, p.t - 1);
-      add_at(p.edge.target, -p.t);
+      contacts.push_back({ { p.vertex, p.edge.source, p.edge.target },
+                         { normal, (p.t - 1) * normal, -p.t * normal },
+                         -2 * m_stiffness * (gap / d - 1) * gap / (d * d),
+                         2 * m_stiffness * gap * (3 * gap - 2 * d) / (d * d * d * d) });
     });
   }
 
-  // The least length of the step `direction`, at most 1, at which a vertex meets an edge.
+  // The least length of the step `direction`, infinite if there is none, at which a vertex meets an edge.
   double longest_step(const Level::Uv& uv, const Block_vectors& direction) const
   {
     const auto moved = [&](Index v) { return uv[v] + Vector_2(direction[v].x, direction[v].y); };
@@ -91,7 +85,7 @@ public:
       vertices.push_back(uv[e.source].bbox() + moved(e.source).bbox());
       edges.push_back(uv[e.source].bbox() + moved(e.source).bbox() + uv[e.target].bbox() + moved(e.target).bbox());
     }
-    double longest = 1;
+    double longest = (std::numeric_limits<double>::infinity)();
     for_each_pair_of_boxes(vertices, edges, [&](std::size_t i, std::size_t j) {
       const Border_edge& e = m_edges[j];
       const Index v = m_edges[i].source;
@@ -175,26 +169,13 @@ private:
     });
   }
 
-  // The part of the way at which V comes to lie on the edge, if both go straight on; 1 if it does not.
+  // The part of the way at which V comes to lie on the edge, if both go straight on; infinite if it does not.
   template <class Moved>
   static double time_of_meeting(const Level::Uv& uv, const Moved& moved, Index v, const Border_edge& e)
   {
     const Vector_2 p = uv[e.source] - uv[v], q = uv[e.target] - uv[v], dp = (moved(e.source) - moved(v)) - p,
                    dq = (moved(e.target) - moved(v)) - q;
-    const double c0 = cross(p, q), c1 = cross(p, dq) + cross(dp, q), c2 = cross(dp, dq),
-                 discriminant = c1 * c1 - 4 * c0 * c2;
-    if (discriminant < 0)
-      return 1;
-    const double s = -0.5 * (c1 + std::copysign(std::sqrt(discriminant),
-                                                c1));      // the roots of c0 + c1 t + c2 t^2 are s / c2 and c0 / s
-    double first = 1;
-    for (const double t : { s / c2, c0 / s })
-      if (t >= 0 && t < first) {
-        const Vector_2 a = p + t * dp, b = q + t * dq;      // V lies on their line
-        if (a * b <= 0)
-          first = t;
-      }
-    return first;
+    return time_on_one_line(p, dp, q, dq, [](const Vector_2& a, const Vector_2& b) { return a * b <= 0; });
   }
 
   static Close_pair close_pair(const Level::Uv& uv, Index v, const Border_edge& e)

@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/prefetch.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -56,6 +57,12 @@ struct Block_matrix
     return Block(1 + diagonal[i].x, diagonal[i].y, diagonal[i].y, 1 - diagonal[i].x);
   }
   Block unscaled_diagonal_block(Index i) const { return diagonal_block(i) / (scale[i] * scale[i]); }
+
+  // The block of row i and column j, which have to be joined.
+  Block& block(Index i, Index j)
+  {
+    return blocks[std::find(columns + first[i], columns + first[i + 1], j) - columns];
+  }
 
   // Scales the blocks beside the diagonal, when all scales are fixed.
   void scale_blocks(const Loops& loops)

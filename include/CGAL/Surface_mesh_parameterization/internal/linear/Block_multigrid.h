@@ -62,6 +62,13 @@ public:
   Block_matrix& matrix() { return m_grids.front().matrix; }
   const Block_matrix& matrix() const { return m_grids.front().matrix; }
 
+  // To be called when the matrix has got another pattern.
+  void forget_pattern()
+  {
+    for (Grid& grid : m_grids)
+      grid.galerkin_product.reset();
+  }
+
   void setup()
   {
     std::vector<Index> order;

@@ -145,7 +145,7 @@ private:
   // Newton's method pays on the levels that the V-cycle has as grids; in between a sweep carries the map over.
   void iterate_newton()
   {
-    const Vertex_relaxation relaxation(m_energy, m_options.over_relaxation, m_barrier.get());
+    Vertex_relaxation relaxation(m_energy, m_options.over_relaxation, m_barrier.get());
     if (Block_multigrid::has_grid_of_finest_level(m_level)) {
       sweep_while_it_pays(relaxation);
       take_newton_steps(relaxation);
@@ -165,13 +165,14 @@ private:
              !is_little(before - m_current, m_options.least_decrease_of_first_sweeps));
   }
 
-  void take_newton_steps(const Vertex_relaxation& relaxation)
+  void take_newton_steps(Vertex_relaxation& relaxation)
   {
     const double least_decrease = m_level.is_finest() ? m_refinement.tolerance : m_options.decrease_on_coarse_levels;
     Newton_method newton(m_energy, m_barrier.get(), m_options.newton);
+    relaxation.set_turn_barrier(newton.turn_barrier());
     while (m_summary.iterations < m_refinement.number_of_iterations && !m_summary.converged) {
       const auto step = newton.step(m_uv, m_current);
-      if (m_barrier)      // the step may have paid for a gap with energy
+      if (m_barrier || step.slack > 0)      // the step may have paid for more room with energy
         m_current = m_energy(m_uv);
       else
         lower_by(step.decrease);
@@ -180,7 +181,7 @@ private:
       const double before_sweep = m_current;
       if (step.length < m_options.short_step || !is_little(step.decrease, m_options.great_decrease))
         sweep(relaxation);
-      m_summary.converged = is_little(step.decrease + (before_sweep - m_current), least_decrease);
+      m_summary.converged = is_little(step.decrease + step.slack + (before_sweep - m_current), least_decrease);
     }
   }
 

@@ -5,7 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_METHOD_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
-#include <CGAL/Surface_mesh_parameterization/internal/border/Border_guard.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/Turn_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/level_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
@@ -33,17 +33,20 @@ public:
     double predicted = 0;         // decrease of the quadratic model by the whole step
     double length = 0;            // 1 for the whole step
     std::size_t cycles = 0;       // V-cycles
+    double slack = 0;             // a bound of what the barrier at the full turn costs
   };
 
   // `barrier`, if there is one, keeps the borders apart; its energy is minimized along with the level's.
   explicit Newton_method(const Level_energy& energy, Border_barrier* barrier = nullptr,
                          const Newton_options& options = Newton_options())
-    : m_energy(energy), m_level(energy.level()), m_options(options), m_barrier(barrier), m_border_guard(energy.level()),
+    : m_energy(energy), m_level(energy.level()), m_options(options), m_barrier(barrier), m_turn_barrier(energy.level()),
       m_system(energy, m_options)
   {
     m_system.keep_negative_twist(!m_energy.is_flip_free());
     m_direction.resize(m_level.number_of_vertices());
   }
+
+  const Turn_barrier& turn_barrier() const { return m_turn_barrier; }
 
   // Lets no step move the given vertices, see Newton_system.
   void fix_vertices(std::vector<Index> vertices) { m_system.fix_vertices(std::move(vertices)); }
@@ -52,11 +55,16 @@ public:
   Step step(Level::Uv& uv, double energy)
   {
     Step result = try_step(uv, energy);
+    if (result.length == 0 && m_lost_gaps > 0 && lets_gaps_close()) {
+      m_turn_barrier.set_stiffness(m_options.first_slack * result.predicted / double(m_lost_gaps));
+      result = try_step(uv, energy);
+    }
     if (result.length == 0 && m_system.keeps_negative_twist()) {
       m_system.keep_negative_twist(false);
       result = try_step(uv, energy);
     }
     m_system.keep_negative_twist(is_model_good(result));
+    lower_turn_barrier(result);
     return result;
   }
 
@@ -67,21 +75,40 @@ private:
     return step.length == 1 && step.decrease > m_options.least_part_of_prediction * step.predicted;
   }
 
+  // Whether nothing holds back a step that turns too far. Borders that are kept apart do.
+  bool lets_gaps_close() const { return !m_barrier && m_turn_barrier.stiffness() == 0; }
+
+  // Where the map is as good as it gets with the barrier, a lower one serves.
+  void lower_turn_barrier(Step& step)
+  {
+    if (m_turn_barrier.stiffness() == 0)
+      return;
+    if (step.length > 0)
+      step.slack = m_turn_barrier.stiffness() * double(m_contacts.size());
+    if (step.predicted < step.slack)
+      m_turn_barrier.set_stiffness(m_options.decrease_of_slack * m_turn_barrier.stiffness());
+  }
+
   Step try_step(Level::Uv& uv, double energy)
   {
     Step result;
+    m_lost_gaps = 0;
+    m_contacts.clear();
+    m_turn_barrier.add_contacts(uv, m_contacts);
+    energy += m_turn_barrier(uv);
     if (m_barrier) {
       m_barrier->set_gaps(uv);
+      m_barrier->add_contacts(uv, m_contacts);
       energy += (*m_barrier)(uv);
     }
-    if (!m_system.assemble(uv, m_barrier))
+    if (!m_system.assemble(uv, m_contacts))
       return result;
     result.cycles = m_system.solve();
     if (m_trial.size() == uv.size())
       m_system.add_previous_step(m_trial, uv);      // the line search left the map before that step in m_trial
     for_each_vertex([&](Index v) { m_direction[v] = m_system.move(v); });
 
-    const double slope = dot_with_gradient();
+    const double slope = inner_product(m_level.loops(), m_system.gradient(), m_direction);
     result.predicted = -0.5 * slope;
     if (slope < 0)
       search_line(uv, energy, slope, result);
@@ -89,15 +116,28 @@ private:
   }
 
   // The energy that steps lower.
-  double objective(const Level::Uv& uv) const { return m_energy(uv) + (m_barrier ? (*m_barrier)(uv) : 0); }
+  double objective(const Level::Uv& uv) const
+  {
+    return m_energy(uv) + m_turn_barrier(uv) + (m_barrier ? (*m_barrier)(uv) : 0);
+  }
 
   template <class Function>
   void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, Index(m_direction.size()), f); }
 
-  double dot_with_gradient() const { return inner_product(m_level.loops(), m_system.gradient(), m_direction); }
-
-  // The least t > 0 at which a triangle vanishes on the way to uv + t direction.
+  // The least t > 0 at which a triangle, a gap or a distance that is kept vanishes on the way to uv + t direction.
   double longest_step(const Level::Uv& uv) const
+  {
+    double result = (std::numeric_limits<double>::infinity)();
+    if (m_energy.is_flip_free())
+      result = longest_step_of_triangles(uv);
+    if (m_turn_barrier.stiffness() > 0)
+      result = (std::min)(result, m_turn_barrier.longest_step(uv, m_direction));
+    if (m_barrier)
+      result = (std::min)(result, m_barrier->longest_step(uv, m_direction));
+    return result;
+  }
+
+  double longest_step_of_triangles(const Level::Uv& uv) const
   {
     constexpr double infinity = (std::numeric_limits<double>::infinity)();
     return m_level.loops().min(0, Index(uv.size()), infinity, [&](Index v) {
@@ -118,61 +158,11 @@ private:
     });
   }
 
-  // Goes along the direction as far as the energy falls and the map stays valid. Where the angles at a border vertex
-  // would reach a full turn, of which the energy knows nothing, the direction is corrected so that they do not, and at
-  // last cut off: the rest of the map need not wait for them.
+  // Halves the step until the energy falls and the map is valid. Ends early at a trial that fails only by the angles at
+  // the border, while no barrier holds them.
   void search_line(Level::Uv& uv, double energy, double slope, Step& result)
   {
-    for (int i = 0; i < m_options.most_rounds && slope < 0; ++i) {
-      try_lengths(uv, energy, slope, result);
-      if (result.length > 0 || !m_energy.is_flip_free())
-        return;
-      const std::vector<Border_guard::Gap> gaps = m_border_guard.lost_gaps(uv, m_trial);
-      if (gaps.empty())
-        return;
-      if (i < m_options.most_corrections)
-        result.cycles += correct_direction(gaps);
-      else
-        cut_off(gaps);
-      slope = dot_with_gradient();
-    }
-  }
-
-  // Changes the direction as little as is needed, in the norm of the Hessian, for no gap to lose too much, to first
-  // order: so the neighbors go along. Returns the number of V-cycles.
-  std::size_t correct_direction(const std::vector<Border_guard::Gap>& gaps)
-  {
-    std::vector<Newton_system::Force> forces;
-    for (const Border_guard::Gap& gap : gaps)
-      for (int i = 0; i < 3 && gap.missing > 0; ++i)
-        forces.push_back({ gap.vertices[i], gap.missing * gap.gradients[i] });
-    const std::size_t cycles = m_system.solve(forces);
-    const auto correction = [&](Index v) { return m_system.move(v); };
-    double factor = 0;
-    std::vector<Border_guard::Gap> hopeless;
-    for (const Border_guard::Gap& gap : gaps)
-      if (const double change = gap.change(correction); gap.missing > 0 && change > 0)
-        factor = (std::max)(factor, gap.missing / change);
-      else
-        hopeless.push_back(gap);
-    for_each_vertex([&](Index v) { m_direction[v] += factor * correction(v); });
-    cut_off(hopeless);
-    return cycles;
-  }
-
-  void cut_off(const std::vector<Border_guard::Gap>& gaps)
-  {
-    for (const Border_guard::Gap& gap : gaps)
-      for (const Index v : gap.vertices)
-        m_direction[v] = Block_vector(0, 0);
-  }
-
-  // Halves the step until it is acceptable; ends early at one that fails only by the angles at the border.
-  void try_lengths(Level::Uv& uv, double energy, double slope, Step& result)
-  {
-    double length = m_energy.is_flip_free() ? (std::min)(1., m_options.part_of_longest_step * longest_step(uv)) : 1;
-    if (m_barrier)
-      length = (std::min)(length, m_options.part_of_longest_step * m_barrier->longest_step(uv, m_direction));
+    double length = (std::min)(1., m_options.part_of_longest_step * longest_step(uv));
     m_trial.resize(uv.size());
     for (int i = 0; i < m_options.most_halvings; ++i, length *= 0.5) {
       for_each_vertex(
@@ -180,24 +170,34 @@ private:
       const double decrease = energy - objective(m_trial);
       if (!(decrease > -m_options.sufficient_decrease * length * slope))
         continue;
-      if (!m_energy.is_flip_free() ||
-          (!m_border_guard.turns_too_far(uv, m_trial) && is_map_valid(m_level.rings(), m_trial, m_level.loops()) &&
-           (!m_barrier || m_barrier->keeps_apart(m_trial)))) {
+      if (is_valid(uv)) {
         uv.swap(m_trial);
         result.decrease = decrease;
         result.length = length;
         return;
       }
-      if (m_border_guard.turns_too_far(uv, m_trial))
+      if (m_lost_gaps > 0 && lets_gaps_close())
         return;
     }
+  }
+
+  // Whether the trial, to which a step from `uv` led, is a valid map.
+  bool is_valid(const Level::Uv& uv)
+  {
+    if (!m_energy.is_flip_free())
+      return true;
+    m_lost_gaps = m_turn_barrier.number_of_lost_gaps(uv, m_trial);
+    return m_lost_gaps == 0 && is_map_valid(m_level.rings(), m_trial, m_level.loops()) &&
+           (!m_barrier || m_barrier->keeps_apart(m_trial));
   }
 
   const Level_energy& m_energy;
   const Level& m_level;
   Newton_options m_options;
   Border_barrier* m_barrier;
-  Border_guard m_border_guard;
+  Turn_barrier m_turn_barrier;
+  Contacts m_contacts;
+  std::size_t m_lost_gaps = 0;      // by the last trial
   Newton_system m_system;
   Block_vectors m_direction;
   Level::Uv m_trial;

@@ -33,8 +33,10 @@ struct Newton_options
   // by that part of what the slope promises.
   double part_of_longest_step = 0.9, sufficient_decrease = 1e-4;
   int most_halvings = 12;
-  // A direction that closes gaps between border edges is corrected so often, then cut off at those gaps.
-  int most_corrections = 6, most_rounds = 10;
+
+  // The barrier at the full turn comes into being when a step would pass it. Then it may cost that part of what the
+  // step promised; it is lowered by the factor where there is no more than its cost to be gained.
+  double first_slack = 1, decrease_of_slack = 0.3;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -4,11 +4,12 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_SYSTEM_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_SYSTEM_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/Contact.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Values.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Contact_pattern.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_options.h>
 
@@ -25,12 +26,12 @@ class Newton_system
 {
 public:
   Newton_system(const Level_energy& energy, const Newton_options& options)
-    : m_energy(energy), m_level(energy.level()), m_options(options), m_multigrid(energy.level())
+    : m_energy(energy), m_level(energy.level()), m_options(options), m_multigrid(energy.level()),
+      m_pattern(energy.level().rings())
   {
-    const One_rings& rings = m_level.rings();
-    m_multigrid.matrix().set_pattern(rings.number_of_vertices(), rings.offsets(), rings.neighbors());
+    m_pattern.give_to(m_multigrid.matrix());
     for (Block_vectors* vectors : { &m_gradient, &m_solution, &m_residual, &m_direction })
-      vectors->resize(rings.number_of_vertices());
+      vectors->resize(m_level.number_of_vertices());
   }
 
   // Lets no solution move the given vertices. They have to be vertices of the coarsest level, so that all grids have
@@ -52,22 +53,25 @@ public:
     m_negative_twist = part;
   }
 
-  // Makes the model at `uv`, with the barrier's energy if there is one; returns whether its systems can be solved.
-  bool assemble(const Level::Uv& uv, const Border_barrier* barrier)
+  // Makes the model at `uv`, with the energies of the contacts; returns whether its systems can be solved.
+  bool assemble(const Level::Uv& uv, const Contacts& contacts)
   {
     Block_matrix& matrix = m_multigrid.matrix();
+    if (m_pattern.join(contacts)) {
+      m_pattern.give_to(matrix);
+      m_multigrid.forget_pattern();
+      m_needs_setup = true;
+    }
     m_energy.assemble(uv, m_negative_twist, m_gradient, matrix);
     for (const Index v : m_fixed) {
       m_gradient[v] = Block_vector(0, 0);
       matrix.set_diagonal(v, m_options.stiffness_of_fixed_vertex * matrix.unscaled_diagonal_block(v));
     }
-    if (barrier)
-      barrier->derivatives(uv, [&](Index v, const Block_vector& gradient, const Block& block) {
-        m_gradient[v] += gradient;
-        matrix.set_diagonal(v, matrix.unscaled_diagonal_block(v) + block);
-        m_needs_setup = true;
-      });
-    if (m_needs_setup)
+    m_pattern.add(contacts, matrix);
+    for (const Contact& c : contacts)
+      for (int i = 0; i < 3; ++i)
+        m_gradient[c.vertices[i]] += c.first * c.gradients[i];
+    if (m_needs_setup || !contacts.empty())
       m_multigrid.setup();
     else
       m_multigrid.scale();
@@ -84,22 +88,6 @@ public:
     const std::size_t cycles = solve_for_residual();
     m_needs_setup = cycles > m_options.most_cycles_without_setup;
     return cycles;
-  }
-
-  struct Force
-  {
-    Index vertex;
-    Block_vector force;
-  };
-
-  // Finds the moves that forces cause: of all with their work, those that the Hessian resists least. Returns the number
-  // of V-cycles.
-  std::size_t solve(const std::vector<Force>& forces)
-  {
-    m_residual.assign(m_gradient.size(), Block_vector(0, 0));
-    for (const Force& f : forces)
-      m_residual[f.vertex] += m_multigrid.matrix().scale[f.vertex] * f.force;
-    return solve_for_residual();
   }
 
   // Where the last solution moves a vertex.
@@ -182,6 +170,7 @@ private:
   const Level& m_level;
   const Newton_options& m_options;
   Block_multigrid m_multigrid;
+  Contact_pattern m_pattern;
   bool m_needs_setup = true;
   double m_negative_twist = 0;
   std::vector<Index> m_fixed;

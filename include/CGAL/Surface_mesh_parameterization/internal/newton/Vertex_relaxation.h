@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_VERTEX_RELAXATION_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/Turn_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 
 #include <cmath>
@@ -26,6 +27,9 @@ public:
   Vertex_relaxation(const Level_energy& energy, double relaxation_factor, Border_barrier* barrier = nullptr)
     : m_energy(energy), m_level(energy.level()), m_relaxation_factor(relaxation_factor), m_barrier(barrier)
   { }
+
+  // Has border vertices moved only where that lowers the energy by more than it raises the barrier's.
+  void set_turn_barrier(const Turn_barrier& barrier) { m_turn_barrier = &barrier; }
 
   // Relaxes every vertex, group by group, and returns by how much the energy fell.
   double sweep(Level::Uv& uv) const { return sweep_once(uv, infinity).decrease; }
@@ -151,18 +155,30 @@ private:
   {
     if (m_level.is_pinned(v))
       return 0;
-    if (!m_barrier || !m_level.is_border(v))
+    if (!m_level.is_border(v))
       return relaxer.relax(v, m_relaxation_factor, infinity, uv);
     const Point_2 start = uv[v];
-    const double decrease = relaxer.relax(v, m_relaxation_factor, m_barrier->reach(v), uv);
-    m_barrier->reach(v) -= std::sqrt((uv[v] - start).squared_length());
+    const double barrier_before = turn_energy_around(v, uv),
+                 decrease = relaxer.relax(v, m_relaxation_factor, m_barrier ? m_barrier->reach(v) : infinity, uv);
+    if (turn_energy_around(v, uv) > barrier_before + decrease) {
+      uv[v] = start;
+      return 0;
+    }
+    if (m_barrier)
+      m_barrier->reach(v) -= std::sqrt((uv[v] - start).squared_length());
     return decrease;
+  }
+
+  double turn_energy_around(Index v, const Level::Uv& uv) const
+  {
+    return m_turn_barrier ? m_turn_barrier->energy_around(v, uv) : 0;
   }
 
   const Level_energy& m_energy;
   const Level& m_level;
   double m_relaxation_factor;
   Border_barrier* m_barrier;
+  const Turn_barrier* m_turn_barrier = nullptr;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -1,0 +1,141 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_TURN_BARRIER_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_TURN_BARRIER_H
+
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/Contact.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/time_on_one_line.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Keeps the angles at border vertices, of which the energy of triangles knows nothing, below a full turn: by an energy
+// of what they lack of it, the gap
+//
+//        first
+//       /           -log(gap / range) (1 - gap / range)^2  if gap < range, times a stiffness
+//     v  gap
+//       \           .
+//        last
+//
+// As in interior-point methods the stiffness goes to 0: what the optimum is off by then is at most the stiffness times
+// the number of contacts.
+class Turn_barrier
+{
+public:
+  explicit Turn_barrier(const Level& level) : m_rings(level.rings())
+  {
+    for (Index v = 0; v < level.number_of_vertices(); ++v)
+      if (level.is_border(v))
+        m_corners.push_back(corner(v));
+  }
+
+  // The barrier does nothing as long as it is 0, as it is at first.
+  double stiffness() const { return m_stiffness; }
+  void set_stiffness(double stiffness) { m_stiffness = stiffness; }
+
+  // The number of border vertices at which the angles reach a full turn in the trial map, to which a step from `uv`
+  // led, or come so close that there is no room left that was there before.
+  std::size_t number_of_lost_gaps(const Level::Uv& uv, const Level::Uv& trial) const
+  {
+    return std::count_if(m_corners.begin(), m_corners.end(), [&](const Corner& c) {
+      return turns_too_far(m_rings, Place_of_vertex{ trial }, c.vertex) ||
+             (leaves_no_room(m_rings, trial, c.vertex) && !leaves_no_room(m_rings, uv, c.vertex));
+    });
+  }
+
+  double operator()(const Level::Uv& uv) const
+  {
+    double sum = 0;
+    for (const Corner& c : m_corners)
+      sum += energy_at(c, uv);
+    return sum;
+  }
+
+  // The part of the energy that changes when the border vertex v moves.
+  double energy_around(Index v, const Level::Uv& uv) const
+  {
+    double sum = 0;
+    for (const Index w : { v, m_rings[v].front(), m_rings[v].back() })
+      sum += energy_at(corner(w), uv);
+    return sum;
+  }
+
+  void add_contacts(const Level::Uv& uv, Contacts& contacts) const
+  {
+    if (m_stiffness == 0)
+      return;
+    for (const Corner& c : m_corners) {
+      const double gap = gap_at(c, uv);
+      if (gap >= range)
+        continue;
+      const Vector_2 to_first = uv[c.first] - uv[c.vertex], to_last = uv[c.last] - uv[c.vertex];
+      const Block_vector at_first = Block_vector(-to_first.y(), to_first.x()) / to_first.squared_length(),
+                         at_last = Block_vector(to_last.y(), -to_last.x()) / to_last.squared_length();
+      const double part = gap / range, rest = 1 - part, logarithm = std::log(part);
+      contacts.push_back(
+          { { c.vertex, c.first, c.last },
+            { -at_first - at_last, at_first, at_last },
+            m_stiffness * (2 * logarithm * rest / range - rest * rest / gap),
+            m_stiffness * (rest * rest / (gap * gap) + 4 * rest / (gap * range) - 2 * logarithm / (range * range)) });
+    }
+  }
+
+  // The least length of the step `direction`, infinite if there is none, at which a gap closes.
+  double longest_step(const Level::Uv& uv, const Block_vectors& direction) const
+  {
+    double longest = (std::numeric_limits<double>::infinity)();
+    for (const Corner& c : m_corners) {
+      const auto move = [&](Index w) {
+        const Block_vector d = direction[w] - direction[c.vertex];
+        return Vector_2(d.x, d.y);
+      };
+      const double t = time_on_one_line(uv[c.last] - uv[c.vertex], move(c.last), uv[c.first] - uv[c.vertex],
+                                        move(c.first), [](const Vector_2& a, const Vector_2& b) { return a * b > 0; });
+      longest = (std::min)(longest, t);
+    }
+    return longest;
+  }
+
+private:
+  static constexpr double range = 0.5;      // an angle
+
+  struct Corner
+  {
+    Index vertex, first, last;
+  };
+
+  Corner corner(Index v) const { return { v, m_rings[v].front(), m_rings[v].back() }; }
+
+  static double gap_at(const Corner& c, const Level::Uv& uv)
+  {
+    const Vector_2 to_first = uv[c.first] - uv[c.vertex], to_last = uv[c.last] - uv[c.vertex];
+    const double angle = std::atan2(cross(to_last, to_first), to_last * to_first);
+    return angle < 0 ? angle + 2 * CGAL_PI : angle;
+  }
+
+  double energy_at(const Corner& c, const Level::Uv& uv) const
+  {
+    const double part = m_stiffness == 0 ? 1 : gap_at(c, uv) / range, rest = 1 - part;
+    return part < 1 ? -m_stiffness * std::log(part) * rest * rest : 0;
+  }
+
+  const One_rings& m_rings;
+  std::vector<Corner> m_corners;
+  double m_stiffness = 0;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_TURN_BARRIER_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_CONTACT_PATTERN_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_CONTACT_PATTERN_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/border/Contact.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// The pattern of a Hessian: the edges of a mesh, and behind them in each row what contacts join besides.
+class Contact_pattern
+{
+public:
+  explicit Contact_pattern(const One_rings& rings) : m_rings(rings) { }
+
+  // Has the pattern hold all that these contacts join; returns whether it is another one than before.
+  bool join(const Contacts& contacts)
+  {
+    std::vector<std::pair<Index, Index>> joined;
+    for (const Contact& c : contacts)
+      for (const Index v : c.vertices)
+        for (const Index w : c.vertices)
+          if (v != w && std::find(m_rings[v].begin(), m_rings[v].end(), w) == m_rings[v].end())
+            joined.emplace_back(v, w);
+    std::sort(joined.begin(), joined.end());
+    joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
+    if (joined == m_joined)
+      return false;
+    m_joined = std::move(joined);
+    lay_out();
+    return true;
+  }
+
+  // The matrix refers to this pattern until it gets another one.
+  void give_to(Block_matrix& matrix) const
+  {
+    if (m_joined.empty())
+      matrix.set_pattern(m_rings.number_of_vertices(), m_rings.offsets(), m_rings.neighbors());
+    else
+      matrix.set_pattern(m_rings.number_of_vertices(), m_first.data(), m_columns.data());
+  }
+
+  // Adds the Hessian of the contacts' energies, but for the curvature of distances and angles themselves, to the matrix
+  // of this pattern, whose blocks are those of the mesh as yet.
+  void add(const Contacts& contacts, Block_matrix& matrix) const
+  {
+    for (const auto& [v, w] : m_joined)
+      matrix.block(v, w) = Block::zero();
+    for (const Contact& c : contacts)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const Index v = c.vertices[i];
+          const Block_vector &g = c.gradients[i], h = c.second * c.gradients[j];
+          const Block block(g.x * h.x, g.x * h.y, g.y * h.x, g.y * h.y);
+          if (i == j)
+            matrix.set_diagonal(v, matrix.unscaled_diagonal_block(v) + block);
+          else
+            matrix.block(v, c.vertices[j]) += block;
+        }
+  }
+
+private:
+  void lay_out()
+  {
+    m_first.assign(1, 0);
+    m_columns.clear();
+    auto next = m_joined.begin();
+    for (Index v = 0; v < m_rings.number_of_vertices(); ++v) {
+      m_columns.insert(m_columns.end(), m_rings[v].begin(), m_rings[v].end());
+      for (; next != m_joined.end() && next->first == v; ++next)
+        m_columns.push_back(next->second);
+      m_first.push_back(Index(m_columns.size()));
+    }
+  }
+
+  const One_rings& m_rings;
+  std::vector<std::pair<Index, Index>> m_joined;      // vertices without an edge, in both orders
+  std::vector<Index> m_first, m_columns;              // see Block_matrix
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_CONTACT_PATTERN_H
