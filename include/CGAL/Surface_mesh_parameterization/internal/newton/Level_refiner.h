@@ -172,7 +172,7 @@ private:
     relaxation.set_turn_barrier(newton.turn_barrier());
     while (m_summary.iterations < m_refinement.number_of_iterations && !m_summary.converged) {
       const auto step = newton.step(m_uv, m_current);
-      if (m_barrier || step.slack > 0)      // the step may have paid for more room with energy
+      if (m_barrier || newton.turn_barrier().stiffness() > 0)     // the step may have paid for room with energy
         m_current = m_energy(m_uv);
       else
         lower_by(step.decrease);

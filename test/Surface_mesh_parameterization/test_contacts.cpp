@@ -1,0 +1,185 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The barrier at the full turn, and what contacts do to Newton's method.
+
+#include "contacts.h"
+#include "hierarchies.h"
+#include "level_maps.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/Turn_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Contact_pattern.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+
+#include <CGAL/number_utils.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace CGAL::Surface_mesh_parameterization::internal;
+using namespace test_meshes;
+
+// The staircase in the plane, one sector beside the other around vertex 0, where they leave a gap.
+struct Fan
+{
+  Flat_mesh mesh = staircase();
+  Collapse_hierarchy_3 hierarchy{ surface(mesh), parameters::coarsest_size(1000) };
+  Level level{ hierarchy };
+  Turn_barrier barrier{ level };
+  Index center = 0;
+  Level::Uv uv;
+
+  explicit Fan(double gap)
+  {
+    constexpr int vertices_of_ring = 41;
+    for (Index rank = 0; rank < level.number_of_vertices(); ++rank) {
+      const Index v = hierarchy.input_vertex(rank);
+      if (v == 0)
+        center = rank;
+      const double angle = (2 * CGAL_PI - gap) * double((v - 1) % vertices_of_ring) / (vertices_of_ring - 1),
+                   radius = v == 0 ? 0 : 1 + double((v - 1) / vertices_of_ring);
+      uv.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+    EXPECT_TRUE(is_map_valid(level.rings(), uv));
+    barrier.set_stiffness(0.7);
+  }
+
+  // Turns all of the fan, the farther along the more, so that the gap changes by that angle per unit of the way.
+  Block_vectors opening(double angle) const
+  {
+    Block_vectors result;
+    for (const Point_2& p : uv) {
+      const double direction = std::atan2(p.y(), p.x()), from_first = direction < -1e-12 ? direction + 2 * CGAL_PI : direction,
+                   part = -angle * from_first / (2 * CGAL_PI);
+      result.emplace_back(-part * p.y(), part * p.x());
+    }
+    return result;
+  }
+};
+
+TEST(Turn_barrier, vanishes_where_there_is_room_and_where_it_has_no_stiffness)
+{
+  Fan wide(0.6), narrow(0.1);
+  EXPECT_EQ(wide.barrier(wide.uv), 0);
+  EXPECT_TRUE(contacts_at(wide.barrier, wide.uv).empty());
+  EXPECT_GT(narrow.barrier(narrow.uv), 0);
+  narrow.barrier.set_stiffness(0);
+  EXPECT_EQ(narrow.barrier(narrow.uv), 0);
+  EXPECT_TRUE(contacts_at(narrow.barrier, narrow.uv).empty());
+}
+
+// A tenth of the gap costs the stiffness times log(10) more.
+TEST(Turn_barrier, grows_as_the_logarithm_of_the_gap)
+{
+  const Fan narrow(1e-5), narrower(1e-6);
+  EXPECT_NEAR(narrower.barrier(narrower.uv) - narrow.barrier(narrow.uv), 0.7 * std::log(10.), 1e-3);
+}
+
+TEST(Turn_barrier, contacts_have_the_derivatives_of_the_energy)
+{
+  for (const double gap : { 0.01, 0.1, 0.4 }) {
+    const Fan fan(gap);
+    ASSERT_EQ(contacts_at(fan.barrier, fan.uv).size(), 1u);
+    expect_derivatives_of_energy(fan.barrier, fan.uv);
+  }
+}
+
+TEST(Turn_barrier, knows_what_changes_around_a_vertex)
+{
+  Fan fan(0.1);
+  Random random(5);
+  for (Index v = 0; v < fan.uv.size(); ++v)
+    if (fan.level.is_border(v)) {
+      Level::Uv uv = fan.uv;
+      uv[v] = uv[v] + Vector_2(random(-0.02, 0.02), random(-0.02, 0.02));
+      EXPECT_NEAR(fan.barrier.energy_around(v, uv) - fan.barrier.energy_around(v, fan.uv),
+                  fan.barrier(uv) - fan.barrier(fan.uv), 1e-12);
+    }
+}
+
+TEST(Turn_barrier, knows_when_the_gap_closes)
+{
+  const Fan fan(0.1);
+  EXPECT_EQ(fan.barrier.number_of_lost_gaps(fan.uv, fan.uv), 0u);
+  EXPECT_EQ(fan.barrier.longest_step(fan.uv, fan.opening(1)), std::numeric_limits<double>::infinity());
+  const Block_vectors closing = fan.opening(-1);
+  const double t = fan.barrier.longest_step(fan.uv, closing);
+  EXPECT_NEAR(t, 0.1, 0.003);     // the sectors move along tangents
+  EXPECT_TRUE(is_map_valid(fan.level.rings(), moved(fan.uv, 0.999 * t, closing)));
+  EXPECT_FALSE(is_map_valid(fan.level.rings(), moved(fan.uv, 1.001 * t, closing)));
+  EXPECT_EQ(fan.barrier.number_of_lost_gaps(fan.uv, moved(fan.uv, 0.9 * t, closing)), 0u);
+  EXPECT_EQ(fan.barrier.number_of_lost_gaps(fan.uv, moved(fan.uv, 0.999 * t, closing)), 1u);      // no room
+  EXPECT_EQ(fan.barrier.number_of_lost_gaps(fan.uv, moved(fan.uv, 1.001 * t, closing)), 1u);
+}
+
+// x H x of the level's energy, with what contacts add to it.
+double curvature(const Fan& fan, const Contacts& contacts, const Block_vectors& x)
+{
+  const Level_energy_of<Symmetric_Dirichlet_energy_2> energy(fan.level, Triangle_weight::ONE);
+  Contact_pattern pattern(fan.level.rings());
+  EXPECT_EQ(pattern.join(contacts), !contacts.empty());
+  EXPECT_FALSE(pattern.join(contacts));
+  Block_matrix matrix;
+  pattern.give_to(matrix);
+  Block_vectors gradient(x.size()), scaled;
+  energy.assemble(fan.uv, 0, gradient, matrix);
+  pattern.add(contacts, matrix);
+  matrix.scale_blocks(fan.level.loops());
+  for (Index v = 0; v < x.size(); ++v)
+    scaled.push_back(x[v] / matrix.scale[v]);
+  double result = 0;
+  for (Index v = 0; v < x.size(); ++v)
+    result += inner_product(scaled[v], matrix.row_times(v, scaled));
+  return result;
+}
+
+TEST(Contact_pattern, adds_the_squares_of_what_the_contacts_change)
+{
+  const Fan fan(0.1);
+  Contacts contacts = contacts_at(fan.barrier, fan.uv);
+  Contact far = contacts[0];      // one that joins vertices without a common neighbor
+  far.vertices = { 3, 50, 100 };
+  contacts.push_back(far);
+  Random random(7);
+  for (int k = 0; k < 5; ++k) {
+    const Block_vectors x = random_moves(fan.uv.size(), random);
+    double added = 0;
+    for (const Contact& c : contacts)
+      added += c.second * change(c, x) * change(c, x);
+    const double without = curvature(fan, {}, x);
+    EXPECT_NEAR(curvature(fan, contacts, x) - without, added, 1e-9 * (without + added));
+  }
+}
+
+// The staircase cannot be laid out without distortion: the best map all but closes the gap. The barrier leads there in
+// a few steps, where steps that end at the bound creep.
+TEST(Newton_with_turn_barrier, converges_at_the_full_turn)
+{
+  const Fan fan(0.1);
+  Level::Uv uv = first_map(fan.level);
+  Refinement_options options;
+  options.tolerance = 1e-6;
+  Level_summary summary;
+  refine<Symmetric_Dirichlet_energy_2>(fan.level, uv, options, summary);
+  EXPECT_TRUE(summary.converged);
+  EXPECT_TRUE(is_map_valid(fan.level.rings(), uv));
+  EXPECT_LE(summary.iterations, 40u);
+  EXPECT_EQ(fan.barrier.number_of_lost_gaps(fan.uv, uv), 0u);
+}
+
+} // namespace
