@@ -148,7 +148,7 @@ double curvature(const Fan& fan, const Contacts& contacts, const Block_vectors& 
   return result;
 }
 
-TEST(Contact_pattern, adds_the_squares_of_what_the_contacts_change)
+TEST(Contact_pattern, adds_the_squares_of_what_the_contacts_change_and_a_little_more)
 {
   const Fan fan(0.1);
   Contacts contacts = contacts_at(fan.barrier, fan.uv);
@@ -159,8 +159,13 @@ TEST(Contact_pattern, adds_the_squares_of_what_the_contacts_change)
   for (int k = 0; k < 5; ++k) {
     const Block_vectors x = random_moves(fan.uv.size(), random);
     double added = 0;
-    for (const Contact& c : contacts)
+    for (const Contact& c : contacts) {
       added += c.second * change(c, x) * change(c, x);
+      for (int i = 0; i < 3; ++i) {
+        const double part = inner_product(c.gradients[i], x[c.vertices[i]]);
+        added += Contact_pattern::damping * c.second * part * part;
+      }
+    }
     const double without = curvature(fan, {}, x);
     EXPECT_NEAR(curvature(fan, contacts, x) - without, added, 1e-9 * (without + added));
   }

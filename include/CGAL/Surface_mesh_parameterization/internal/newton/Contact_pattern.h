@@ -48,8 +48,11 @@ public:
       matrix.set_pattern(m_rings.number_of_vertices(), m_first.data(), m_columns.data());
   }
 
-  // Adds the Hessian of the contacts' energies, but for the curvature of distances and angles themselves, to the matrix
-  // of this pattern, whose blocks are those of the mesh as yet.
+  // The Hessian lacks the curvature of distances and angles themselves, which is indefinite. Instead the blocks on the
+  // diagonal get so much more: else steps are long along a contact, and the line search cuts them.
+  static constexpr double damping = 0.05;
+
+  // Adds the Hessian of the contacts' energies to the matrix of this pattern, whose blocks are those of the mesh as yet.
   void add(const Contacts& contacts, Block_matrix& matrix) const
   {
     for (const auto& [v, w] : m_joined)
@@ -61,7 +64,7 @@ public:
           const Block_vector &g = c.gradients[i], h = c.second * c.gradients[j];
           const Block block(g.x * h.x, g.x * h.y, g.y * h.x, g.y * h.y);
           if (i == j)
-            matrix.set_diagonal(v, matrix.unscaled_diagonal_block(v) + block);
+            matrix.set_diagonal(v, matrix.unscaled_diagonal_block(v) + (1 + damping) * block);
           else
             matrix.block(v, c.vertices[j]) += block;
         }

@@ -42,7 +42,7 @@ public:
     : m_energy(energy), m_level(energy.level()), m_options(options), m_barrier(barrier), m_turn_barrier(energy.level()),
       m_system(energy, m_options)
   {
-    m_system.keep_negative_twist(!m_energy.is_flip_free());
+    m_system.set_negative_twist(m_energy.is_flip_free() ? 0 : first_negative_twist());
     m_direction.resize(m_level.number_of_vertices());
   }
 
@@ -59,20 +59,34 @@ public:
       m_turn_barrier.set_stiffness(m_options.first_slack * result.predicted / double(m_lost_gaps));
       result = try_step(uv, energy);
     }
-    if (result.length == 0 && m_system.keeps_negative_twist()) {
-      m_system.keep_negative_twist(false);
+    if (result.length == 0 && m_system.negative_twist() > 0) {
+      m_system.set_negative_twist(0);
       result = try_step(uv, energy);
     }
-    m_system.keep_negative_twist(is_model_good(result));
+    adapt_negative_twist(result);
     lower_turn_barrier(result);
     return result;
   }
 
 private:
-  // Where a step cannot be taken in full length, or gains little, the model is indefinite, or no good.
-  bool is_model_good(const Step& step) const
+  double first_negative_twist() const
   {
-    return step.length == 1 && step.decrease > m_options.least_part_of_prediction * step.predicted;
+    return m_energy.is_scale_invariant() ? 0
+           : m_energy.is_flip_free()     ? m_options.negative_twist
+                                         : m_options.negative_twist_with_flips;
+  }
+
+  // Where a step cannot be taken in full length, or gains little, the model is indefinite, or no good. Where it gains
+  // much more than predicted, the model has too little negative curvature.
+  void adapt_negative_twist(const Step& step)
+  {
+    const double part = m_system.negative_twist(), relative_decrease = step.decrease / step.predicted;
+    if (!(step.length == 1 && relative_decrease > m_options.least_part_of_prediction))
+      m_system.set_negative_twist(0);
+    else if (part > 0 && relative_decrease > m_options.great_part_of_prediction)
+      m_system.set_negative_twist(0.5 * (part + 1));
+    else
+      m_system.set_negative_twist(first_negative_twist());
   }
 
   // Whether nothing holds back a step that turns too far. Borders that are kept apart do.

@@ -18,11 +18,13 @@ struct Newton_options
   // The coarse grids of an earlier map serve as long as they need no more cycles than these: to make them costs as much
   // as three.
   std::size_t most_cycles_without_setup = 8;
-  // The part of the flip's curvature up to which a negative twist is kept, where it is kept: of energies that keep
-  // triangles positive, and of others.
+  // The part of the flip's curvature up to which a negative twist is kept at first, where it is kept: of energies that
+  // keep triangles positive, and of others.
   double negative_twist = 0.5, negative_twist_with_flips = 0.95;
   // It is kept after a step in full length that lowered the energy by this part at least of what the model said.
   double least_part_of_prediction = 0.5;
+  // After a step that lowered it by more than this part, half of the rest is kept, too.
+  double great_part_of_prediction = 1.3;
   // Of a spring that holds a fixed vertex, relative to its triangles.
   double stiffness_of_fixed_vertex = 1e12;
   // Where the step and the one before span less of the plane than this, relative to their lengths, they are not

@@ -38,17 +38,13 @@ public:
   // them.
   void fix_vertices(std::vector<Index> vertices) { m_fixed = std::move(vertices); }
 
-  // Whether the next Hessians keep a part of their negative twist, see Jacobian_hessian. Energies that depend on scale
+  // The part of their negative twist that the next Hessians keep, see Jacobian_hessian. Energies that depend on scale
   // have one wherever triangles are compressed, and without it Newton's method creeps: on a camel's head it takes six
   // times as many steps. But the Hessian may be indefinite then.
-  bool keeps_negative_twist() const { return m_negative_twist > 0; }
+  double negative_twist() const { return m_negative_twist; }
 
-  void keep_negative_twist(bool keeps)
+  void set_negative_twist(double part)
   {
-    const double greatest_part = m_energy.is_scale_invariant() ? 0
-                                 : m_energy.is_flip_free()     ? m_options.negative_twist
-                                                               : m_options.negative_twist_with_flips;
-    const double part = keeps ? greatest_part : 0;
     m_needs_setup = m_needs_setup || part != m_negative_twist;
     m_negative_twist = part;
   }
