@@ -60,6 +60,7 @@ std::string report_line(const Run_record& run)
                                  { "energy_start", level.energy_start },
                                  { "energy_end", level.energy_end },
                                  { "iterations", level.iterations },
+                                 { "cycles", level.cycles },
                                  { "seconds", level.seconds } });
   if (const SMP::Linear_solver_summary& solver = summary.linear_solver; solver.right_sides > 0)
     report["linear_solver"] = { { "iterations", solver.iterations },

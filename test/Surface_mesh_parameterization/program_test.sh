@@ -15,6 +15,8 @@ is_field flips 0 face
 [ "$(grep -c '^v ' face.obj)/$(grep -c '^vt ' face.obj)/$(grep -c '^f ' face.obj)" = 1042/1042/1999 ] || fail "face.obj has not 1042 v, 1042 vt, 1999 f"
 grep -q '</svg>' face.svg || fail "face.svg is not whole"
 [ "$(ls levels | wc -l)" -eq "$(grep -o '"energy_end"' report.json | wc -l)" ] || fail "not every level was written"
+grep -o '"iterations":[1-9][0-9]*,"cycles":[0-9]*' report.json | tr -c '0-9\n' ' ' | awk '$2 < $1 { exit 1 } END { exit NR == 0 }' ||
+  fail "a Newton step took no V-cycle"
 finest=$(ls levels | tail -1)
 [ "$(grep -c '^f ' "levels/$finest")" -eq 1999 ] || fail "the finest level is not the input"
 [ -z "$(ls -A . levels | grep -F .part)" ] || fail "a temporary file was left"
