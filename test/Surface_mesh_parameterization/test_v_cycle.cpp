@@ -4,9 +4,12 @@
 // Multigrid for the systems of Newton's method: matrices of blocks, their products, the cycle and the iteration.
 
 #include "hierarchies.h"
+#include "level_maps.h"
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Pruned_prolongation.h>
@@ -14,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Galerkin_product.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -23,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -213,6 +218,35 @@ TEST(Conjugate_gradients, reach_the_residual_they_are_asked_for)
       residual2 += std::pow(norm(b[i] - multigrid.matrix().row_times(i, x)), 2);
     EXPECT_LE(std::sqrt(residual2), 1.001 * target);
   }
+}
+
+// The cycles that reduce the residual by a factor of 100 for the Hessian of MIPS at a conformal map, where the right
+// side is that of an almost conformal motion.
+std::size_t cycles_for_conformal_motion(Index n)
+{
+  const Finest_level f(grid(n, n, flat), parameters::coarsest_size(20));
+  const Level::Uv uv = identity_map(f.level);
+  Block_multigrid multigrid(f.level);
+  const One_rings& rings = f.level.rings();
+  multigrid.matrix().set_pattern(rings.number_of_vertices(), rings.offsets(), rings.neighbors());
+  Block_vectors gradient(uv.size()), motion, b(uv.size());
+  Level_energy_of<MIPS_energy_2>(f.level, Triangle_weight::ONE).assemble(uv, 0, gradient, multigrid.matrix());
+  multigrid.setup();
+  for (Index v = 0; v < uv.size(); ++v) {
+    const std::complex<double> z(uv[v].x() - 0.4, uv[v].y() - 0.3), w = z * z * z / multigrid.matrix().scale[v];
+    motion.emplace_back(w.real(), w.imag());
+  }
+  for (Index v = 0; v < uv.size(); ++v)
+    b[v] = multigrid.matrix().row_times(v, motion);
+  Block_system system{ multigrid, 0.01 * std::sqrt(inner_product(Loops(), b, b)) };
+  Block_vectors x(b.size(), Block_vector::zero()), scratch(b.size());
+  return conjugate_gradients(system, x, b, scratch, 100);
+}
+
+TEST(Conjugate_gradients, need_not_many_more_cycles_for_conformal_motions_on_more_grids)
+{
+  // 20,000 vertices and 1300. With plain V-cycles there would be four times as many, or more.
+  EXPECT_LE(cycles_for_conformal_motion(140), 3 * cycles_for_conformal_motion(35));
 }
 
 } // namespace

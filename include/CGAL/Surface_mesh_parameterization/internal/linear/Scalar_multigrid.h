@@ -91,6 +91,8 @@ public:
                                           m_right_side[g + 1]);
     }
 
+    void solve_coarse(std::size_t g) { v_cycle(*this, g, m_right_side[g], m_solution[g]); }
+
     void add_correction(std::size_t g, Vector& x) const
     {
       m_multigrid.m_transfers[g].add_prolongation(m_solution[g + 1], x);
