@@ -21,9 +21,9 @@ struct Mesh_unknown
   Index component;
 };
 
-// What the unknowns of a system are. CGAL keeps their numbering to itself: mostly those of a vertex are consecutive, and
-// the vertices come in the order of their indices. Any other numbering shows where a map has marks of the unknowns, as
-// it has if a parameterizer gets them for a solution.
+// What the unknowns of a system are. A parameterizer keeps their numbering to itself: mostly those of a vertex are
+// consecutive, and the vertices come in the order of their indices. Any other numbering shows in the map that it makes
+// if it gets marks of the unknowns for a solution.
 class Mesh_unknowns
 {
 public:

@@ -9,7 +9,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -27,27 +26,26 @@ inline bool unknowns_match(const Hierarchy_interpolation& hierarchy, const Spars
   for (const Mesh_unknown& unknown : unknowns)
     if (unknown.vertex != no_index)
       has_unknown[unknown.vertex] = true;
+  const auto has_entry = [&rows](Index row, const auto& is_it) {
+    for (Index k = rows.first[row]; k < rows.first[row + 1]; ++k)
+      if (is_it(rows.columns[k], rows.values[k]))
+        return true;
+    return false;
+  };
   const std::size_t levels = hierarchy.number_of_levels();
   const std::size_t coarse_vertices = hierarchy.number_of_vertices(levels < 2 ? 0 : levels - 2);
   std::size_t expected = 0, found = 0;
   for (Index i = 0; i < rows.number_of_rows(); ++i) {
-    const auto in_row = [&](const auto& is_it) {
-      for (Index k = rows.first[i]; k < rows.first[i + 1]; ++k)
-        if (is_it(rows.columns[k], rows.values[k]))
-          return true;
-      return false;
-    };
+    const bool is_given = !has_entry(i, [i](Index column, double value) { return column != i && value != 0; });
     const Index v = unknowns[i].vertex;
-    if (!in_row([i](Index column, double value) { return column != i && value != 0; }))
-      continue;       // a given value
-    if (v == no_index)
+    if (v == no_index && !is_given)
       return false;
-    if (v < coarse_vertices)
+    if (is_given || v < coarse_vertices)
       continue;
     for (const Index parent : hierarchy.parent_triangle(v))
       if (has_unknown[parent]) {
         ++expected;
-        found += in_row([&](Index column, double) { return unknowns[column].vertex == parent; });
+        found += has_entry(i, [&](Index column, double) { return unknowns[column].vertex == parent; });
       }
   }
   return 2 * found >= expected;
