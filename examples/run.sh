@@ -8,7 +8,7 @@ build=$root/.build/examples
 log=$root/.build/examples.log
 
 compile() {
-  cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DHIERARCHICAL_PARAMETERIZATION_BUILD_TESTS=OFF &&
+  configure "$build" -DCMAKE_BUILD_TYPE=Release -DHIERARCHICAL_PARAMETERIZATION_BUILD_TESTS=OFF &&
     cmake --build "$build" -j"$(nproc)" --target hierarchical_parameterization_program
 }
 

@@ -7,7 +7,7 @@ build=$root/.build/test
 install_missing "${build_packages[@]}" libgtest-dev ccache doxygen
 # Without it ccache takes no source that has a precompiled header.
 export CCACHE_SLOPPINESS=pch_defines,time_macros
-cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release
+configure "$build" -DCMAKE_BUILD_TYPE=Release
 cmake --build "$build" -j"$(nproc)"
 unlock
 cd "$build"

@@ -10,7 +10,7 @@ install_clang
 undefined="undefined -fno-sanitize=null,alignment,object-size,vptr"
 # Without it ccache takes no source that has a precompiled header.
 export CCACHE_SLOPPINESS=pch_defines,time_macros
-cmake -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DCMAKE_COMPILE_WARNING_AS_ERROR=ON \
+configure "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DCMAKE_COMPILE_WARNING_AS_ERROR=ON \
   -DCMAKE_CXX_FLAGS_DEBUG="-O1 -gline-tables-only -fsanitize=address,$undefined -fno-sanitize-recover=all -fsanitize-ignorelist=$root/test/sanitizer_ignorelist.txt"
 cmake --build "$build" -j"$(nproc)" --target checked_tests
 unlock
