@@ -123,7 +123,8 @@ template <class Mesh, class Order, class Solver>
 struct Counted_mean_value : Mean_value_of<Mesh, Order, Solver>
 {
   template <class UVMap, class IndexMap, class ParameterizedMap>
-  Error_code parameterize(Mesh& mesh, Halfedge<Mesh> bhd, UVMap uvmap, IndexMap vimap, ParameterizedMap vpmap, int& calls)
+  Error_code parameterize(Mesh& mesh, Halfedge<Mesh> bhd, UVMap uvmap, IndexMap vimap, ParameterizedMap vpmap,
+                          int& calls)
   {
     ++calls;
     return Mean_value_of<Mesh, Order, Solver>::parameterize(mesh, bhd, uvmap, vimap, vpmap);
@@ -160,7 +161,9 @@ struct Parameterized
   void parameterize(Others&... others)
   {
     const auto np = parameters::flip_policy(Flip_policy::KEEP).summary(std::ref(summary));
-    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Parameterizer>(np), longest_border(mesh), others...), OK);
+    const Error_code code =
+        mapped.parameterize(Hierarchical_parameterizer_3<Parameterizer>(np), longest_border(mesh), others...);
+    EXPECT_EQ(code, OK);
   }
 
   // The map of a parameterizer without adaptor.

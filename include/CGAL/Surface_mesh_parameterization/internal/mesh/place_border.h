@@ -30,13 +30,13 @@ class Border_maps
 {
   typedef typename boost::property_map<TriangleMesh, vertex_point_t>::const_type                             Vertex_point_map;
   typedef typename CGAL::Kernel_traits<typename boost::property_traits<Vertex_point_map>::value_type>::Kernel  Kernel;
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor                                        vertex_descriptor;
-  typedef std::unordered_map<vertex_descriptor, typename Kernel::Point_2>                                      Places;
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor      vertex_descriptor;
+  typedef std::unordered_map<vertex_descriptor, typename Kernel::Point_2>    Places;
 
   template <class Value>
   using Map = typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<Value>>::const_type;
 
-  Places m_places;
+  Places m_places;      // no dynamic property: CGAL 6 copies a default value to it, which a point does not have
 
 public:
   boost::associative_property_map<Places> place;

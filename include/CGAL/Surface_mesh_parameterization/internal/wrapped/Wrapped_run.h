@@ -98,8 +98,8 @@ public:
   const std::shared_ptr<const Hierarchy_interpolation>& interpolation() const { return m_interpolation; }
 
   // Calls `parameterize()`, which makes a parameterizer whose solver is that of the session and writes its map to `uv`.
-  // If the session gives marks for a solution, their numbers take their place where the parameterizer just copies, else
-  // it is called once more.
+  // Where the session gives marks of the unknowns for a solution, a parameterizer that just copies it has done its
+  // work, and the numbers replace the marks; any other one is called once more.
   template <class Point, class Function>
   Error_code parameterize(const std::shared_ptr<Multigrid_session>& session, std::vector<Point>& uv,
                           const Function& parameterize, bool copies_solution = false)
