@@ -37,6 +37,10 @@ install_missing() {
     echo "could not install: trying to build without ${missing[*]}" >&2
 }
 
+# configure FOLDER [OPTION]...: for a build with the CGAL of the environment variable CGAL_DIR, or else the system's.
+# CMake by itself would keep the one of the last time.
+configure() { cmake -G Ninja -S "$root" -B "$1" -U CGAL_DIR "${@:2}"; }
+
 build_packages=(g++ ninja-build cmake libcgal-dev libeigen3-dev nlohmann-json3-dev libtbb-dev libboost-program-options-dev)
 
 # clang with its sanitizers, which some releases have in a package of their own.

@@ -8,7 +8,7 @@ build=$root/.build/program
 log=$root/.build/program.log
 
 compile() {
-  cmake -G Ninja -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DHIERARCHICAL_PARAMETERIZATION_BUILD_TESTS=OFF &&
+  configure "$build" -DCMAKE_BUILD_TYPE=Release -DHIERARCHICAL_PARAMETERIZATION_BUILD_TESTS=OFF &&
     cmake --build "$build" -j"$(nproc)" --target hierarchical_parameterization_program
 }
 

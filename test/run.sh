@@ -5,7 +5,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../.cmake/prepare.sh"
 
 build=$root/.build/tests
 install_missing "${build_packages[@]}" libgtest-dev ccache doxygen
-cmake -G Ninja -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release
+configure "$build" -DCMAKE_BUILD_TYPE=Release
 cmake --build "$build" -j"$(nproc)"
 unlock
 cd "$build"

@@ -8,7 +8,7 @@ install_missing "${build_packages[@]}" libgtest-dev ccache
 install_clang
 # What the address sanitizer finds as well, or what cannot be here, costs a quarter of the time to compile.
 undefined="undefined -fno-sanitize=null,alignment,object-size,vptr"
-cmake -G Ninja -S "$root" -B "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DCMAKE_COMPILE_WARNING_AS_ERROR=ON \
+configure "$build" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=Debug -DCMAKE_COMPILE_WARNING_AS_ERROR=ON \
   -DCMAKE_CXX_FLAGS_DEBUG="-O1 -gline-tables-only -fsanitize=address,$undefined -fno-sanitize-recover=all -fsanitize-ignorelist=$root/test/sanitizer_ignorelist.txt"
 cmake --build "$build" -j"$(nproc)" --target checked_tests
 unlock

@@ -13,11 +13,11 @@
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
-#include <CGAL/boost/graph/properties.h>
-
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <unordered_map>
 #include <vector>
 
 // A mesh of any kind with its map.
@@ -35,17 +35,16 @@ typedef std::vector<Kernel::Point_2>   Points;
 template <class Mesh>
 struct Mapped
 {
-  typedef typename boost::graph_traits<Mesh>::vertex_descriptor                                                       Vertex;
-  typedef typename boost::property_map<Mesh, CGAL::dynamic_vertex_property_t<Kernel::Point_2>>::const_type            UV_map;
+  typedef typename boost::graph_traits<Mesh>::vertex_descriptor          Vertex;
+  typedef std::unordered_map<Vertex, Kernel::Point_2>                    Places;
 
   Mesh mesh;
-  UV_map uvmap;
+  Places places;
+  boost::associative_property_map<Places> uvmap{ places };
   Parameterization_summary summary;
   Error_code code = ERROR_EMPTY_MESH;
 
-  explicit Mapped(const Flat_mesh& m)
-    : mesh(make<Mesh>(m)),
-      uvmap(get(CGAL::dynamic_vertex_property_t<Kernel::Point_2>(), static_cast<const Mesh&>(mesh)))
+  explicit Mapped(const Flat_mesh& m) : mesh(make<Mesh>(m))
   {
     for (const Vertex v : vertices(mesh))
       put(uvmap, v, untouched());

@@ -265,6 +265,27 @@ TEST(Multigrid_solver_traits, tells_when_the_direct_solver_took_over)
   }
 }
 
+// The unknowns of which sit elsewhere than the vertex index map says.
+TEST(Multigrid_solver_traits, solves_directly_what_does_not_match_the_mesh)
+{
+  const Flat_mesh m = delaunay_patch(2000, 1, wavy);
+  const Sparse_matrix matrix = edge_matrix(m, Uniform_edge_weights_3());
+  const auto rows = matrix.rows();
+  const Index n = rows->number_of_rows();
+  Sparse_matrix moved(n);
+  for (Index i = 0; i < n; ++i)
+    for (Index k = rows->first[i]; k < rows->first[i + 1]; ++k)
+      moved.add_coef((i + n / 2) % n, (rows->columns[k] + n / 2) % n, rows->values[k]);
+  const Known_system system(std::move(moved));
+  Solver_on_mesh on(m);
+  Vector x;
+  double d;
+  EXPECT_TRUE(on.solver.linear_solver(system.matrix, system.right_side, x, d));
+  EXPECT_LT(system.error(x), 1e-8);
+  EXPECT_EQ(on.solver.summary().direct_solutions, 1u);
+  EXPECT_EQ(on.solver.summary().iterations, 0u);
+}
+
 TEST(Multigrid_solver_traits, tells_what_is_wrong_with_the_mesh)
 {
   Surface_mesh closed = make<Surface_mesh>(sphere(5, 8));
@@ -544,6 +565,25 @@ TEST(Multigrid_solver_traits, follows_the_vertex_index_map)
     EXPECT_EQ(solver.summary().direct_solutions, 0u);
     EXPECT_LE(solver.summary().iterations, 12u);      // which wrong places of the unknowns would not allow
   }
+}
+
+// As those of smooth surfaces, which couple each vertex with neighbors of its neighbors.
+TEST(Multigrid_solver_traits, iterates_with_wide_stencils)
+{
+  const Flat_mesh m = delaunay_patch(3000, 1, wavy);
+  const auto rows = edge_matrix(m, Uniform_edge_weights_3()).rows();
+  Sparse_matrix square(rows->number_of_rows());
+  for (Index i = 0; i < rows->number_of_rows(); ++i)
+    for (Index k = rows->first[i]; k < rows->first[i + 1]; ++k)
+      for (Index l = rows->first[rows->columns[k]]; l < rows->first[rows->columns[k] + 1]; ++l)
+        square.add_coef(i, rows->columns[l], rows->values[k] * rows->values[l]);
+  const Known_system system(std::move(square));
+  Solver_on_mesh on(m);
+  Vector x;
+  double d;
+  EXPECT_TRUE(on.solver.linear_solver(system.matrix, system.right_side, x, d));
+  EXPECT_LT(system.error(x), 1e-5);
+  EXPECT_GT(on.solver.summary().iterations, 0u);
 }
 
 TEST(Multigrid_solver_traits, solves_for_a_parameterizer_of_CGAL)

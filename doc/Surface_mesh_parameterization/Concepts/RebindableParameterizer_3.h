@@ -11,19 +11,24 @@
 ///
 /// Its systems
 /// - have the same number `k` of unknowns at each vertex of the component; those of the vertex with the index `i` have
-///   the numbers from `k i` to `k i + k - 1`;
+///   the numbers from `k i` to `k i + k - 1`. A model may also number its unknowns in another order, or have none at
+///   some vertices. Then `parameterize()` is called twice, unless it takes further arguments: the first solution only
+///   marks the unknowns, and the map must copy it, so that it shows which unknown is whose. Without that, the systems
+///   are solved directly;
 /// - may contain given values, each in a row with only a diagonal entry;
 /// - are solved by `linear_solver(A, B, X, D)`, or by `factor(A, D)` and `linear_solver(B, X)`. If one of these returns
 ///   `false`, `X` is unchanged.
 ///
 /// The matrix need not be symmetric. The solver sets up a matrix once for all right-hand sides. The same requirements
-/// hold for systems that are passed to a `Multigrid_solver_traits` without the adaptor.
+/// hold for systems that are passed to a `Multigrid_solver_traits` without the adaptor, which knows no other order than
+/// that of its index map.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Barycentric_mapping_parameterizer_3`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Discrete_authalic_parameterizer_3`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Discrete_conformal_map_parameterizer_3`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Iterative_authalic_parameterizer_3`
-/// \cgalHasModel `CGAL::Surface_mesh_parameterization::LSCM_parameterizer_3`, whose pinned vertices have no unknowns
+/// \cgalHasModel `CGAL::Surface_mesh_parameterization::LSCM_parameterizer_3`, whose pinned vertices have no
+///   unknowns; it is called once all the same
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Mean_value_coordinates_parameterizer_3`
 class RebindableParameterizer_3
 {

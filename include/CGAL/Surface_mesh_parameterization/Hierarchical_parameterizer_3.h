@@ -214,7 +214,8 @@ public:
   /// \param bhd a halfedge on the seam, which is the only border
   /// \param cmap a map from vertices to cones, as CGAL's class takes it
   /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
-  /// \param vimap not used: vertices get indices of the package's own
+  /// \param vimap a readable property map from vertices to integers. Only their order matters, and only with CGAL 6:
+  ///        there the cotangent weights of edges on the seam depend on it
   ///
   /// \return as above; flips are no error here
   template <class ConeMap, class VertexIndexMap, class VertexUVMap>

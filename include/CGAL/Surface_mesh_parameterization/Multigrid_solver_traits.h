@@ -37,9 +37,9 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// The solver uses conjugate gradients if the matrix is symmetric, and BiCGSTAB otherwise. The preconditioner is a
 /// V-cycle with an incomplete factorization as smoother, and full multigrid gives the first guess. A row with only a
-/// diagonal entry holds a given value, and its unknown is eliminated. If the residual does not become small enough, a
-/// sparse LU factorization takes over. If that fails, too, the functions return `false` and leave the solution
-/// unchanged.
+/// diagonal entry holds a given value, and its unknown is eliminated. If the residual does not become small enough, or
+/// if the matrix does not couple neighbors in the mesh, so that its unknowns must have another order, a sparse LU
+/// factorization takes over. If that fails, too, the functions return `false` and leave the solution unchanged.
 ///
 /// An object knows the hierarchy and the vertex of each unknown:
 /// \code
@@ -50,8 +50,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// A class that makes its solver by the default constructor gets the solver of the innermost `Scope` of its thread:
 /// \code
 ///   SMP::Multigrid_solver_traits::Scope scope(solver);
-///   typedef SMP::LSCM_parameterizer_3<Mesh, Two_vertices, SMP::Multigrid_solver_traits>   LSCM;
-///   LSCM().parameterize(mesh, bhd, uvmap, vimap, vpmap);
+///   Parameterizer().parameterize(mesh, bhd, uvmap, vimap, vpmap);
 /// \endcode
 ///
 /// Copies share their state, so several threads must not use them at once.

@@ -55,7 +55,7 @@ struct Linear_solver_summary
   double residual =
       0;      ///< the greatest relative residual at the end, recomputed from the solution; rows scaled to unit diagonal
   std::size_t direct_solutions =
-      0;      ///< right-hand sides for which the iteration did not converge, so that a direct solver took over
+      0;      ///< right-hand sides that a direct solver took over: no convergence, or unknowns that match no vertices
   double seconds_setup = 0;           ///< wall-clock time of the setups
   double seconds_solve = 0;           ///< wall-clock time of the iterations and direct solutions
 };

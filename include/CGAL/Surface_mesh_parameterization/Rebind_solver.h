@@ -18,8 +18,7 @@ template <class, class> class Orbifold_Tutte_parameterizer_3;
 ///
 /// It is defined for all parameterizers with the template parameters of CGAL's: a mesh, a border parameterizer and
 /// solver traits. For any other model of `RebindableParameterizer_3`, specialize it, and `Hierarchical_parameterizer_3`
-/// takes the parameterizer. Such a parameterizer solves linear systems with the same number of unknowns at each vertex,
-/// numbered by the vertex index map of the call:
+/// takes the parameterizer. Such a parameterizer solves linear systems whose unknowns sit at the vertices:
 /// \code
 ///   namespace CGAL::Surface_mesh_parameterization {
 ///   template <class Mesh, class Solver, class NewSolver>

@@ -52,8 +52,8 @@ public:
                                      const std::vector<double*>& solutions, const Linear_solver_options& options) = 0;
 };
 
-// A Multigrid_linear_solver for a matrix, and for so many right sides side by side. `unknowns[i]` tells where unknown i
-// sits. At `tied_vertices` there is none, since the values of others give theirs.
+// A Multigrid_linear_solver for a matrix, and for so many right sides side by side. `unknowns` and `tied_vertices` as
+// there.
 //
 // A template for the sake of who uses the package header-only: what does not solve linear systems, or not in pairs,
 // need not compile it.

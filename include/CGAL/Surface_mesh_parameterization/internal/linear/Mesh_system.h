@@ -30,7 +30,7 @@ class Mesh_system
 public:
   typedef Sparse_rows<double>   Rows;
 
-  // `unknowns[i]` tells where unknown i sits.
+  // `unknowns[i]` tells where unknown i sits; empty where nobody knows.
   Mesh_system(const Hierarchy_interpolation& hierarchy, std::shared_ptr<const Rows> rows,
               const std::vector<Mesh_unknown>& unknowns)
     : m_rows(std::move(rows))
@@ -198,6 +198,8 @@ private:
         greatest = (std::max)(greatest, std::abs(row_scale(i) / m_inverse_diagonal[i]));
       }
     m_free_part_scale = greatest > 0 ? 1 / greatest : 1;
+    if (unknowns.empty())
+      return;
     const auto place = [&](Index i) {
       return std::make_pair(hierarchy.input_vertex(unknowns[i].vertex), unknowns[i].component);
     };

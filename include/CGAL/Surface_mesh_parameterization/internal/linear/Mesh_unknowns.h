@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -20,8 +21,9 @@ struct Mesh_unknown
   Index component;
 };
 
-// What the unknowns of a system are, whose numbering CGAL keeps to itself: those of a vertex are consecutive, and the
-// vertices come in the order of their indices, but for the vertices that are locked when the system is solved.
+// What the unknowns of a system are. A parameterizer keeps their numbering to itself: mostly those of a vertex are
+// consecutive, and the vertices come in the order of their indices. Any other numbering shows in the map that it makes
+// if it gets marks of the unknowns for a solution.
 class Mesh_unknowns
 {
 public:
@@ -31,8 +33,8 @@ public:
     : m_ranks(std::move(ranks)), m_is_locked(std::move(is_locked))
   { }
 
-  // The unknowns of a system of n rows; empty if these cannot be shared out evenly among the vertices.
-  std::vector<Mesh_unknown> of_system(std::size_t n) const
+  // The unknowns of a system of n rows in the order of the vertices; empty if they cannot be shared out evenly.
+  std::vector<Mesh_unknown> in_order(std::size_t n) const
   {
     std::vector<Index> free_ranks;
     for (std::size_t i = 0; i < m_ranks.size(); ++i)
@@ -45,6 +47,34 @@ public:
     for (const Index rank : free_ranks)
       for (Index component = 0; component < n / free_ranks.size(); ++component)
         result.push_back({ rank, component });
+    return result;
+  }
+
+  // Stands for unknown i. A coordinate that comes from elsewhere, as of a pinned vertex, is hardly one.
+  static double mark(Index i) { return -0.75 - i; }
+
+  // Which of n unknowns a coordinate is the mark of; no_index if of none.
+  static Index marked_unknown(double coordinate, std::size_t n)
+  {
+    const double number = mark(0) - coordinate;
+    return number >= 0 && number < double(n) && number == std::floor(number) ? Index(number) : no_index;
+  }
+
+  // What the n unknowns are that a map has marks of. One that it has none of sits at no_index. Empty if two vertices
+  // have the same one.
+  std::vector<Mesh_unknown> from_marks(std::size_t n, const std::vector<Point_2>& map) const
+  {
+    std::vector<Mesh_unknown> result(n, Mesh_unknown{ no_index, 0 });
+    for (std::size_t i = 0; i < map.size(); ++i)
+      for (const Index component : { 0, 1 }) {
+        const Index number = marked_unknown(map[i][int(component)], n);
+        if (number == no_index)
+          continue;
+        if (result[number].vertex == no_index)
+          result[number] = { m_ranks[i], component };
+        else if (result[number].vertex != m_ranks[i])
+          return {};
+      }
     return result;
   }
 

@@ -35,13 +35,14 @@ class Multigrid_linear_solver final
   : public Linear_solver
 {
 public:
-  // `unknowns[i]` tells where unknown i sits. At `tied_vertices` there is none, since the values of others give theirs.
+  // `unknowns[i]` tells where unknown i sits; where nobody knows, all is solved directly. At `tied_vertices` there is
+  // none, since the values of others give theirs.
   Multigrid_linear_solver(const Hierarchy_interpolation& hierarchy, std::shared_ptr<const Sparse_rows<double>> rows,
                           std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices = {})
     : m_system(hierarchy, std::move(rows), unknowns)
   {
     const std::vector<Index>& free_unknowns = m_system.free_unknowns();
-    if (!m_system.is_regular() || free_unknowns.empty())
+    if (!m_system.is_regular() || free_unknowns.empty() || unknowns.empty())
       return;
     std::vector<Mesh_unknown> grid_unknowns;
     grid_unknowns.reserve(free_unknowns.size());

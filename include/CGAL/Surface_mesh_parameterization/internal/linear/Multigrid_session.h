@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
@@ -36,8 +37,19 @@ public:
 
   const Linear_solver_summary& summary() const { return m_summary; }
 
+  // Allows this: where a system's unknowns do not sit at the vertices in their order, the solution becomes marks of the
+  // unknowns. The map that is made of these goes to read_marks(), and from then on it is known where they sit.
+  void allow_marks() { m_marks = Marks::ALLOWED; }
+  bool has_given_marks() const { return m_marks == Marks::GIVEN; }
+
+  // Returns whether each vertex has marks of its own.
+  bool read_marks(const std::vector<Point_2>& map);
+
+  // Solves the system whose solution became marks.
+  bool solve_marked(std::vector<double>& solution);
+
   // Sets up the solver for a matrix, unless it is the one of the last time; `tied_vertices` as for
-  // make_multigrid_linear_solver().
+  // make_multigrid_linear_solver(). Of unknowns that do not match the mesh, the solver solves directly.
   bool set_up(const Sparse_matrix& matrix, const std::vector<Index>& tied_vertices = {});
 
   // Solves with a matrix for one right side.
@@ -52,7 +64,11 @@ public:
   bool finish();
 
 private:
+  enum class Marks { NONE, ALLOWED, GIVEN, READ };
+
   void solve_now() override { finish(); }
+  bool set_up(std::shared_ptr<const Sparse_rows<double>> rows, const std::vector<Index>& tied_vertices);
+  bool give_marks(const Vector& right_side, Vector& solution);
   bool put_off(const Vector& right_side, Vector& solution);
   bool solve(const std::vector<const std::vector<double>*>& right_sides,
              const std::vector<std::vector<double>*>& solutions);
@@ -60,6 +76,10 @@ private:
 
   std::shared_ptr<const Hierarchy_interpolation> m_interpolation;
   Mesh_unknowns m_unknowns;
+  Marks m_marks = Marks::NONE;
+  std::shared_ptr<const Sparse_rows<double>> m_marked_rows;
+  std::vector<double> m_marked_right_side;
+  std::vector<Mesh_unknown> m_marked_unknowns;
   Linear_solver_options m_options;
   Make_linear_solver m_make_solver;
   bool m_defers;

@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_MULTIGRID_SESSION_IMPL_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/unknowns_match.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -30,6 +31,20 @@ Multigrid_session::~Multigrid_session()
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::read_marks(const std::vector<Point_2>& map)
+{
+  m_marks = Marks::READ;
+  m_marked_unknowns = m_unknowns.from_marks(m_marked_rows->number_of_rows(), map);
+  return !m_marked_unknowns.empty();
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::solve_marked(std::vector<double>& solution)
+{
+  return set_up(m_marked_rows, {}) && solve({ &m_marked_right_side }, { &solution });
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::set_up(const Sparse_matrix& matrix, const std::vector<Index>& tied_vertices)
 {
   std::shared_ptr<const Sparse_rows<double>> rows = matrix.rows();
@@ -37,10 +52,26 @@ bool Multigrid_session::set_up(const Sparse_matrix& matrix, const std::vector<In
     return true;
   finish();
   m_solver.reset();
-  const std::size_t n = rows->number_of_rows();
-  std::vector<Mesh_unknown> unknowns = m_unknowns.of_system(n);
-  if (matrix.column_dimension() != matrix.row_dimension() || unknowns.size() != n)
-    return false;
+  return matrix.column_dimension() == matrix.row_dimension() && set_up(std::move(rows), tied_vertices);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::set_up(std::shared_ptr<const Sparse_rows<double>> rows, const std::vector<Index>& tied_vertices)
+{
+  std::vector<Mesh_unknown> unknowns = m_unknowns.in_order(rows->number_of_rows());
+  const bool is_of_mesh = unknowns.size() == rows->number_of_rows();
+  if (!unknowns_match(*m_interpolation, *rows, unknowns))
+    unknowns = m_marked_unknowns;
+  if (!unknowns_match(*m_interpolation, *rows, unknowns)) {
+    if (m_marks == Marks::ALLOWED || m_marks == Marks::GIVEN) {
+      m_marks = Marks::GIVEN;
+      m_marked_rows = std::move(rows);
+      return true;
+    }
+    if (!is_of_mesh && m_marks == Marks::NONE)
+      return false;
+    unknowns.clear();
+  }
 
   CGAL::Real_timer timer;
   timer.start();
@@ -55,13 +86,26 @@ bool Multigrid_session::solve(const Sparse_matrix& matrix, const Vector& right_s
 {
   if (!set_up(matrix))
     return false;
-  return m_defers ? put_off(right_side, solution) : solve(right_side, solution);
+  return m_defers && m_solver ? put_off(right_side, solution) : solve(right_side, solution);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::solve(const Vector& right_side, Vector& solution)
 {
-  return m_solver && solve({ &right_side.values() }, { &solution.values() });
+  return m_solver ? solve({ &right_side.values() }, { &solution.values() }) : give_marks(right_side, solution);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::give_marks(const Vector& right_side, Vector& solution)
+{
+  if (m_marks != Marks::GIVEN || right_side.size() != m_marked_rows->number_of_rows())
+    return false;
+  m_marked_right_side = right_side.values();
+  std::vector<double>& marks = solution.values();
+  marks.resize(m_marked_right_side.size());
+  for (Index i = 0; i < marks.size(); ++i)
+    marks[i] = Mesh_unknowns::mark(i);
+  return true;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -29,24 +30,30 @@ class Border_maps
 {
   typedef typename boost::property_map<TriangleMesh, vertex_point_t>::const_type                             Vertex_point_map;
   typedef typename CGAL::Kernel_traits<typename boost::property_traits<Vertex_point_map>::value_type>::Kernel  Kernel;
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor      vertex_descriptor;
+  typedef std::unordered_map<vertex_descriptor, typename Kernel::Point_2>    Places;
 
   template <class Value>
   using Map = typename boost::property_map<TriangleMesh, dynamic_vertex_property_t<Value>>::const_type;
 
+  Places m_places;      // no dynamic property: CGAL 6 copies a default value to it, which a point does not have
+
 public:
-  Map<typename Kernel::Point_2> place;
+  boost::associative_property_map<Places> place;
   Map<int> index;
   Map<bool> is_placed;
 
   explicit Border_maps(const TriangleMesh& mesh, const Mesh_component<TriangleMesh>& component)
-    : place(get(dynamic_vertex_property_t<typename Kernel::Point_2>(), mesh)),
-      index(get(dynamic_vertex_property_t<int>(), mesh)), is_placed(get(dynamic_vertex_property_t<bool>(), mesh))
+    : place(m_places), index(get(dynamic_vertex_property_t<int>(), mesh)),
+      is_placed(get(dynamic_vertex_property_t<bool>(), mesh))
   {
     for (std::size_t i = 0; i < component.vertices_of_component().size(); ++i) {
       put(index, component.vertices_of_component()[i], int(i));
       put(is_placed, component.vertices_of_component()[i], false);
     }
   }
+
+  Border_maps(const Border_maps&) = delete;
 };
 
 // Whether a method has the optional member place_border() of the concept RefinableParameterizer_3.

@@ -20,7 +20,7 @@ namespace internal {
 struct Plain_solver_use
 {
   static constexpr bool solves_in_pairs = false;          // for u and for v, before it looks at either
-  static constexpr bool locks_placed_vertices = false;    // those that are parameterized already are no unknowns
+  static constexpr bool copies_solution = false;          // to the map, and does nothing else with it
   static constexpr bool has_uniform_weights = false;
 };
 
@@ -73,7 +73,7 @@ struct Flip_free_relative<LSCM_parameterizer_3<M, B, S>>
 template <class M, class B, class S>
 struct Solver_use<LSCM_parameterizer_3<M, B, S>> : Plain_solver_use
 {
-  static constexpr bool locks_placed_vertices = true;
+  static constexpr bool copies_solution = true;
 };
 
 } // namespace internal

@@ -36,10 +36,11 @@ public:
 
   using Base::Base;
 
-  // The arguments are those of CGAL's function; `bhd` must be on the seam, which is the only border.
+  // The arguments are those of CGAL's function; `bhd` must be on the seam, which is the only border. Vertices keep the
+  // order that they have in `vimap`: CGAL 6 lets the weight of an edge on the seam depend on which end comes first.
   template <class ConeMap, class VertexIndexMap, class VertexUVMap>
   Error_code parameterize(SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap, VertexUVMap uvmap,
-                          VertexIndexMap) const
+                          VertexIndexMap vimap) const
   {
     typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
     typedef typename Wrapped_run<SeamMesh>::Index_map                  Index_map;
@@ -49,8 +50,8 @@ public:
       return run.error();
     std::vector<User_point_2> uv(run.vertices().size());
     const auto session =
-        std::make_shared<Constrained_session>(run.interpolation(), run.interpolation()->ranks(), this->options().solver,
-                                              &make_multigrid_linear_solver<1>);
+        std::make_shared<Constrained_session>(run.interpolation(), run.number_vertices_as(vimap),
+                                              this->options().solver, &make_multigrid_linear_solver<1>);
     const Error_code code = run.parameterize(session, uv, [&]() -> Error_code {
       if (num_vertices(mesh) != uv.size())
         return ERROR_NO_TOPOLOGICAL_DISC;
@@ -58,8 +59,9 @@ public:
                                                       Component_map<Index_map, User_point_2>{ run.index(), &uv },
                                                       run.index());
     });
-    for (std::size_t i = 0; i < uv.size() && code == OK; ++i)
-      put(uvmap, run.vertices()[i], uv[i]);
+    if (code == OK)
+      for (const auto v : run.vertices())
+        put(uvmap, v, uv[get(run.index(), v)]);
     return code;
   }
 };

@@ -19,7 +19,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -60,13 +59,14 @@ public:
   }
 
 private:
+  typedef boost::graph_traits<Triangle_mesh>          Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor    vertex_descriptor;
+
   // Runs on a mesh, which may be a copy of that of the property maps.
   template <class VertexUVMap, class VertexParameterizedMap, class... Others>
   Error_code parameterize_surface(Triangle_mesh& mesh, halfedge_descriptor bhd, const Filled_mesh<Triangle_mesh>* copy,
                                   VertexUVMap uvmap, VertexParameterizedMap vpmap, Others&&... others)
   {
-    typedef boost::graph_traits<Triangle_mesh>                          Graph_traits;
-    typedef typename Graph_traits::vertex_descriptor                    vertex_descriptor;
     typedef typename boost::property_traits<VertexUVMap>::value_type    User_point_2;
     typedef typename Wrapped_run<Triangle_mesh>::Index_map              Index_map;
 
@@ -77,27 +77,22 @@ private:
     if (copy)
       for (vertex_descriptor& v : vertices)
         v = copy->original(v);
-    std::vector<User_point_2> uv(vertices.size());
-    std::vector<char> is_placed(vertices.size(), false);
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      if (vertices[i] != Graph_traits::null_vertex() && get(vpmap, vertices[i])) {
-        uv[i] = get(uvmap, vertices[i]);
-        is_placed[i] = true;
-      }
-
-    std::function<bool(std::size_t)> is_locked;
-    if (Use::locks_placed_vertices)
-      is_locked = [&is_placed](std::size_t i) { return bool(is_placed[i]); };
+    std::vector<User_point_2> uv;
+    std::vector<char> is_placed;
     const auto session =
-        std::make_shared<Multigrid_session>(run.interpolation(), Mesh_unknowns(run.interpolation()->ranks(), is_locked),
+        std::make_shared<Multigrid_session>(run.interpolation(), Mesh_unknowns(run.interpolation()->ranks()),
                                             this->options().solver,
                                             &make_multigrid_linear_solver<Use::solves_in_pairs ? 2 : 1>,
                                             Use::solves_in_pairs);
+    // A second call would change the caller's further arguments once more.
+    if (sizeof...(Others) == 0)
+      session->allow_marks();
     Error_code code = run.parameterize(session, uv, [&] {
+      copy_places(vertices, uvmap, vpmap, uv, is_placed);
       return this->make_parameterizer()->parameterize(
           mesh, bhd, Component_map<Index_map, User_point_2>{ run.index(), &uv }, run.index(),
           Component_map<Index_map, char>{ run.index(), &is_placed }, std::forward<Others>(others)...);
-    });
+    }, Use::copies_solution);
     if (code == OK)
       code = run.settle_flips(uv);
     if (code == OK && this->optional_steps().run_relative && run.is_mostly_moved()) {
@@ -114,6 +109,20 @@ private:
         put(vpmap, vertices[i], bool(is_placed[i]));
       }
     return code;
+  }
+
+  // The places that the user's maps hold already.
+  template <class VertexUVMap, class VertexParameterizedMap, class Point>
+  static void copy_places(const std::vector<vertex_descriptor>& vertices, VertexUVMap uvmap,
+                          VertexParameterizedMap vpmap, std::vector<Point>& uv, std::vector<char>& is_placed)
+  {
+    uv = std::vector<Point>(vertices.size());
+    is_placed.assign(vertices.size(), false);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      if (vertices[i] != Graph_traits::null_vertex() && get(vpmap, vertices[i])) {
+        uv[i] = get(uvmap, vertices[i]);
+        is_placed[i] = true;
+      }
   }
 };
 

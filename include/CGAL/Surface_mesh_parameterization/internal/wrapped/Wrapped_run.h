@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
@@ -25,9 +26,12 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numeric>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -74,15 +78,41 @@ public:
   const std::vector<vertex_descriptor>& vertices() const { return m_vertices; }
   const Index_map& index() const { return m_index; }
 
+  // Numbers the vertices anew, in the order that they have in an index map. Returns their ranks in that order.
+  template <class VertexIndexMap>
+  std::vector<Index> number_vertices_as(const VertexIndexMap& vimap)
+  {
+    std::vector<Index> order(m_vertices.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index i, Index j) { return get(vimap, m_vertices[i]) < get(vimap, m_vertices[j]); });
+    const std::vector<Index> ranks = m_interpolation->ranks();
+    std::vector<Index> result;
+    for (const Index i : order) {
+      put(m_index, m_vertices[i], int(result.size()));
+      result.push_back(ranks[i]);
+    }
+    return result;
+  }
+
   const std::shared_ptr<const Hierarchy_interpolation>& interpolation() const { return m_interpolation; }
 
   // Calls `parameterize()`, which makes a parameterizer whose solver is that of the session and writes its map to `uv`.
+  // Where the session gives marks of the unknowns for a solution, a parameterizer that just copies it has done its
+  // work, and the numbers replace the marks; any other one is called once more.
   template <class Point, class Function>
-  Error_code parameterize(const std::shared_ptr<Multigrid_session>& session, const std::vector<Point>& uv,
-                          const Function& parameterize)
+  Error_code parameterize(const std::shared_ptr<Multigrid_session>& session, std::vector<Point>& uv,
+                          const Function& parameterize, bool copies_solution = false)
   {
     const Multigrid_solver_traits::Scope scope{ Multigrid_solver_traits(session) };
     Error_code code = parameterize();
+    if (session->has_given_marks()) {
+      const bool are_clear = session->read_marks(flat_map(uv));
+      if (code == OK && are_clear && copies_solution)
+        code = replace_marks(*session, uv);
+      else
+        code = parameterize();
+    }
     if (code == OK && !(session->finish() && are_finite(uv)))
       code = ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
     summary().error.code = code;
@@ -98,9 +128,7 @@ public:
   {
     if (m_options.flips.policy == Flip_policy::KEEP)
       return error();
-    std::vector<Point_2> map;
-    for (const Point& p : uv)
-      map.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+    std::vector<Point_2> map = flat_map(uv);
     const One_rings rings(uv.size(), m_surface.triangles);
     summary().error.code = internal::settle_flips(
         m_options.flips, rings, [this] { return std::move(m_surface); }, map, summary());
@@ -119,6 +147,31 @@ public:
   Parameterization_summary& summary() { return m_options.summary ? *m_options.summary : m_own_summary; }
 
 private:
+  template <class Point>
+  static Error_code replace_marks(Multigrid_session& session, std::vector<Point>& uv)
+  {
+    std::vector<double> solution;
+    if (!session.solve_marked(solution))
+      return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+    const auto replace = [&solution](const auto& coordinate) {
+      const Index i = Mesh_unknowns::marked_unknown(CGAL::to_double(coordinate), solution.size());
+      return i == no_index ? coordinate : std::decay_t<decltype(coordinate)>(solution[i]);
+    };
+    for (Point& p : uv)
+      p = Point(replace(p.x()), replace(p.y()));
+    return OK;
+  }
+
+  template <class Point>
+  static std::vector<Point_2> flat_map(const std::vector<Point>& points)
+  {
+    std::vector<Point_2> map;
+    map.reserve(points.size());
+    for (const Point& p : points)
+      map.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+    return map;
+  }
+
   template <class Point>
   static bool are_finite(const std::vector<Point>& points)
   {
