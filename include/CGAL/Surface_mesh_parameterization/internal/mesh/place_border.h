@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -54,7 +55,9 @@ template <class Method, class = void>
 struct Places_border : std::false_type { };
 
 template <class Method>
-struct Places_border<Method, std::void_t<decltype(std::declval<Method&>().place_border(
+struct Places_border<Method, std::void_t<
+    std::enable_if_t<Mesh_check<typename Method::Triangle_mesh>::value>,
+    decltype(std::declval<Method&>().place_border(
     std::declval<const typename Method::Triangle_mesh&>(),
     std::declval<typename boost::graph_traits<typename Method::Triangle_mesh>::halfedge_descriptor>(),
     std::declval<Border_maps<typename Method::Triangle_mesh>&>().place,

@@ -40,7 +40,7 @@ struct Optional_steps
 
   // Runs the method without flips that takes the parameterizer's place where a repair left little of the map. Null if
   // there is none.
-  Error_code (*run_relative)(Triangle_mesh&, halfedge_descriptor, const Index_map&, std::vector<Point_2>& uv,
+  Error_code (*run_relative)(const Triangle_mesh&, halfedge_descriptor, const Index_map&, std::vector<Point_2>& uv,
                              Parameterization_summary&) = nullptr;
 
   template <class NamedParameters>
@@ -61,8 +61,8 @@ struct Optional_steps
 
 private:
   template <class Method>
-  static Error_code run(Triangle_mesh& mesh, halfedge_descriptor bhd, const Index_map& index, std::vector<Point_2>& uv,
-                        Parameterization_summary& summary)
+  static Error_code run(const Triangle_mesh& mesh, halfedge_descriptor bhd, const Index_map& index,
+                        std::vector<Point_2>& uv, Parameterization_summary& summary)
   {
     typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor   vertex_descriptor;
     const Constant_property_map<vertex_descriptor, bool> is_parameterized;

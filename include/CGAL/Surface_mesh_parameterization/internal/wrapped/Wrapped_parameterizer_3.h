@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_PARAMETERIZER_3_H
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
@@ -21,6 +22,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,8 +47,22 @@ public:
   // Further arguments are handed on, as the number of iterations of Iterative_authalic_parameterizer_3. Holes are
   // filled in a copy of the mesh, where there can be one.
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
-  Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
+  Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
                           VertexParameterizedMap vpmap, Others&&... others)
+  {
+    typedef std::conjunction<Mesh_check<Triangle_mesh>, Uv_map_check<VertexUVMap, Triangle_mesh, true>>   Check;
+    if constexpr (Check::value)
+      return parameterize_mesh(mesh, bhd, uvmap, vpmap, std::forward<Others>(others)...);
+    else {
+      Check::tell();
+      return ERROR_WRONG_PARAMETER;
+    }
+  }
+
+private:
+  template <class VertexUVMap, class VertexParameterizedMap, class... Others>
+  Error_code parameterize_mesh(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap,
+                               VertexParameterizedMap vpmap, Others&&... others)
   {
     std::shared_ptr<Filled_mesh<Triangle_mesh>> filled;
     if (this->options().fills_holes) {
@@ -59,10 +75,9 @@ public:
                                 vpmap, std::forward<Others>(others)...);
   }
 
-private:
   // Runs on a mesh, which may be a copy of that of the property maps.
   template <class VertexUVMap, class VertexParameterizedMap, class... Others>
-  Error_code parameterize_surface(Triangle_mesh& mesh, halfedge_descriptor bhd, const Filled_mesh<Triangle_mesh>* copy,
+  Error_code parameterize_surface(const Triangle_mesh& mesh, halfedge_descriptor bhd, const Filled_mesh<Triangle_mesh>* copy,
                                   VertexUVMap uvmap, VertexParameterizedMap vpmap, Others&&... others)
   {
     typedef boost::graph_traits<Triangle_mesh>                          Graph_traits;
@@ -94,9 +109,12 @@ private:
                                             &make_multigrid_linear_solver<Use::solves_in_pairs ? 2 : 1>,
                                             Use::solves_in_pairs);
     Error_code code = run.parameterize(session, uv, [&] {
-      return this->make_parameterizer()->parameterize(
-          mesh, bhd, Component_map<Index_map, User_point_2>{ run.index(), &uv }, run.index(),
-          Component_map<Index_map, char>{ run.index(), &is_placed }, std::forward<Others>(others)...);
+      // CGAL's parameterizers read the mesh only, but do not say so.
+      const Error_code result = this->make_parameterizer()->parameterize(
+          const_cast<Triangle_mesh&>(mesh), bhd, Component_map<Index_map, User_point_2>{ run.index(), &uv },
+          run.index(), Component_map<Index_map, char>{ run.index(), &is_placed }, std::forward<Others>(others)...);
+      const bool has_used_solver = session->summary().setups > 0;
+      return result == OK && !has_used_solver ? ERROR_CANNOT_SOLVE_LINEAR_SYSTEM : result;
     });
     if (code == OK)
       code = run.settle_flips(uv);
