@@ -59,7 +59,7 @@ public:
   typedef internal::Joined_names<
       internal::Names<internal_np::optimizer_t, internal_np::tolerance_t, internal_np::number_of_iterations_t,
                       internal_np::number_of_local_steps_t, internal_np::random_seed_t, internal_np::lambda_t>,
-      typename Base::Option_names>   Option_names;
+      typename Base::Flat_option_names>   Option_names;
   /// \endcond
 
   /// \param np

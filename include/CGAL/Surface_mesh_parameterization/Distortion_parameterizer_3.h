@@ -67,7 +67,7 @@ public:
   static constexpr bool is_result_flip_free = true;
 
   /// \cond SKIP_IN_MANUAL
-  typedef internal::Joined_names<Refinement_options::Option_names, typename Base::Option_names>   Option_names;
+  typedef internal::Joined_names<Refinement_options::Option_names, typename Base::Flat_option_names>   Option_names;
   /// \endcond
 
   /// \param np

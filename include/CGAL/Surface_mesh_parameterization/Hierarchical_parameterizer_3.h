@@ -245,8 +245,7 @@ Error_code parameterize(TriangleMesh& mesh, Hierarchical_parameterizer_3<Paramet
 {
   typedef std::remove_const_t<TriangleMesh>   Mesh;
   typedef std::conjunction<internal::Mesh_check<Mesh>, internal::Halfedge_check<Halfedge, Mesh>,
-                           internal::Same_mesh_check<Hierarchical_parameterizer_3<Parameterizer>, Mesh>>
-      Check;
+                           internal::Same_mesh_check<Hierarchical_parameterizer_3<Parameterizer>, Mesh>>   Check;
   if constexpr (Check::value)
     return parameterizer.parameterize(mesh, bhd, uvmap, get(CGAL::dynamic_vertex_property_t<int>(), mesh),
                                       get(CGAL::dynamic_vertex_property_t<bool>(), mesh));

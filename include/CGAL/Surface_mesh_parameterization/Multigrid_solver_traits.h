@@ -122,8 +122,7 @@ public:
                                            internal_np::coarsest_size_t, internal_np::random_seed_t,
                                            internal_np::unit_edges_t>>(np);
     typedef std::conjunction<internal::Mesh_check<TriangleMesh>, internal::Halfedge_check<Halfedge, TriangleMesh>,
-                             internal::Index_map_check<VertexIndexMap, TriangleMesh>>
-        Check;
+                             internal::Index_map_check<VertexIndexMap, TriangleMesh>>   Check;
     if constexpr (Check::value)
       start_session(mesh, bhd, vimap, np);
     else

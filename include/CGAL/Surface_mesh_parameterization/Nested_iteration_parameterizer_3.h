@@ -52,7 +52,7 @@ public:
   typedef typename internal::Mesh_descriptors<Triangle_mesh>::halfedge_descriptor   halfedge_descriptor;
 #endif
 
-  static_assert(!(Method::is_flip_free && internal::Places_border<Method>::value),
+  static_assert(!(Method::is_flip_free && internal::places_border<Method>),
                 "the method has place_border() and is_flip_free, but a given place may leave no room for a triangle: "
                 "see RefinableParameterizer_3");
 
@@ -105,8 +105,8 @@ public:
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
                           VertexParameterizedMap vpmap)
   {
-    typedef std::conjunction<internal::Mesh_check<Triangle_mesh>, internal::Uv_map_check<VertexUVMap, Triangle_mesh>>
-        Check;
+    typedef std::conjunction<internal::Mesh_check<Triangle_mesh>,
+                             internal::Uv_map_check<VertexUVMap, Triangle_mesh>>   Check;
     if constexpr (Check::value) {
       Parameterization_summary unused_summary;
       return internal::run_nested_iteration(m_method, m_options, *m_visitor, m_summary ? *m_summary : unused_summary,

@@ -89,8 +89,9 @@ struct Summary_check : std::is_same<Summary, std::reference_wrapper<Parameteriza
 {
   static void tell()
   {
-    static_assert(Summary_check::value, "the named parameter 'summary' needs a reference to a Parameterization_summary, "
-                                        "because a copy of it would be filled: write summary(std::ref(s))");
+    static_assert(Summary_check::value,
+                  "the named parameter 'summary' needs a reference to a Parameterization_summary, because a copy of it "
+                  "would be filled: write summary(std::ref(s))");
   }
 };
 

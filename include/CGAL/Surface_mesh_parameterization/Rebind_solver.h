@@ -50,8 +50,9 @@ struct Rebound_solver<true, Rebound>
 /// It is defined for all parameterizers with the template parameters of CGAL's: a mesh, a border parameterizer and
 /// solver traits. The last argument must have the `linear_solver()` of a `SparseLinearAlgebraTraits_d`. If it is
 /// `CGAL::Default`, the parameterizer must have a type `Solver_traits` that has it. For any other model of
-/// `RebindableParameterizer_3`, specialize it, and `Hierarchical_parameterizer_3` takes the parameterizer. Such a parameterizer solves linear systems with the same number of unknowns at each vertex,
-/// numbered by the vertex index map of the call:
+/// `RebindableParameterizer_3`, specialize it, and `Hierarchical_parameterizer_3` takes the parameterizer. Such a
+/// parameterizer solves linear systems with the same number of unknowns at each vertex, numbered by the vertex index
+/// map of the call:
 /// \code
 ///   namespace CGAL::Surface_mesh_parameterization {
 ///   template <class Mesh, class Solver, class NewSolver>
@@ -63,6 +64,12 @@ struct Rebound_solver<true, Rebound>
 /// \endcode
 /// Such a parameterizer makes its solver by the default constructor, for example as the default of an argument of its
 /// own constructor.
+///
+/// A class that derives from one of CGAL's parameterizers is such a template, too, if it hands the solver to its base:
+/// \code
+///   template <class Mesh, class Border = CGAL::Default, class Solver = CGAL::Default>
+///   class My_parameterizer_3 : public SMP::Fixed_border_parameterizer_3<Mesh, Border, Solver> { ... };
+/// \endcode
 template <class Parameterizer, class SolverTraits>
 struct Rebind_solver { };
 

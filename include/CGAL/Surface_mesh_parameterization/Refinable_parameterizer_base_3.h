@@ -47,8 +47,7 @@ public:
 #ifdef DOXYGEN_RUNNING
   typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;    ///< a halfedge of the mesh
 #else
-  typedef typename internal::Mesh_descriptors<Triangle_mesh>::halfedge_descriptor                       halfedge_descriptor;
-  typedef internal::Names<internal_np::flip_policy_t, internal_np::fill_holes_t, internal_np::summary_t>   Option_names;
+  typedef typename internal::Mesh_descriptors<Triangle_mesh>::halfedge_descriptor   halfedge_descriptor;
 #endif
 
   /// whether the maps of the method have no flips
@@ -67,8 +66,8 @@ public:
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
                           VertexParameterizedMap vpmap)
   {
-    typedef std::conjunction<internal::Mesh_check<Triangle_mesh>, internal::Uv_map_check<VertexUVMap, Triangle_mesh>>
-        Check;
+    typedef std::conjunction<internal::Mesh_check<Triangle_mesh>,
+                             internal::Uv_map_check<VertexUVMap, Triangle_mesh>>   Check;
     if constexpr (Check::value) {
       Parameterization_summary unused_summary;
       internal::Hierarchy_visitor_holder<Hierarchy_visitor_3> no_visitor{ Hierarchy_visitor_3() };
@@ -81,6 +80,12 @@ public:
   }
 
 protected:
+  /// \cond SKIP_IN_MANUAL
+  // A method of the package tells all names that it takes, its own and these, as its Option_names.
+  typedef internal::Names<internal_np::flip_policy_t, internal_np::fill_holes_t, internal_np::summary_t>
+      Flat_option_names;
+  /// \endcond
+
   /// \param np the named parameters of a flat run: `summary`, a `std::reference_wrapper<Parameterization_summary>`,
   ///        `flip_policy` and `fill_holes`
   template <class NamedParameters>

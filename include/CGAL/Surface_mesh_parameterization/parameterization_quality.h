@@ -181,8 +181,8 @@ template <class TriangleMesh, class FaceRange, class VertexUVMap>
 Parameterization_quality parameterization_quality(const TriangleMesh& mesh, const FaceRange& face_range,
                                                   VertexUVMap uvmap)
 {
-  typedef std::conjunction<internal::Mesh_check<TriangleMesh>, internal::Readable_uv_map_check<VertexUVMap, TriangleMesh>>
-      Check;
+  typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
+                           internal::Readable_uv_map_check<VertexUVMap, TriangleMesh>>   Check;
   Parameterization_quality result;
   if constexpr (Check::value) {
     internal::Unit_scale scale;

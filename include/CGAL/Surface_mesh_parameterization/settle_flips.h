@@ -82,8 +82,7 @@ Error_code settle_flips(const TriangleMesh& mesh, Halfedge bhd, VertexUVMap uvma
   Parameterization_summary& summary = users_summary ? *users_summary : unused_summary;
   summary = Parameterization_summary();
   typedef std::conjunction<internal::Mesh_check<TriangleMesh>, internal::Halfedge_check<Halfedge, TriangleMesh>,
-                           internal::Uv_map_check<VertexUVMap, TriangleMesh, true>>
-      Check;
+                           internal::Uv_map_check<VertexUVMap, TriangleMesh, true>>   Check;
   if constexpr (Check::value) {
     Mesh_component<TriangleMesh> component(mesh, bhd);
     summary.error = component.error();

@@ -139,8 +139,8 @@ namespace IO {
 template <class TriangleMesh, class FaceRange, class VertexUVMap>
 void write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face_range, VertexUVMap uvmap)
 {
-  typedef std::conjunction<internal::Mesh_check<TriangleMesh>, internal::Readable_uv_map_check<VertexUVMap, TriangleMesh>>
-      Check;
+  typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
+                           internal::Readable_uv_map_check<VertexUVMap, TriangleMesh>>   Check;
   if constexpr (Check::value) {
     internal::Triangle_drawing drawing;
     for (const auto f : face_range) {

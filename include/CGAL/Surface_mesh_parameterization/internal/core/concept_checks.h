@@ -135,14 +135,21 @@ using Parameterize = decltype(std::declval<T&>().parameterize(
     std::declval<Mesh&>(), std::declval<Halfedge_of<Mesh>>(), std::declval<Any_map<Vertex_of<Mesh>, Point_2>>(),
     std::declval<Any_map<Vertex_of<Mesh>, int>>(), std::declval<Any_map<Vertex_of<Mesh>, bool>>()));
 
+template <class T>
+using Place_border = decltype(std::declval<T&>().place_border(
+    std::declval<const typename T::Triangle_mesh&>(), std::declval<Halfedge_of<typename T::Triangle_mesh>>(),
+    std::declval<Any_map<Vertex_of<typename T::Triangle_mesh>, Point_2>>(),
+    std::declval<Any_map<Vertex_of<typename T::Triangle_mesh>, int>>(),
+    std::declval<Any_map<Vertex_of<typename T::Triangle_mesh>, bool>>()));
+
 template <class Energy>
 struct Energy_check
 {
   static constexpr int missing = first_missing(
       { std::is_default_constructible<Energy>::value && std::is_copy_constructible<Energy>::value,
         is_detected_as<double, Minimum, Energy>, is_detected<Is_scale_invariant, Energy>,
-        is_detected<Is_flip_free, Energy>, is_detected_as<Energy, Of_area, Energy>, is_detected_as<double, Value, Energy>,
-        is_detected_as<Distortion_derivatives_2, Derivatives, Energy> });
+        is_detected<Is_flip_free, Energy>, is_detected_as<Energy, Of_area, Energy>,
+        is_detected_as<double, Value, Energy>, is_detected_as<Distortion_derivatives_2, Derivatives, Energy> });
   static constexpr bool value = missing < 0;
 
   static void tell()
@@ -154,8 +161,8 @@ struct Energy_check
     static_assert(missing != 4, "Energy has no of_area(double) const that returns an Energy: see DistortionEnergy_2");
     static_assert(missing != 5, "Energy has no value(double, double) const that returns a double: see "
                                 "DistortionEnergy_2");
-    static_assert(missing != 6, "Energy has no derivatives(double, double) const that returns Distortion_derivatives_2: "
-                                "see DistortionEnergy_2");
+    static_assert(missing != 6, "Energy has no derivatives(double, double) const that returns "
+                                "Distortion_derivatives_2: see DistortionEnergy_2");
   }
 };
 
@@ -212,8 +219,8 @@ struct Mesh_check
   {
     static_assert(missing != 0, "TriangleMesh is no FaceListGraph: there is no vertices(mesh) or no faces(mesh); for "
                                 "CGAL's meshes, include <CGAL/boost/graph/graph_traits_....h>");
-    static_assert(missing != 1, "TriangleMesh is no FaceListGraph: boost::graph_traits<TriangleMesh> has no descriptors "
-                                "of vertices, halfedges and faces");
+    static_assert(missing != 1, "TriangleMesh is no FaceListGraph: boost::graph_traits<TriangleMesh> has no "
+                                "descriptors of vertices, halfedges and faces");
     static_assert(missing != 2, "TriangleMesh is no FaceListGraph: there is no halfedge(f, mesh), next(h, mesh), "
                                 "opposite(h, mesh) or target(h, mesh)");
     static_assert(missing != 3, "TriangleMesh has no get(CGAL::vertex_point, mesh), a property map to points with x(), "

@@ -18,8 +18,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -51,19 +49,8 @@ public:
 };
 
 // Whether a method has the optional member place_border() of the concept RefinableParameterizer_3.
-template <class Method, class = void>
-struct Places_border : std::false_type { };
-
 template <class Method>
-struct Places_border<Method, std::void_t<
-    std::enable_if_t<Mesh_check<typename Method::Triangle_mesh>::value>,
-    decltype(std::declval<Method&>().place_border(
-    std::declval<const typename Method::Triangle_mesh&>(),
-    std::declval<typename boost::graph_traits<typename Method::Triangle_mesh>::halfedge_descriptor>(),
-    std::declval<Border_maps<typename Method::Triangle_mesh>&>().place,
-    std::declval<Border_maps<typename Method::Triangle_mesh>&>().index,
-    std::declval<Border_maps<typename Method::Triangle_mesh>&>().is_placed))>>
-  : std::true_type { };
+constexpr bool places_border = is_detected<concept_checks::Place_border, Method>;
 
 // Lets a method that has a place_border() fix vertices of the component, in the user's units.
 // Returns the method's error, or `ERROR_WRONG_PARAMETER` for a place that is not finite.
@@ -72,7 +59,7 @@ Error_code place_border(Method& method, const TriangleMesh& mesh,
                         typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
                         Mesh_component<TriangleMesh>& component)
 {
-  if constexpr (Places_border<Method>::value) {
+  if constexpr (places_border<Method>) {
     const Border_maps<TriangleMesh> maps(mesh, component);
     const Error_code status = method.place_border(mesh, bhd, maps.place, maps.index, maps.is_placed);
     if (status != OK)

@@ -77,8 +77,9 @@ private:
 
   // Runs on a mesh, which may be a copy of that of the property maps.
   template <class VertexUVMap, class VertexParameterizedMap, class... Others>
-  Error_code parameterize_surface(const Triangle_mesh& mesh, halfedge_descriptor bhd, const Filled_mesh<Triangle_mesh>* copy,
-                                  VertexUVMap uvmap, VertexParameterizedMap vpmap, Others&&... others)
+  Error_code parameterize_surface(const Triangle_mesh& mesh, halfedge_descriptor bhd,
+                                  const Filled_mesh<Triangle_mesh>* copy, VertexUVMap uvmap,
+                                  VertexParameterizedMap vpmap, Others&&... others)
   {
     typedef boost::graph_traits<Triangle_mesh>                          Graph_traits;
     typedef typename Graph_traits::vertex_descriptor                    vertex_descriptor;

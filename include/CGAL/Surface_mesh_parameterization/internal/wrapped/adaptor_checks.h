@@ -25,8 +25,8 @@ struct Shipped_border_check
   static void tell()
   {
     static_assert(Shipped_border_check::value,
-                  "the BorderParameterizer of the parameterizer has no parameterize(TriangleMesh&, halfedge_descriptor, "
-                  "uvmap, vimap, vpmap) that returns an Error_code: see CGAL's Parameterizer_3");
+                  "the BorderParameterizer of the parameterizer has no parameterize(TriangleMesh&, "
+                  "halfedge_descriptor, uvmap, vimap, vpmap) that returns an Error_code: see CGAL's Parameterizer_3");
   }
 };
 
