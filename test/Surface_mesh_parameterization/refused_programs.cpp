@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Programs that must not compile, one for each macro; refused_programs_test.sh compiles them. The sentence behind each
-// `#ifdef` must be in the compiler's first error, and it must be the only error.
+// `#ifdef` must be in the compiler's first error, and it must be the only error. What they share compiles, and with
+// C++20 so do the concepts.
 
 #include "refused_programs.h"
 
@@ -65,6 +66,17 @@ template <class Weights, class Border = SMP::Circular_border_arc_length_paramete
 using With_weights = SMP::Edge_energy_parameterizer_3<Mesh, Weights, Border>;
 
 struct Nothing { };
+
+#ifdef WITH_CONCEPTS
+template <SMP::DistortionEnergy_2 Energy, SMP::EdgeWeights_3, SMP::HierarchyVisitor_3, SMP::Parameterizer_3,
+          SMP::RefinableParameterizer_3, SMP::RebindableParameterizer_3, SMP::SparseLinearAlgebraTraits_d>
+struct With_concepts { };
+typedef With_concepts<SMP::MIPS_energy_2, Weights, SMP::Hierarchy_visitor_3, MIPS, MIPS,
+                      SMP::LSCM_parameterizer_3<Mesh>, SMP::Multigrid_solver_traits>   Right;
+static_assert(!SMP::DistortionEnergy_2<Nothing> && !SMP::EdgeWeights_3<Nothing> && !SMP::HierarchyVisitor_3<Nothing> &&
+              !SMP::Parameterizer_3<Nothing> && !SMP::RefinableParameterizer_3<Nothing> &&
+              !SMP::RebindableParameterizer_3<Nothing> && !SMP::SparseLinearAlgebraTraits_d<Nothing>);
+#endif
 
 // ---- energies ----
 

@@ -87,6 +87,7 @@ inline Halfedge halfedge(Vertex v, const Mesh& m) { return halfedge(v, m.mesh); 
 inline Halfedge next(Halfedge h, const Mesh& m) { return next(h, m.mesh); }
 inline Halfedge prev(Halfedge h, const Mesh& m) { return prev(h, m.mesh); }
 inline Halfedge opposite(Halfedge h, const Mesh& m) { return opposite(h, m.mesh); }
+inline Traits::edge_descriptor edge(Halfedge h, const Mesh& m) { return edge(h, m.mesh); }
 inline Vertex source(Halfedge h, const Mesh& m) { return source(h, m.mesh); }
 inline Vertex target(Halfedge h, const Mesh& m) { return target(h, m.mesh); }
 inline Face face(Halfedge h, const Mesh& m) { return face(h, m.mesh); }
