@@ -151,7 +151,7 @@ SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv)
 }
 #endif
 
-#ifdef NO_BORDER_PARAMETERIZER // BorderParameterizer has no parameterize(const TriangleMesh&, halfedge_descriptor, uvmap
+#ifdef NO_BORDER_PARAMETERIZER // BorderParameterizer has no parameterize(const TriangleMesh&, halfedge_descriptor
 SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv)
 {
   return run_hierarchically<With_weights<Weights, Nothing>>(m, h, uv);
@@ -276,7 +276,7 @@ SMP::Error_code wrong(Mesh& m, Halfedge h, Mesh::Property_map<Mesh::Vertex_index
 auto wrong(Mesh& m) { return SMP::hierarchical_parameterization(m, m.points()); }
 #endif
 
-#ifdef MAP_TO_SPACE_OF_CGAL // uvmap is no map to points of the plane: the value type has no constructor from two doubles
+#ifdef MAP_TO_SPACE_OF_CGAL // uvmap is no map to points of the plane: the value type has no constructor from two
 SMP::Error_code wrong(Mesh& m, Halfedge h)
 {
   SMP::Hierarchical_parameterizer_3<SMP::Mean_value_coordinates_parameterizer_3<Mesh>> mean_value;
@@ -316,7 +316,7 @@ auto wrong(const Mesh& m, Halfedge h, UV_map uv) { return SMP::Multigrid_solver_
 auto wrong(Mesh& m, UV_map uv) { return SMP::hierarchical_parameterization(m, uv, np::visitor(Nothing())); }
 #endif
 
-#ifdef VISITOR_WITHOUT_LEVELS // the visitor has no level_parameterized(const Level&, const Level::Uv&, const Level_summary&)
+#ifdef VISITOR_WITHOUT_LEVELS // the visitor has no level_parameterized(const Level&, const Level::Uv&
 struct Visitor { bool hierarchy_built(const SMP::Collapse_hierarchy_3&) { return true; } };
 auto wrong(Mesh& m, UV_map uv) { return SMP::hierarchical_parameterization(m, uv, np::visitor(Visitor())); }
 #endif
@@ -346,6 +346,16 @@ auto wrong(Mesh& m, UV_map uv)
 {
   return SMP::hierarchical_parameterization<SMP::Mean_value_coordinates_parameterizer_3>(
       m, uv, np::triangle_weight(SMP::Triangle_weight::AREA));
+}
+#endif
+
+#ifdef OPTION_OF_FLIPS_FOR_AN_ORBIFOLD // the named parameter 'flip_policy' has no effect here
+typedef Mesh::Property_map<Mesh::Edge_index, bool> Is_seam_edge;
+typedef Mesh::Property_map<Mesh::Vertex_index, bool> Is_seam_vertex;
+typedef SMP::Orbifold_Tutte_parameterizer_3<CGAL::Seam_mesh<Mesh, Is_seam_edge, Is_seam_vertex>> Orbifold;
+auto wrong()
+{
+  return SMP::Hierarchical_parameterizer_3<Orbifold>(SMP::Square, np::flip_policy(SMP::Flip_policy::FAIL));
 }
 #endif
 

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/Orbifold_Tutte_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/concepts.h>
 #include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
@@ -26,6 +27,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Seam_mesh.h>
 
 #include <functional>
 #include <iostream>

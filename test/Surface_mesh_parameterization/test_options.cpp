@@ -108,7 +108,8 @@ TEST(Options, fill_the_summary_of_one_call)
 {
   Mapped<Surface_mesh> disk(grid(12, 9, wavy)), closed(sphere(6, 8)), empty{ Flat_mesh() };
   Parameterization_summary s;
-  const Parameterization_summary result = hierarchical_parameterization(disk.mesh, disk.uvmap, np::summary(std::ref(s)));
+  const Parameterization_summary result =
+      hierarchical_parameterization(disk.mesh, disk.uvmap, np::summary(std::ref(s)));
   EXPECT_TRUE(s.is_ok() && s.converged);
   EXPECT_EQ(s.energy, result.energy);
   EXPECT_EQ(s.levels.size(), result.levels.size());

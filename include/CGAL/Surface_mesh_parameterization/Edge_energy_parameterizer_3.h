@@ -69,7 +69,7 @@ public:
   typedef internal::Checked<internal::Border_parameterizer_check<BorderParameterizer, Triangle_mesh>,
                             BorderParameterizer>                                      Border_parameterizer;
   typedef internal::Joined_names<internal::Names<internal_np::tolerance_t, internal_np::number_of_iterations_t>,
-                                 typename Base::Flat_option_names>                         Option_names;
+                                 typename Base::Flat_option_names>                    Option_names;
 #endif
 
   /// triangles may be flipped while a level has not converged, and with negative weights

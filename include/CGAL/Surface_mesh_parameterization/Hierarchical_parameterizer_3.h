@@ -9,18 +9,16 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
 #include <CGAL/Surface_mesh_parameterization/concepts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
-#include <CGAL/Surface_mesh_parameterization/internal/wrapped/adaptor_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_as_rigid_as_possible_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_orbifold_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/adaptor_checks.h>
 
 #include <CGAL/boost/graph/properties.h>
 
 #include <type_traits>
-#include <utility>
 
 namespace CGAL::Surface_mesh_parameterization {
 
@@ -44,10 +42,10 @@ constexpr auto hierarchical_base()
     return Base_type<Refused<Shipped_check<Parameterizer>>>();
   else if constexpr (is_refinable_parameterizer_v<Parameterizer>)
     return Base_type<Nested_iteration_parameterizer_3<Parameterizer>>();
-  else if constexpr (looks_refinable<Parameterizer>)
-    return Base_type<Refused<Method_check<Parameterizer>>>();
   else if constexpr (is_rebindable_parameterizer_v<Parameterizer>)
     return Base_type<Wrapped_parameterizer_3<Parameterizer>>();
+  else if constexpr (looks_refinable<Parameterizer>)
+    return Base_type<Refused<Method_check<Parameterizer>>>();
   else
     return Base_type<Refused<No_parameterizer<Parameterizer>>>();
 }
@@ -150,11 +148,11 @@ public:
   /// - `number_of_iterations`: the most iterations before a direct solver takes over; default 300
   /// - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see `Collapse_hierarchy_3`. For
   ///   `Barycentric_mapping_parameterizer_3`, whose weights do not depend on lengths, `unit_edges` is `true` by default
-  /// - `flip_policy`: a `Flip_policy`: the treatment of flips; default `FAIL`. If the repair has to move more than a
-  ///   tenth of the vertices of an LSCM map, the map of `MIPS_parameterizer_3` takes its place
-  /// - `fill_holes`: whether every border except the outer one is closed by a virtual vertex in its middle; default
-  ///   `false`: the borders of holes are free. It works on a `Surface_mesh`, and on a `Polyhedron_3` if there are no
-  ///   `arguments`; otherwise the result is `ERROR_WRONG_PARAMETER`
+  /// - `flip_policy`: not for an orbifold; a `Flip_policy`: the treatment of flips; default `FAIL`. If the repair has to
+  ///   move more than a tenth of the vertices of an LSCM map, the map of `MIPS_parameterizer_3` takes its place
+  /// - `fill_holes`: not for an orbifold; whether every border except the outer one is closed by a virtual vertex in
+  ///   its middle; default `false`: the borders of holes are free. It works on a `Surface_mesh`, and on a
+  ///   `Polyhedron_3` if there are no `arguments`; otherwise the result is `ERROR_WRONG_PARAMETER`
   /// - `visitor`: a model of `HierarchyVisitor_3`, of which only `hierarchy_built()` is called
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did. It must live as
   ///   long as the parameterizer runs

@@ -35,6 +35,9 @@ struct Optional_steps
   typedef typename Wrapped_run<Triangle_mesh>::Index_map                      Index_map;
   typedef typename Flip_free_relative<Parameterizer>::type                    Relative;
 
+  // The names that ask for them.
+  typedef Names<internal_np::fill_holes_t, internal_np::flip_policy_t>   Option_names;
+
   // A copy of the mesh without holes; null if the mesh type cannot have one.
   std::shared_ptr<Filled_mesh<Triangle_mesh>> (*fill_holes)(const Triangle_mesh&, halfedge_descriptor) = nullptr;
 
@@ -75,6 +78,8 @@ private:
 template <class SeamMesh, class SolverTraits>
 struct Optional_steps<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 {
+  typedef Names<>   Option_names;
+
   template <class NamedParameters>
   static Optional_steps of(const NamedParameters&) { return Optional_steps(); }
 };
