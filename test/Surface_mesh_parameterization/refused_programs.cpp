@@ -242,6 +242,14 @@ SMP::Error_code wrong(std::vector<Kernel::Point_3>& m, Halfedge h, UV_map uv)
 }
 #endif
 
+#ifdef NO_MESH_OF_A_BORDER // TriangleMesh is no FaceListGraph: there is no vertices(mesh)
+SMP::Error_code wrong(Nothing& m, Halfedge h, UV_map uv)
+{
+  return SMP::parameterize(
+      m, SMP::Hierarchical_parameterizer_3<SMP::Edge_energy_parameterizer_3<Nothing, Weights>>(), h, uv);
+}
+#endif
+
 #ifdef NO_MESH_OF_A_COMPONENT // TriangleMesh is no FaceListGraph: there is no vertices(mesh)
 auto wrong(const Nothing& m, Halfedge h) { return SMP::Mesh_component<Nothing>(m, h).error(); }
 #endif

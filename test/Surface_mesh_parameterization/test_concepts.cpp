@@ -51,6 +51,8 @@
 // A mesh with no more than the package asks for: a model of FaceListGraph whose points have coordinates.
 namespace archetype {
 
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
 struct Mesh
 {
   test_meshes::Surface_mesh mesh;
@@ -113,6 +115,13 @@ struct UV_map
   friend void put(const UV_map& map, Vertex v, const Point_2& p) { (*map.places)[v] = { p.x(), p.y() }; }
 };
 
+// Places nothing: a mesh need not have traits of its `const` type.
+struct Border
+{
+  template <class UVMap, class IndexMap, class BoolMap>
+  SMP::Error_code parameterize(const Mesh&, Halfedge, UVMap, IndexMap, BoolMap);
+};
+
 } // namespace archetype
 
 namespace boost {
@@ -171,6 +180,7 @@ static_assert(is_parameterizer_v<Circular_border_arc_length_parameterizer_3<Surf
               is_parameterizer_v<Two_vertices_parameterizer_3<Polyhedron>>);
 static_assert(is_parameterizer_v<MIPS_parameterizer_3<Surface_mesh>> && is_parameterizer_v<Mean_value> &&
               is_parameterizer_v<Hierarchical_parameterizer_3<Mean_value>>);
+static_assert(SMP::internal::Border_parameterizer_check<archetype::Border, archetype::Mesh>::value);
 static_assert(!is_parameterizer_v<Nothing> && !is_parameterizer_v<Surface_mesh>);
 
 static_assert(is_refinable_parameterizer_v<MIPS_parameterizer_3<Surface_mesh>> &&

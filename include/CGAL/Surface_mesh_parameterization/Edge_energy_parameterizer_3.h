@@ -66,8 +66,10 @@ public:
   typedef BorderParameterizer                  Border_parameterizer;     ///< places the outer border
 #else
   typedef internal::Checked<internal::Edge_weights_check<EdgeWeights>, EdgeWeights>   Edge_weights;
-  typedef internal::Checked<internal::Border_parameterizer_check<BorderParameterizer, Triangle_mesh>,
-                            BorderParameterizer>                                      Border_parameterizer;
+  typedef internal::Checked<
+      std::conjunction<internal::Mesh_check<Triangle_mesh>,
+                       internal::Border_parameterizer_check<BorderParameterizer, Triangle_mesh>>,
+      BorderParameterizer>                                                            Border_parameterizer;
   typedef internal::Joined_names<internal::Names<internal_np::tolerance_t, internal_np::number_of_iterations_t>,
                                  typename Base::Flat_option_names>                    Option_names;
 #endif

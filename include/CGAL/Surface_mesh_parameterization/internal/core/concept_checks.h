@@ -130,17 +130,19 @@ template <class Map, class Key> using Read = decltype(get(std::declval<Map&>(), 
 template <class Map, class Key, class Value>
 using Write = decltype(put(std::declval<Map&>(), std::declval<const Key&>(), std::declval<const Value&>()));
 
-template <class T, class Mesh>
-using Parameterize = decltype(std::declval<T&>().parameterize(
-    std::declval<Mesh&>(), std::declval<Halfedge_of<Mesh>>(), std::declval<Any_map<Vertex_of<Mesh>, Point_2>>(),
-    std::declval<Any_map<Vertex_of<Mesh>, int>>(), std::declval<Any_map<Vertex_of<Mesh>, bool>>()));
+// What parameterizers and those that place a border take after the mesh.
+template <class Mesh> using Any_uv_map = Any_map<Vertex_of<Mesh>, Point_2>;
+template <class Mesh> using Any_index_map = Any_map<Vertex_of<Mesh>, int>;
+template <class Mesh> using Any_bool_map = Any_map<Vertex_of<Mesh>, bool>;
 
-template <class T>
+template <class T, class MeshReference, class Mesh>
+using Parameterize = decltype(std::declval<T&>().parameterize(
+    std::declval<MeshReference>(), std::declval<Halfedge_of<Mesh>>(), std::declval<Any_uv_map<Mesh>>(),
+    std::declval<Any_index_map<Mesh>>(), std::declval<Any_bool_map<Mesh>>()));
+template <class T, class Mesh>
 using Place_border = decltype(std::declval<T&>().place_border(
-    std::declval<const typename T::Triangle_mesh&>(), std::declval<Halfedge_of<typename T::Triangle_mesh>>(),
-    std::declval<Any_map<Vertex_of<typename T::Triangle_mesh>, Point_2>>(),
-    std::declval<Any_map<Vertex_of<typename T::Triangle_mesh>, int>>(),
-    std::declval<Any_map<Vertex_of<typename T::Triangle_mesh>, bool>>()));
+    std::declval<const Mesh&>(), std::declval<Halfedge_of<Mesh>>(), std::declval<Any_uv_map<Mesh>>(),
+    std::declval<Any_index_map<Mesh>>(), std::declval<Any_bool_map<Mesh>>()));
 
 template <class Energy>
 struct Energy_check
@@ -308,10 +310,11 @@ struct Readable_uv_map_check
 };
 
 template <class T, class Mesh>
-constexpr bool has_parameterize = is_detected_as<Error_code, Parameterize, T, Mesh>;
+constexpr bool has_parameterize = is_detected_as<Error_code, Parameterize, T, std::add_lvalue_reference_t<Mesh>, Mesh>;
 
 template <class BorderParameterizer, class Mesh>
-struct Border_parameterizer_check : std::bool_constant<has_parameterize<BorderParameterizer, const Mesh>>
+struct Border_parameterizer_check
+  : std::bool_constant<is_detected_as<Error_code, Parameterize, BorderParameterizer, const Mesh&, Mesh>>
 {
   static void tell()
   {

@@ -50,7 +50,7 @@ public:
 
 // Whether a method has the optional member place_border() of the concept RefinableParameterizer_3.
 template <class Method>
-constexpr bool places_border = is_detected<concept_checks::Place_border, Method>;
+constexpr bool places_border = is_detected<concept_checks::Place_border, Method, typename Method::Triangle_mesh>;
 
 // Lets a method that has a place_border() fix vertices of the component, in the user's units.
 // Returns the method's error, or `ERROR_WRONG_PARAMETER` for a place that is not finite.
