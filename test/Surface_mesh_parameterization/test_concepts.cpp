@@ -86,6 +86,7 @@ inline auto faces(const Mesh& m) { return faces(m.mesh); }
 inline auto halfedges(const Mesh& m) { return halfedges(m.mesh); }
 inline Halfedge halfedge(Face f, const Mesh& m) { return halfedge(f, m.mesh); }
 inline Halfedge halfedge(Vertex v, const Mesh& m) { return halfedge(v, m.mesh); }
+inline Halfedge halfedge(Traits::edge_descriptor e, const Mesh& m) { return halfedge(e, m.mesh); }
 inline Halfedge next(Halfedge h, const Mesh& m) { return next(h, m.mesh); }
 inline Halfedge prev(Halfedge h, const Mesh& m) { return prev(h, m.mesh); }
 inline Halfedge opposite(Halfedge h, const Mesh& m) { return opposite(h, m.mesh); }
