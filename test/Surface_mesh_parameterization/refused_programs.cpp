@@ -246,7 +246,7 @@ SMP::Error_code wrong(std::vector<Kernel::Point_3>& m, Halfedge h, UV_map uv)
 SMP::Error_code wrong(Nothing& m, Halfedge h, UV_map uv)
 {
   return SMP::parameterize(
-      m, SMP::Hierarchical_parameterizer_3<SMP::Edge_energy_parameterizer_3<Nothing, Weights>>(), h, uv);
+      m, SMP::Hierarchical_parameterizer_3<SMP::Edge_energy_parameterizer_3<Nothing, Weights, Nothing>>(), h, uv);
 }
 #endif
 
