@@ -6,7 +6,7 @@ cmake_minimum_required(VERSION 3.18...3.25)
 # From the lowest to the highest: a folder of internal/, and the public headers that stand beside it.
 set(layers
   "core: parameters Parameterization_summary error_message Flip_policy Triangle_weight Refinement_options Triangulated_surface_3 Distortion_derivatives_2
-         MIPS_energy_2 Symmetric_Dirichlet_energy_2 As_rigid_as_possible_energy_2 Uniform_edge_weights_3 Chordal_edge_weights_3"
+         Rebind_solver concepts MIPS_energy_2 Symmetric_Dirichlet_energy_2 As_rigid_as_possible_energy_2 Uniform_edge_weights_3 Chordal_edge_weights_3"
   "star: Harmonic_edge_weights_3 Mean_value_edge_weights_3 Shape_preserving_edge_weights_3"
   "mesh: Mesh_component IO/write_OBJ IO/write_SVG"
   "hierarchy: Collapse_hierarchy_3 Progressive_mesh_3 Level Hierarchy_visitor_3"
@@ -16,7 +16,7 @@ set(layers
   "levels: settle_flips Refinable_parameterizer_base_3 Distortion_parameterizer_3 MIPS_parameterizer_3 Symmetric_Dirichlet_parameterizer_3
            As_rigid_as_possible_parameterizer_3 Nested_iteration_parameterizer_3"
   "edge_energy: Edge_energy_parameterizer_3"
-  "wrapped: Multigrid_solver_traits Rebind_solver Hierarchical_parameterizer_3 hierarchical_parameterization")
+  "wrapped: Multigrid_solver_traits Hierarchical_parameterizer_3 hierarchical_parameterization")
 
 set(prefix CGAL/Surface_mesh_parameterization)
 get_filename_component(include_dir ${CMAKE_CURRENT_LIST_DIR}/../../include ABSOLUTE)

@@ -7,7 +7,8 @@
 /// A parameterizer that solves sparse linear systems through solver traits, which are a template parameter.
 /// `Hierarchical_parameterizer_3` runs it with `Multigrid_solver_traits` instead of its own solver, and the map is the
 /// same. A model has a specialization of `Rebind_solver`. Models with CGAL's three template parameters, mesh, border
-/// parameterizer and solver traits, need none.
+/// parameterizer and solver traits, need none. A run in which a model does not use the solver that it is given ends with
+/// `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`.
 ///
 /// Its systems
 /// - have the same number `k` of unknowns at each vertex of the component; those of the vertex with the index `i` have
@@ -44,7 +45,7 @@ public:
   /// parameterizes the connected component of `mesh` that contains `bhd`. The mesh has been checked, see
   /// `Mesh_component`.
   ///
-  /// \param mesh the user's mesh
+  /// \param mesh the user's mesh, which may be `const` there: it must only be read
   /// \param bhd the user's halfedge on the outer border
   /// \param uvmap a readable and writable property map from the component's vertices to points. At the call it has the
   ///        user's places where the user's `vpmap` is `true`; it receives the map

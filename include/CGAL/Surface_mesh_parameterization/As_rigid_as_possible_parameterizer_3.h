@@ -55,6 +55,13 @@ class As_rigid_as_possible_parameterizer_3
   typedef As_rigid_as_possible_energy_2                                                                         Energy;
 
 public:
+  /// \cond SKIP_IN_MANUAL
+  typedef internal::Joined_names<
+      internal::Names<internal_np::optimizer_t, internal_np::tolerance_t, internal_np::number_of_iterations_t,
+                      internal_np::number_of_local_steps_t, internal_np::random_seed_t, internal_np::lambda_t>,
+      typename Base::Flat_option_names>   Option_names;
+  /// \endcond
+
   /// \param np
   /// - `lambda`: the cost of a change of scale, at least 0, may be infinite; default 1000, as in CGAL
   /// - `tolerance`, `number_of_iterations` and the other named parameters of `Refinement_options`, except
@@ -65,6 +72,7 @@ public:
   explicit As_rigid_as_possible_parameterizer_3(const NamedParameters& np = parameters::default_values())
     : Base(np)
   {
+    internal::assert_names<Option_names>(np);
     m_options.set(np);
     m_options.triangle_weight = Triangle_weight::AREA;      // which is part of the energy's definition
     m_lambda = parameters::choose_parameter(parameters::get_parameter(np, internal_np::lambda), m_lambda);

@@ -77,6 +77,8 @@ public:
                                 const NamedParameters& np = parameters::default_values(),
                                 ConcurrencyTag = ConcurrencyTag())
   {
+    internal::assert_names<internal::Names<internal_np::random_seed_t, internal_np::coarsest_size_t,
+                                           internal_np::unit_edges_t, internal_np::vertex_is_constrained_t>>(np);
     const internal::Hierarchy_options options = internal::hierarchy_options_of(np, surface.points.size());
     build(std::move(surface), options, internal::Loops::of<ConcurrencyTag>());
   }

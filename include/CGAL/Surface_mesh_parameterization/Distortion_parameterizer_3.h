@@ -8,6 +8,8 @@
 
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
@@ -49,20 +51,24 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `RefinableParameterizer_3`
 ///
 /// \tparam TriangleMesh_ a model of `FaceListGraph` with an internal vertex point map
-/// \tparam Energy a model of `DistortionEnergy_2` that keeps triangles positive
+/// \tparam Energy_ a model of `DistortionEnergy_2` that keeps triangles positive
 /// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result
 /// is the same for every number of threads
-template <class TriangleMesh_, class Energy, class ConcurrencyTag = Sequential_tag>
+template <class TriangleMesh_, class Energy_, class ConcurrencyTag = Sequential_tag>
 class Distortion_parameterizer_3
-  : public Refinable_parameterizer_base_3<Distortion_parameterizer_3<TriangleMesh_, Energy, ConcurrencyTag>,
+  : public Refinable_parameterizer_base_3<Distortion_parameterizer_3<TriangleMesh_, Energy_, ConcurrencyTag>,
                                           TriangleMesh_, ConcurrencyTag>
 {
   typedef Refinable_parameterizer_base_3<Distortion_parameterizer_3, TriangleMesh_, ConcurrencyTag>   Base;
-  static_assert(Energy::is_flip_free, "Distortion_parameterizer_3<TriangleMesh, Energy>: the energy must keep triangles positive");
+  typedef internal::Checked<internal::Energy_check<Energy_>, Energy_, Symmetric_Dirichlet_energy_2>   Energy;
 
 public:
   /// whether the results have no flips
   static constexpr bool is_result_flip_free = true;
+
+  /// \cond SKIP_IN_MANUAL
+  typedef internal::Joined_names<Refinement_options::Option_names, typename Base::Flat_option_names>   Option_names;
+  /// \endcond
 
   /// \param np
   /// - the named parameters of `Refinement_options`
@@ -78,6 +84,10 @@ public:
   Distortion_parameterizer_3(const Refinement_options& defaults, const NamedParameters& np)
     : Base(np), m_options(defaults)
   {
+    internal::Energy_check<Energy_>::tell();
+    static_assert(Energy::is_flip_free, "Energy does not keep triangles positive: Distortion_parameterizer_3 needs "
+                                        "is_flip_free to be true");
+    internal::assert_names<Option_names>(np);
     m_options.set(np);
     m_must_be_injective = m_options.is_globally_injective;
   }

@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/Edge_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/Relaxation_factor.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/solve_edge_system.h>
@@ -60,8 +61,18 @@ class Edge_energy_parameterizer_3
 public:
   typedef typename Base::Triangle_mesh         Triangle_mesh;            ///< the mesh type
   typedef typename Base::halfedge_descriptor   halfedge_descriptor;      ///< a halfedge of the mesh
+#ifdef DOXYGEN_RUNNING
   typedef EdgeWeights                          Edge_weights;             ///< the weights of the edges
   typedef BorderParameterizer                  Border_parameterizer;     ///< places the outer border
+#else
+  typedef internal::Checked<internal::Edge_weights_check<EdgeWeights>, EdgeWeights>   Edge_weights;
+  typedef internal::Checked<
+      std::conjunction<internal::Mesh_check<Triangle_mesh>,
+                       internal::Border_parameterizer_check<BorderParameterizer, Triangle_mesh>>,
+      BorderParameterizer>                                                            Border_parameterizer;
+  typedef internal::Joined_names<internal::Names<internal_np::tolerance_t, internal_np::number_of_iterations_t>,
+                                 typename Base::Flat_option_names>                    Option_names;
+#endif
 
   /// triangles may be flipped while a level has not converged, and with negative weights
   static constexpr bool is_flip_free = false;
@@ -83,6 +94,7 @@ public:
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
+    internal::assert_names<Option_names>(np);
     m_tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), m_tolerance);
     m_number_of_iterations =
         choose_parameter(get_parameter(np, internal_np::number_of_iterations), m_number_of_iterations);

@@ -9,15 +9,16 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
+#include <CGAL/Surface_mesh_parameterization/concepts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_as_rigid_as_possible_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_orbifold_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/adaptor_checks.h>
 
 #include <CGAL/boost/graph/properties.h>
 
 #include <type_traits>
-#include <utility>
 
 namespace CGAL::Surface_mesh_parameterization {
 
@@ -27,34 +28,32 @@ template <class, class, class> class ARAP_parameterizer_3;
 
 namespace internal {
 
-template <class Parameterizer, class = void>
-struct Is_refinable : std::false_type { };
-
-template <class Parameterizer>
-struct Is_refinable<Parameterizer, std::void_t<
-    typename Parameterizer::Triangle_mesh, typename Parameterizer::Concurrency_tag, std::bool_constant<Parameterizer::is_flip_free>,
-    decltype(std::declval<Parameterizer&>().parameterize_coarsest(std::declval<const Level&>(), std::declval<Level::Uv&>())),
-    decltype(std::declval<Parameterizer&>().refine(std::declval<const Level&>(), std::declval<Level::Uv&>(), std::declval<Level_summary&>()))>>
-  : std::true_type { };
-
-template <class Parameterizer, class = void>
-struct Has_rebindable_solver : std::false_type { };
-
-template <class Parameterizer>
-struct Has_rebindable_solver<Parameterizer, std::void_t<
-    typename Parameterizer::Triangle_mesh, typename Rebind_solver<Parameterizer, Multigrid_solver_traits>::type>>
-  : std::true_type { };
+template <class Base>
+struct Base_type
+{
+  typedef Base   type;
+};
 
 // How a parameterizer is run hierarchically.
 template <class Parameterizer>
+constexpr auto hierarchical_base()
+{
+  if constexpr (!Shipped_check<Parameterizer>::value)
+    return Base_type<Refused<Shipped_check<Parameterizer>>>();
+  else if constexpr (is_refinable_parameterizer_v<Parameterizer>)
+    return Base_type<Nested_iteration_parameterizer_3<Parameterizer>>();
+  else if constexpr (is_rebindable_parameterizer_v<Parameterizer>)
+    return Base_type<Wrapped_parameterizer_3<Parameterizer>>();
+  else if constexpr (looks_refinable<Parameterizer>)
+    return Base_type<Refused<Method_check<Parameterizer>>>();
+  else
+    return Base_type<Refused<No_parameterizer<Parameterizer>>>();
+}
+
+template <class Parameterizer>
 struct Hierarchical_base
 {
-  static constexpr bool is_refinable = Is_refinable<Parameterizer>::value;
-  static_assert(is_refinable || Has_rebindable_solver<Parameterizer>::value,
-                "Hierarchical_parameterizer_3<P>: P can be wrapped in neither way. Either P models RefinableParameterizer_3, that is, it has the types "
-                "Triangle_mesh and Concurrency_tag, the constant is_flip_free and the members parameterize_coarsest(level, uv) and "
-                "refine(level, uv, summary); or P solves linear systems through solver traits and Rebind_solver<P, Multigrid_solver_traits> has a type.");
-  typedef std::conditional_t<is_refinable, Nested_iteration_parameterizer_3<Parameterizer>, Wrapped_parameterizer_3<Parameterizer>>   type;
+  typedef typename decltype(hierarchical_base<Parameterizer>())::type   type;
 };
 
 template <class TriangleMesh, class BorderParameterizer, class SolverTraits>
@@ -149,11 +148,11 @@ public:
   /// - `number_of_iterations`: the most iterations before a direct solver takes over; default 300
   /// - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see `Collapse_hierarchy_3`. For
   ///   `Barycentric_mapping_parameterizer_3`, whose weights do not depend on lengths, `unit_edges` is `true` by default
-  /// - `flip_policy`: a `Flip_policy`: the treatment of flips; default `FAIL`. If the repair has to move more than a
-  ///   tenth of the vertices of an LSCM map, the map of `MIPS_parameterizer_3` takes its place
-  /// - `fill_holes`: whether every border except the outer one is closed by a virtual vertex in its middle; default
-  ///   `false`: the borders of holes are free. It works on a `Surface_mesh`, and on a `Polyhedron_3` if there are no
-  ///   `arguments`; otherwise the result is `ERROR_WRONG_PARAMETER`
+  /// - `flip_policy`: not for an orbifold; a `Flip_policy`: the treatment of flips; default `FAIL`. If the repair has to
+  ///   move more than a tenth of the vertices of an LSCM map, the map of `MIPS_parameterizer_3` takes its place
+  /// - `fill_holes`: not for an orbifold; whether every border except the outer one is closed by a virtual vertex in
+  ///   its middle; default `false`: the borders of holes are free. It works on a `Surface_mesh`, and on a
+  ///   `Polyhedron_3` if there are no `arguments`; otherwise the result is `ERROR_WRONG_PARAMETER`
   /// - `visitor`: a model of `HierarchyVisitor_3`, of which only `hierarchy_built()` is called
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did. It must live as
   ///   long as the parameterizer runs
@@ -192,7 +191,8 @@ public:
   /// parameterizes the connected component of `mesh` that contains `bhd`. The free function
   /// `parameterize(mesh, parameterizer, bhd, uvmap)` calls it with maps of its own for the last two.
   ///
-  /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex. It is only read
+  /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex. It is only read; that of a
+  ///        parameterizer whose own `parameterize()` takes a mesh that is not `const`, too
   /// \param bhd a halfedge on the outer border of `mesh`
   /// \param uvmap a writable property map from vertices to points of the plane. A model of `RebindableParameterizer_3`
   ///        also reads the places of the vertices for which `vpmap` is `true`. Untouched on an error
@@ -205,7 +205,7 @@ public:
   /// \return `OK`; an error of `Mesh_component` or of the parameterizer; `ERROR_NO_1_TO_1_MAPPING` if there are flips
   ///         and the `Flip_policy` is `FAIL`, if no map without flips was found, or if a visitor stopped the run
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
-  Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap vimap,
+  Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap vimap,
                           VertexParameterizedMap vpmap, Others&&... others);
 
   /// parameterizes a `CGAL::Seam_mesh` by `Orbifold_Tutte_parameterizer_3`, and exists for that class only.
@@ -219,7 +219,7 @@ public:
   ///
   /// \return as above; flips are no error here
   template <class ConeMap, class VertexIndexMap, class VertexUVMap>
-  Error_code parameterize(SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap, VertexUVMap uvmap,
+  Error_code parameterize(const SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap, VertexUVMap uvmap,
                           VertexIndexMap vimap) const;
 
   /// @}
@@ -232,7 +232,7 @@ public:
 /// has no preconditions: isolated vertices are allowed, and a rejected input, such as a closed mesh with a null
 /// halfedge, gets an error, whether assertions are checked or not.
 ///
-/// \param mesh a triangulated surface; it is only read
+/// \param mesh a triangulated surface, which may be `const`; it is only read
 /// \param parameterizer the parameterizer; its class is documented at `Hierarchical_parameterizer_3`
 /// \param bhd a halfedge on the outer border of `mesh`
 /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
@@ -242,8 +242,16 @@ template <class TriangleMesh, class Parameterizer, class Halfedge, class VertexU
 Error_code parameterize(TriangleMesh& mesh, Hierarchical_parameterizer_3<Parameterizer> parameterizer, Halfedge bhd,
                         VertexUVMap uvmap)
 {
-  return parameterizer.parameterize(mesh, bhd, uvmap, get(CGAL::dynamic_vertex_property_t<int>(), mesh),
-                                    get(CGAL::dynamic_vertex_property_t<bool>(), mesh));
+  typedef std::remove_const_t<TriangleMesh>   Mesh;
+  typedef std::conjunction<internal::Mesh_check<Mesh>, internal::Halfedge_check<Halfedge, Mesh>,
+                           internal::Same_mesh_check<Hierarchical_parameterizer_3<Parameterizer>, Mesh>>   Check;
+  if constexpr (Check::value)
+    return parameterizer.parameterize(mesh, bhd, uvmap, get(CGAL::dynamic_vertex_property_t<int>(), mesh),
+                                      get(CGAL::dynamic_vertex_property_t<bool>(), mesh));
+  else {
+    Check::tell();
+    return ERROR_WRONG_PARAMETER;
+  }
 }
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -8,9 +8,11 @@
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <memory>
+#include <type_traits>
 
 namespace CGAL::Surface_mesh_parameterization {
 
@@ -62,7 +64,13 @@ std::shared_ptr<Any_hierarchy_visitor> hierarchy_visitor_of(const NamedParameter
 {
   const auto visitor =
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor), Hierarchy_visitor_3());
-  return std::make_shared<Hierarchy_visitor_holder<std::decay_t<decltype(visitor)>>>(visitor);
+  typedef std::decay_t<decltype(visitor)>   Visitor;
+  if constexpr (Visitor_check<Visitor>::value)
+    return std::make_shared<Hierarchy_visitor_holder<Visitor>>(visitor);
+  else {
+    Visitor_check<Visitor>::tell();
+    return nullptr;
+  }
 }
 
 } // namespace internal

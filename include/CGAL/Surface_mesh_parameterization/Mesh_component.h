@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks.h>
 
@@ -42,12 +43,13 @@ namespace CGAL::Surface_mesh_parameterization {
 template <class TriangleMesh>
 class Mesh_component
 {
-  typedef boost::graph_traits<TriangleMesh>   Graph_traits;
+  typedef boost::graph_traits<TriangleMesh>            Graph_traits;
+  typedef internal::Mesh_descriptors<TriangleMesh>     Descriptors;
 
 public:
-  typedef typename Graph_traits::vertex_descriptor     vertex_descriptor;     ///< a vertex of the mesh
-  typedef typename Graph_traits::halfedge_descriptor   halfedge_descriptor;   ///< a halfedge of the mesh
-  typedef typename Graph_traits::face_descriptor       face_descriptor;       ///< a face of the mesh
+  typedef typename Descriptors::vertex_descriptor      vertex_descriptor;     ///< a vertex of the mesh
+  typedef typename Descriptors::halfedge_descriptor    halfedge_descriptor;   ///< a halfedge of the mesh
+  typedef typename Descriptors::face_descriptor        face_descriptor;       ///< a face of the mesh
 
   /// reads and checks the component of `mesh` that contains the border halfedge `bhd`. The result is in `error()`.
   ///
@@ -56,12 +58,10 @@ public:
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   Mesh_component(const TriangleMesh& mesh, halfedge_descriptor bhd, ConcurrencyTag = ConcurrencyTag())
   {
-    if (is_empty(mesh))
-      m_error.code = ERROR_EMPTY_MESH;
-    else if (bhd == Graph_traits::null_halfedge() || !is_border(bhd, mesh) || is_border(opposite(bhd, mesh), mesh))
-      m_error.code = ERROR_WRONG_PARAMETER;
-    else if (read_component(mesh, bhd) && is_disk_with_holes(mesh, internal::Loops::of<ConcurrencyTag>()))
-      internal::normalize(m_surface);
+    if constexpr (internal::Mesh_check<TriangleMesh>::value)
+      read(mesh, bhd, internal::Loops::of<ConcurrencyTag>());
+    else
+      internal::Mesh_check<TriangleMesh>::tell();
   }
 
   /// `OK`, or what is wrong and where:
@@ -87,6 +87,16 @@ public:
 
 private:
   static bool is_empty(const TriangleMesh& mesh) { return faces(mesh).first == faces(mesh).second; }
+
+  void read(const TriangleMesh& mesh, halfedge_descriptor bhd, const internal::Loops& loops)
+  {
+    if (is_empty(mesh))
+      m_error.code = ERROR_EMPTY_MESH;
+    else if (bhd == Graph_traits::null_halfedge() || !is_border(bhd, mesh) || is_border(opposite(bhd, mesh), mesh))
+      m_error.code = ERROR_WRONG_PARAMETER;
+    else if (read_component(mesh, bhd) && is_disk_with_holes(mesh, loops))
+      internal::normalize(m_surface);
+  }
 
   bool fail(Error_code code, Parameterization_error::Place place, std::size_t index)
   {

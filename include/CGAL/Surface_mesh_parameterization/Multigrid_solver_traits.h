@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
@@ -18,11 +19,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/linear_solver_options_of.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -112,28 +112,20 @@ public:
   ///   `true` saves iterations on stretched triangles
   ///
   /// If the mesh is rejected, `error()` says why, and the object cannot solve anything.
-  template <class TriangleMesh, class VertexIndexMap, class NamedParameters = parameters::Default_named_parameters>
-  Multigrid_solver_traits(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
-                          VertexIndexMap vimap, const NamedParameters& np = parameters::default_values())
+  template <class TriangleMesh, class Halfedge, class VertexIndexMap,
+            class NamedParameters = parameters::Default_named_parameters>
+  Multigrid_solver_traits(const TriangleMesh& mesh, Halfedge bhd, VertexIndexMap vimap,
+                          const NamedParameters& np = parameters::default_values())
   {
-    Mesh_component<TriangleMesh> component(mesh, bhd);
-    m_error = component.error();
-    if (m_error.code != OK)
-      return;
-    const auto hierarchy = std::make_shared<const internal::Hierarchy_interpolation>(
-      std::move(component.surface()), internal::hierarchy_options_of(np, component.vertices_of_component().size()));
-    std::vector<std::pair<std::ptrdiff_t, internal::Index>> order;      // index, rank
-    for (internal::Index rank = 0; rank < hierarchy->number_of_vertices(); ++rank)
-      if (const std::ptrdiff_t index = get(vimap, component.vertices_of_component()[hierarchy->input_vertex(rank)]);
-          index >= 0)
-        order.push_back({ index, rank });
-    std::sort(order.begin(), order.end());
-    std::vector<internal::Index> ranks;
-    for (const auto& [index, rank] : order)
-      ranks.push_back(rank);
-    m_session = std::make_shared<internal::Multigrid_session>(hierarchy, internal::Mesh_unknowns(std::move(ranks)),
-                                                              internal::linear_solver_options_of(np),
-                                                              &internal::make_multigrid_linear_solver<1>);
+    internal::assert_names<internal::Names<internal_np::tolerance_t, internal_np::number_of_iterations_t,
+                                           internal_np::coarsest_size_t, internal_np::random_seed_t,
+                                           internal_np::unit_edges_t>>(np);
+    typedef std::conjunction<internal::Mesh_check<TriangleMesh>, internal::Halfedge_check<Halfedge, TriangleMesh>,
+                             internal::Index_map_check<VertexIndexMap, TriangleMesh>>   Check;
+    if constexpr (Check::value)
+      start_session(mesh, bhd, vimap, np);
+    else
+      Check::tell();
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -168,6 +160,29 @@ public:
   bool linear_solver(const Vector& B, Vector& X) { return m_session && m_session->solve(B, X); }
 
 private:
+  template <class TriangleMesh, class Halfedge, class VertexIndexMap, class NamedParameters>
+  void start_session(const TriangleMesh& mesh, Halfedge bhd, VertexIndexMap vimap, const NamedParameters& np)
+  {
+    Mesh_component<TriangleMesh> component(mesh, bhd);
+    m_error = component.error();
+    if (m_error.code != OK)
+      return;
+    const auto hierarchy = std::make_shared<const internal::Hierarchy_interpolation>(
+      std::move(component.surface()), internal::hierarchy_options_of(np));
+    std::vector<std::pair<std::ptrdiff_t, internal::Index>> order;      // index, rank
+    for (internal::Index rank = 0; rank < hierarchy->number_of_vertices(); ++rank)
+      if (const std::ptrdiff_t index = get(vimap, component.vertices_of_component()[hierarchy->input_vertex(rank)]);
+          index >= 0)
+        order.push_back({ index, rank });
+    std::sort(order.begin(), order.end());
+    std::vector<internal::Index> ranks;
+    for (const auto& [index, rank] : order)
+      ranks.push_back(rank);
+    m_session = std::make_shared<internal::Multigrid_session>(hierarchy, internal::Mesh_unknowns(std::move(ranks)),
+                                                              internal::linear_solver_options_of(np),
+                                                              &internal::make_multigrid_linear_solver<1>);
+  }
+
   Parameterization_error m_error;
   std::shared_ptr<internal::Multigrid_session> m_session;
 };

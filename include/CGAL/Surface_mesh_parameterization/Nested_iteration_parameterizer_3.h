@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/run_nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
@@ -33,17 +34,27 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// \cgalModels `Parameterizer_3`
 ///
-/// \tparam Method a model of `RefinableParameterizer_3`
-template <class Method>
+/// \tparam Method_ a model of `RefinableParameterizer_3`
+template <class Method_>
 class Nested_iteration_parameterizer_3
 {
+  typedef internal::Checked<internal::Method_check<Method_>, Method_>   Method;
+  typedef internal::Names<internal_np::coarsest_size_t, internal_np::random_seed_t, internal_np::unit_edges_t,
+                          internal_np::visitor_t, internal_np::fill_holes_t, internal_np::flip_policy_t,
+                          internal_np::summary_t>   Option_names;
+
 public:
   typedef typename Method::Triangle_mesh                                      Triangle_mesh;          ///< the mesh type
   typedef typename Method::Triangle_mesh                                      TriangleMesh;           ///< the same, as CGAL names it
+#ifdef DOXYGEN_RUNNING
   typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;    ///< a halfedge of the mesh
+#else
+  typedef typename internal::Mesh_descriptors<Triangle_mesh>::halfedge_descriptor   halfedge_descriptor;
+#endif
 
-  static_assert(!(Method::is_flip_free && internal::Places_border<Method>::value),
-                "Nested_iteration_parameterizer_3<Method>: a method with place_border() cannot promise is_flip_free, for a given place may leave no room for a triangle.");
+  static_assert(!(Method::is_flip_free && internal::places_border<Method>),
+                "the method has place_border() and is_flip_free, but a given place may leave no room for a triangle: "
+                "see RefinableParameterizer_3");
 
   /// \param method the method that parameterizes every level
   /// \param np
@@ -61,13 +72,22 @@ public:
                                             const NamedParameters& np = parameters::default_values())
     : m_method(method), m_visitor(internal::hierarchy_visitor_of(np)), m_summary(internal::summary_of(np)),
       m_options(internal::nested_iteration_options_of(np))
-  { }
+  {
+    internal::assert_names<Option_names>(np);
+  }
 
   /// \param np the named parameters of `Method`, if its constructor takes any, and those above
   template <class NamedParameters, class = std::enable_if_t<internal::is_named_parameters<NamedParameters>>>
   explicit Nested_iteration_parameterizer_3(const NamedParameters& np)
-    : Nested_iteration_parameterizer_3(make_method(np), np)
-  { }
+    : Nested_iteration_parameterizer_3(make_method(internal::Checked_named_parameters<NamedParameters>(np)),
+                                       internal::Checked_named_parameters<NamedParameters>(np))
+  {
+    typedef internal::Detected<internal::Option_names_of, Method>   Names_of_method;
+    if constexpr (!std::is_void<Names_of_method>::value)
+      internal::assert_names<internal::Joined_names<Option_names, Names_of_method>>(np);
+    else if constexpr (!std::is_constructible<Method, const NamedParameters&>::value)
+      internal::assert_names<Option_names>(np);
+  }
 
   /// parameterizes the connected component of `mesh` that contains `bhd`.
   ///
@@ -85,9 +105,16 @@ public:
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
                           VertexParameterizedMap vpmap)
   {
-    Parameterization_summary unused_summary;
-    return internal::run_nested_iteration(m_method, m_options, *m_visitor, m_summary ? *m_summary : unused_summary,
-                                          mesh, bhd, uvmap, vpmap);
+    typedef std::conjunction<internal::Mesh_check<Triangle_mesh>,
+                             internal::Uv_map_check<VertexUVMap, Triangle_mesh>>   Check;
+    if constexpr (Check::value) {
+      Parameterization_summary unused_summary;
+      return internal::run_nested_iteration(m_method, m_options, *m_visitor, m_summary ? *m_summary : unused_summary,
+                                            mesh, bhd, uvmap, vpmap);
+    } else {
+      Check::tell();
+      return ERROR_WRONG_PARAMETER;
+    }
   }
 
 private:

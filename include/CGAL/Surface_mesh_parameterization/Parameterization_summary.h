@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -83,15 +84,30 @@ struct Parameterization_summary
 
 namespace internal {
 
+template <class Summary>
+struct Summary_check : std::is_same<Summary, std::reference_wrapper<Parameterization_summary>>
+{
+  static void tell()
+  {
+    static_assert(Summary_check::value,
+                  "the named parameter 'summary' needs a reference to a Parameterization_summary, because a copy of it "
+                  "would be filled: write summary(std::ref(s))");
+  }
+};
+
 // The summary that the caller wants to have filled, given as `summary(std::ref(s))`, or null.
 template <class NamedParameters>
 Parameterization_summary* summary_of(const NamedParameters& np)
 {
-  typedef std::reference_wrapper<Parameterization_summary>   Reference;
-  if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::summary_t>::value)
-    return nullptr;
-  else
-    return &static_cast<Reference>(parameters::get_parameter(np, internal_np::summary)).get();
+  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::summary_t>::value) {
+    const auto summary = parameters::get_parameter(np, internal_np::summary);
+    typedef Summary_check<std::decay_t<decltype(summary)>>   Check;
+    if constexpr (Check::value)
+      return &summary.get();
+    else
+      Check::tell();
+  }
+  return nullptr;
 }
 
 } // namespace internal

@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/run_nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -19,6 +20,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace CGAL::Surface_mesh_parameterization {
 
@@ -42,7 +44,11 @@ public:
   typedef TriangleMesh_                                                       Triangle_mesh;          ///< the mesh type
   typedef TriangleMesh_                                                       TriangleMesh;           ///< the same, as CGAL names it
   typedef ConcurrencyTag                                                      Concurrency_tag;        ///< whether several threads are used
+#ifdef DOXYGEN_RUNNING
   typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;    ///< a halfedge of the mesh
+#else
+  typedef typename internal::Mesh_descriptors<Triangle_mesh>::halfedge_descriptor   halfedge_descriptor;
+#endif
 
   /// whether the maps of the method have no flips
   static constexpr bool is_flip_free = true;
@@ -60,13 +66,26 @@ public:
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
                           VertexParameterizedMap vpmap)
   {
-    Parameterization_summary unused_summary;
-    internal::Hierarchy_visitor_holder<Hierarchy_visitor_3> no_visitor{ Hierarchy_visitor_3() };
-    return internal::run_nested_iteration(static_cast<Method&>(*this), m_options, no_visitor,
-                                          m_summary ? *m_summary : unused_summary, mesh, bhd, uvmap, vpmap);
+    typedef std::conjunction<internal::Mesh_check<Triangle_mesh>,
+                             internal::Uv_map_check<VertexUVMap, Triangle_mesh>>   Check;
+    if constexpr (Check::value) {
+      Parameterization_summary unused_summary;
+      internal::Hierarchy_visitor_holder<Hierarchy_visitor_3> no_visitor{ Hierarchy_visitor_3() };
+      return internal::run_nested_iteration(static_cast<Method&>(*this), m_options, no_visitor,
+                                            m_summary ? *m_summary : unused_summary, mesh, bhd, uvmap, vpmap);
+    } else {
+      Check::tell();
+      return ERROR_WRONG_PARAMETER;
+    }
   }
 
 protected:
+  /// \cond SKIP_IN_MANUAL
+  // A method of the package tells all names that it takes, its own and these, as its Option_names.
+  typedef internal::Names<internal_np::flip_policy_t, internal_np::fill_holes_t, internal_np::summary_t>
+      Flat_option_names;
+  /// \endcond
+
   /// \param np the named parameters of a flat run: `summary`, a `std::reference_wrapper<Parameterization_summary>`,
   ///        `flip_policy` and `fill_holes`
   template <class NamedParameters>

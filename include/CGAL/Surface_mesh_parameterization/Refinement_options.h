@@ -28,6 +28,12 @@ enum class Optimizer
 /// The options of the methods that minimize a distortion energy, with their defaults.
 struct Refinement_options
 {
+  /// \cond SKIP_IN_MANUAL
+  typedef internal::Names<internal_np::optimizer_t, internal_np::tolerance_t, internal_np::number_of_iterations_t,
+                          internal_np::number_of_local_steps_t, internal_np::triangle_weight_t,
+                          internal_np::globally_injective_t, internal_np::random_seed_t>   Option_names;
+  /// \endcond
+
   /// named parameter `optimizer`
   Optimizer optimizer = Optimizer::NEWTON;
 

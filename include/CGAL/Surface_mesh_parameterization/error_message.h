@@ -20,7 +20,7 @@ namespace CGAL::Surface_mesh_parameterization {
 inline std::string error_message(const Parameterization_error& error)
 {
   const bool is_at_vertex = error.place == Parameterization_error::VERTEX;
-  std::string message;
+  std::string message = "unknown error";
   switch (error.code) {
     case OK: message = "no error"; break;
     case ERROR_EMPTY_MESH: message = "the mesh has no faces"; break;
@@ -34,7 +34,9 @@ inline std::string error_message(const Parameterization_error& error)
     case ERROR_NO_TOPOLOGICAL_BALL: message = "the surface is no sphere"; break;
     case ERROR_BORDER_TOO_SHORT: message = "the border has no length"; break;
     case ERROR_NON_CONVEX_BORDER: message = "the border of the map crosses itself"; break;
-    case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM: message = "a linear system could not be solved"; break;
+    case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM:
+      message = "a linear system could not be solved, or the parameterizer did not use the solver that it was given";
+      break;
     case ERROR_NO_1_TO_1_MAPPING: message = "no map without flips was found"; break;
     case ERROR_WRONG_PARAMETER:
       message = is_at_vertex ? "a coordinate is not a finite number"
@@ -45,6 +47,17 @@ inline std::string error_message(const Parameterization_error& error)
   if (error.place != Parameterization_error::NOWHERE)
     message += (is_at_vertex ? " (vertex " : " (face ") + std::to_string(error.index) + ")";
   return message;
+}
+
+/// \ingroup PkgHierarchicalParameterizationRef
+///
+/// describes an error code in words, for functions that return no more: the cause in this package. Other than CGAL's
+/// `get_error_message()` it knows every code.
+inline std::string error_message(Error_code code)
+{
+  Parameterization_error error;
+  error.code = code;
+  return error_message(error);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization

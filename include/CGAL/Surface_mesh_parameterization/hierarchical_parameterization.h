@@ -11,12 +11,14 @@
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/error_message.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/longest_border.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <functional>
+#include <type_traits>
 
 namespace CGAL::Surface_mesh_parameterization {
 
@@ -37,9 +39,10 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \tparam Method a class template of parameterizers. Its first argument is the mesh, and the others have defaults.
 ///         `Hierarchical_parameterizer_3` must take `Method<TriangleMesh>`
 ///
-/// \param mesh a triangulated surface with a border and without handles; its points are not changed
+/// \param mesh a triangulated surface with a border and without handles, which may be `const`; it is only read
 /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
-/// \param np the named parameters of `Method<TriangleMesh>` and of `Hierarchical_parameterizer_3`
+/// \param np the named parameters of `Method<TriangleMesh>` and of `Hierarchical_parameterizer_3`. A `summary` receives
+///        what is returned
 ///
 /// \return what the run did: the error if there was one, whether the map converged, its energy, the levels, seconds.
 ///         The error of a closed surface is `ERROR_NO_TOPOLOGICAL_DISC`
@@ -48,20 +51,24 @@ template <template <class...> class Method = MIPS_parameterizer_3, class Triangl
 Parameterization_summary hierarchical_parameterization(TriangleMesh& mesh, VertexUVMap uvmap,
                                                        const NamedParameters& np = parameters::default_values())
 {
+  typedef std::remove_const_t<TriangleMesh>   Mesh;
   Parameterization_summary result;
-  if (faces(mesh).first == faces(mesh).second) {
-    result.error.code = ERROR_EMPTY_MESH;
-    return result;
-  }
-  const auto border = internal::longest_border(mesh, [](const auto&) { return true; }).halfedge;
-  if (border == boost::graph_traits<TriangleMesh>::null_halfedge()) {
-    result.error.code = ERROR_NO_TOPOLOGICAL_DISC;
-    return result;
-  }
-  const internal::Named_parameters<std::reference_wrapper<Parameterization_summary>, internal_np::summary_t,
-                                   NamedParameters>
-      with_summary(std::ref(result), np);
-  parameterize(mesh, Hierarchical_parameterizer_3<Method<TriangleMesh>>(with_summary), border, uvmap);
+  typedef std::conjunction<internal::Mesh_check<Mesh>, internal::Uv_map_check<VertexUVMap, Mesh>>   Check;
+  if constexpr (Check::value) {
+    const internal::Named_parameters<std::reference_wrapper<Parameterization_summary>, internal_np::summary_t,
+                                     NamedParameters>
+        with_summary(std::ref(result), np);
+    const auto border = internal::longest_border(mesh, [](const auto&) { return true; }).halfedge;
+    if (faces(mesh).first == faces(mesh).second)
+      result.error.code = ERROR_EMPTY_MESH;
+    else if (border == boost::graph_traits<Mesh>::null_halfedge())
+      result.error.code = ERROR_NO_TOPOLOGICAL_DISC;
+    else
+      parameterize(mesh, Hierarchical_parameterizer_3<Method<Mesh>>(with_summary), border, uvmap);
+    if (Parameterization_summary* const users_summary = internal::summary_of(np))
+      *users_summary = result;
+  } else
+    Check::tell();
   return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
 
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -179,14 +181,20 @@ template <class TriangleMesh, class FaceRange, class VertexUVMap>
 Parameterization_quality parameterization_quality(const TriangleMesh& mesh, const FaceRange& face_range,
                                                   VertexUVMap uvmap)
 {
-  internal::Unit_scale scale;
-  for (const auto f : face_range)
-    scale.include(internal::Mapped_triangle(f, mesh, uvmap));
-  internal::Quality_sums sums(scale);
-  for (const auto f : face_range)
-    sums.add(internal::Mapped_triangle(f, mesh, uvmap));
-  Parameterization_quality result = sums.quality();
-  result.overlaps = internal::number_of_overlapping_faces(mesh, face_range, uvmap, result.flips > 0);
+  typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
+                           internal::Readable_uv_map_check<VertexUVMap, TriangleMesh>>   Check;
+  Parameterization_quality result;
+  if constexpr (Check::value) {
+    internal::Unit_scale scale;
+    for (const auto f : face_range)
+      scale.include(internal::Mapped_triangle(f, mesh, uvmap));
+    internal::Quality_sums sums(scale);
+    for (const auto f : face_range)
+      sums.add(internal::Mapped_triangle(f, mesh, uvmap));
+    result = sums.quality();
+    result.overlaps = internal::number_of_overlapping_faces(mesh, face_range, uvmap, result.flips > 0);
+  } else
+    Check::tell();
   return result;
 }
 
@@ -196,7 +204,12 @@ Parameterization_quality parameterization_quality(const TriangleMesh& mesh, cons
 template <class TriangleMesh, class VertexUVMap>
 Parameterization_quality parameterization_quality(const TriangleMesh& mesh, VertexUVMap uvmap)
 {
-  return parameterization_quality(mesh, faces(mesh), uvmap);
+  if constexpr (internal::Mesh_check<TriangleMesh>::value)
+    return parameterization_quality(mesh, faces(mesh), uvmap);
+  else {
+    internal::Mesh_check<TriangleMesh>::tell();
+    return Parameterization_quality();
+  }
 }
 
 } // namespace CGAL::Surface_mesh_parameterization

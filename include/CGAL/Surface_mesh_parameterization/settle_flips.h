@@ -10,6 +10,8 @@
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
@@ -17,13 +19,39 @@
 
 #include <CGAL/number_utils.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
+
+namespace internal {
+
+template <class TriangleMesh, class VertexUVMap>
+void settle_flips_of_component(Mesh_component<TriangleMesh>& component, VertexUVMap uvmap, Flip_policy policy,
+                               Parameterization_summary& summary)
+{
+  typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
+
+  std::vector<Point_2> uv;
+  for (const auto v : component.vertices_of_component())
+    uv.emplace_back(CGAL::to_double(get(uvmap, v).x()), CGAL::to_double(get(uvmap, v).y()));
+
+  const One_rings rings(uv.size(), component.surface().triangles);
+  summary.error.code = internal::settle_flips(
+      { policy, &repair_map }, rings, [&] { return std::move(component.surface()); }, uv, summary);
+  const Round_coordinate round = rounding_to<User_point_2>();
+  if (summary.error.code == OK && summary.moved_vertices > 0 && round && !round_map(rings, round, 0, uv))
+    summary.error.code = ERROR_NO_1_TO_1_MAPPING;
+  if (summary.error.code == OK && summary.moved_vertices > 0)
+    for (std::size_t i = 0; i < uv.size(); ++i)
+      put(uvmap, component.vertices_of_component()[i], User_point_2(uv[i].x(), uv[i].y()));
+}
+
+} // namespace internal
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
@@ -43,34 +71,25 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// \return `OK`; an error of `Mesh_component`; `ERROR_NO_1_TO_1_MAPPING` if there are flips and the policy is `FAIL`,
 /// or if they could not be repaired
-template <class TriangleMesh, class VertexUVMap, class NamedParameters = parameters::Default_named_parameters>
-Error_code settle_flips(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
-                        VertexUVMap uvmap, Flip_policy policy, const NamedParameters& np = parameters::default_values())
+template <class TriangleMesh, class Halfedge, class VertexUVMap,
+          class NamedParameters = parameters::Default_named_parameters>
+Error_code settle_flips(const TriangleMesh& mesh, Halfedge bhd, VertexUVMap uvmap, Flip_policy policy,
+                        const NamedParameters& np = parameters::default_values())
 {
-  typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
-
+  internal::assert_names<internal::Names<internal_np::summary_t>>(np);
   Parameterization_summary unused_summary;
   Parameterization_summary* const users_summary = internal::summary_of(np);
   Parameterization_summary& summary = users_summary ? *users_summary : unused_summary;
   summary = Parameterization_summary();
-
-  Mesh_component<TriangleMesh> component(mesh, bhd);
-  summary.error = component.error();
-  if (summary.error.code != OK)
-    return summary.error.code;
-  std::vector<internal::Point_2> uv;
-  for (const auto v : component.vertices_of_component())
-    uv.emplace_back(CGAL::to_double(get(uvmap, v).x()), CGAL::to_double(get(uvmap, v).y()));
-
-  const internal::One_rings rings(uv.size(), component.surface().triangles);
-  summary.error.code = internal::settle_flips(
-      { policy, &internal::repair_map }, rings, [&] { return std::move(component.surface()); }, uv, summary);
-  const internal::Round_coordinate round = internal::rounding_to<User_point_2>();
-  if (summary.error.code == OK && summary.moved_vertices > 0 && round && !internal::round_map(rings, round, 0, uv))
-    summary.error.code = ERROR_NO_1_TO_1_MAPPING;
-  if (summary.error.code == OK && summary.moved_vertices > 0)
-    for (std::size_t i = 0; i < uv.size(); ++i)
-      put(uvmap, component.vertices_of_component()[i], User_point_2(uv[i].x(), uv[i].y()));
+  typedef std::conjunction<internal::Mesh_check<TriangleMesh>, internal::Halfedge_check<Halfedge, TriangleMesh>,
+                           internal::Uv_map_check<VertexUVMap, TriangleMesh, true>>   Check;
+  if constexpr (Check::value) {
+    Mesh_component<TriangleMesh> component(mesh, bhd);
+    summary.error = component.error();
+    if (summary.error.code == OK)
+      internal::settle_flips_of_component(component, uvmap, policy, summary);
+  } else
+    Check::tell();
   return summary.error.code;
 }
 

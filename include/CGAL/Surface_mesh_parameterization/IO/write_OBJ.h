@@ -6,25 +6,20 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <cstddef>
 #include <limits>
 #include <ostream>
+#include <type_traits>
 
-namespace CGAL::Surface_mesh_parameterization::IO {
+namespace CGAL::Surface_mesh_parameterization {
 
-/// \ingroup PkgHierarchicalParameterizationIO
-///
-/// writes a mesh with its parameterization as Wavefront OBJ: `v` and `vt` lines in the order of `vertices(mesh)`, faces
-/// in the order of `faces(mesh)`. Coordinates have all digits.
-///
-/// \param os the stream; its state tells whether writing succeeded
-/// \param mesh a model of `FaceListGraph` with an internal vertex point map
-/// \param uvmap a readable property map from vertices to points of the plane
-/// \param vpmap a readable property map from vertices to `bool`: which vertices have a place in the plane. A face with
-///        another vertex is written without texture coordinates
+namespace internal {
+
 template <class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
 void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, VertexParameterizedMap vpmap)
 {
@@ -60,6 +55,33 @@ void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, Ve
   os.precision(old_precision);
 }
 
-} // namespace CGAL::Surface_mesh_parameterization::IO
+} // namespace internal
+
+namespace IO {
+
+/// \ingroup PkgHierarchicalParameterizationIO
+///
+/// writes a mesh with its parameterization as Wavefront OBJ: `v` and `vt` lines in the order of `vertices(mesh)`, faces
+/// in the order of `faces(mesh)`. Coordinates have all digits.
+///
+/// \param os the stream; its state tells whether writing succeeded
+/// \param mesh a model of `FaceListGraph` with an internal vertex point map
+/// \param uvmap a readable property map from vertices to points of the plane
+/// \param vpmap a readable property map from vertices to `bool`: which vertices have a place in the plane. A face with
+///        another vertex is written without texture coordinates
+template <class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
+void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, VertexParameterizedMap vpmap)
+{
+  typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
+                           internal::Readable_uv_map_check<VertexUVMap, TriangleMesh>>   Check;
+  if constexpr (Check::value)
+    internal::write_OBJ(os, mesh, uvmap, vpmap);
+  else
+    Check::tell();
+}
+
+} // namespace IO
+
+} // namespace CGAL::Surface_mesh_parameterization
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_IO_WRITE_OBJ_H

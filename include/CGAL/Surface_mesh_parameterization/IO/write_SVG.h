@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
 
 #include <CGAL/Bbox_2.h>
@@ -17,6 +18,7 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -137,12 +139,17 @@ namespace IO {
 template <class TriangleMesh, class FaceRange, class VertexUVMap>
 void write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face_range, VertexUVMap uvmap)
 {
-  internal::Triangle_drawing drawing;
-  for (const auto f : face_range) {
-    const internal::Mapped_triangle t(f, mesh, uvmap);
-    drawing.add(t.uv, internal::Map_invariants(t).angle_distortion());
-  }
-  drawing.write(os);
+  typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
+                           internal::Readable_uv_map_check<VertexUVMap, TriangleMesh>>   Check;
+  if constexpr (Check::value) {
+    internal::Triangle_drawing drawing;
+    for (const auto f : face_range) {
+      const internal::Mapped_triangle t(f, mesh, uvmap);
+      drawing.add(t.uv, internal::Map_invariants(t).angle_distortion());
+    }
+    drawing.write(os);
+  } else
+    Check::tell();
 }
 
 } // namespace IO

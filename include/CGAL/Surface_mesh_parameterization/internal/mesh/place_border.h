@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -17,9 +18,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <unordered_map>
-#include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -57,17 +56,8 @@ public:
 };
 
 // Whether a method has the optional member place_border() of the concept RefinableParameterizer_3.
-template <class Method, class = void>
-struct Places_border : std::false_type { };
-
 template <class Method>
-struct Places_border<Method, std::void_t<decltype(std::declval<Method&>().place_border(
-    std::declval<const typename Method::Triangle_mesh&>(),
-    std::declval<typename boost::graph_traits<typename Method::Triangle_mesh>::halfedge_descriptor>(),
-    std::declval<Border_maps<typename Method::Triangle_mesh>&>().place,
-    std::declval<Border_maps<typename Method::Triangle_mesh>&>().index,
-    std::declval<Border_maps<typename Method::Triangle_mesh>&>().is_placed))>>
-  : std::true_type { };
+constexpr bool places_border = is_detected<concept_checks::Place_border, Method, typename Method::Triangle_mesh>;
 
 // Lets a method that has a place_border() fix vertices of the component, in the user's units.
 // Returns the method's error, or `ERROR_WRONG_PARAMETER` for a place that is not finite.
@@ -76,7 +66,7 @@ Error_code place_border(Method& method, const TriangleMesh& mesh,
                         typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
                         Mesh_component<TriangleMesh>& component)
 {
-  if constexpr (Places_border<Method>::value) {
+  if constexpr (places_border<Method>) {
     const Border_maps<TriangleMesh> maps(mesh, component);
     const Error_code status = method.place_border(mesh, bhd, maps.place, maps.index, maps.is_placed);
     if (status != OK)

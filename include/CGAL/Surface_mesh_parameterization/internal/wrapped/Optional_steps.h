@@ -35,12 +35,15 @@ struct Optional_steps
   typedef typename Wrapped_run<Triangle_mesh>::Index_map                      Index_map;
   typedef typename Flip_free_relative<Parameterizer>::type                    Relative;
 
+  // The names that ask for them.
+  typedef Names<internal_np::fill_holes_t, internal_np::flip_policy_t>   Option_names;
+
   // A copy of the mesh without holes; null if the mesh type cannot have one.
   std::shared_ptr<Filled_mesh<Triangle_mesh>> (*fill_holes)(const Triangle_mesh&, halfedge_descriptor) = nullptr;
 
   // Runs the method without flips that takes the parameterizer's place where a repair left little of the map. Null if
   // there is none.
-  Error_code (*run_relative)(Triangle_mesh&, halfedge_descriptor, const Index_map&, std::vector<Point_2>& uv,
+  Error_code (*run_relative)(const Triangle_mesh&, halfedge_descriptor, const Index_map&, std::vector<Point_2>& uv,
                              Parameterization_summary&) = nullptr;
 
   template <class NamedParameters>
@@ -61,8 +64,8 @@ struct Optional_steps
 
 private:
   template <class Method>
-  static Error_code run(Triangle_mesh& mesh, halfedge_descriptor bhd, const Index_map& index, std::vector<Point_2>& uv,
-                        Parameterization_summary& summary)
+  static Error_code run(const Triangle_mesh& mesh, halfedge_descriptor bhd, const Index_map& index,
+                        std::vector<Point_2>& uv, Parameterization_summary& summary)
   {
     typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor   vertex_descriptor;
     const Constant_property_map<vertex_descriptor, bool> is_parameterized;
@@ -75,6 +78,8 @@ private:
 template <class SeamMesh, class SolverTraits>
 struct Optional_steps<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 {
+  typedef Names<>   Option_names;
+
   template <class NamedParameters>
   static Optional_steps of(const NamedParameters&) { return Optional_steps(); }
 };

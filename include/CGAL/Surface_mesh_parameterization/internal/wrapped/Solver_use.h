@@ -19,6 +19,7 @@ namespace internal {
 
 struct Plain_solver_use
 {
+  static constexpr bool is_shipped = false;               // with CGAL
   static constexpr bool solves_in_pairs = false;          // for u and for v, before it looks at either
   static constexpr bool copies_solution = false;          // to the map, and does nothing else with it
   static constexpr bool has_uniform_weights = false;
@@ -30,6 +31,7 @@ struct Solver_use : Plain_solver_use { };
 
 struct Solves_in_pairs : Plain_solver_use
 {
+  static constexpr bool is_shipped = true;
   static constexpr bool solves_in_pairs = true;
 };
 
@@ -73,6 +75,7 @@ struct Flip_free_relative<LSCM_parameterizer_3<M, B, S>>
 template <class M, class B, class S>
 struct Solver_use<LSCM_parameterizer_3<M, B, S>> : Plain_solver_use
 {
+  static constexpr bool is_shipped = true;
   static constexpr bool copies_solution = true;
 };
 

@@ -33,7 +33,7 @@ public:
   // does not change the energy.
   template <class NamedParameters = Default_parameters, class = std::enable_if_t<is_named_parameters<NamedParameters>>>
   explicit Wrapped_as_rigid_as_possible_3(const NamedParameters& np = parameters::default_values())
-    : Base(Method(np), np)
+    : Base(np)
   { }
 
   template <class NamedParameters = Default_parameters>

@@ -29,6 +29,11 @@ struct Wrapped_options
   Parameterization_summary* summary = nullptr;          // may be null
 };
 
+// The names that all of them take.
+typedef Names<internal_np::coarsest_size_t, internal_np::random_seed_t, internal_np::unit_edges_t,
+              internal_np::tolerance_t, internal_np::number_of_iterations_t, internal_np::visitor_t,
+              internal_np::summary_t>   Wrapped_option_names;
+
 template <class NamedParameters>
 Wrapped_options wrapped_options_of(const NamedParameters& np, const Hierarchy_options& hierarchy_defaults)
 {

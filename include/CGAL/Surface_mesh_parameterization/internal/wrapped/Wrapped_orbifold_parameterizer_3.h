@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Constrained_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Component_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_parameterizer_base_3.h>
@@ -18,6 +19,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -39,8 +41,22 @@ public:
   // The arguments are those of CGAL's function; `bhd` must be on the seam, which is the only border. Vertices keep the
   // order that they have in `vimap`: CGAL 6 lets the weight of an edge on the seam depend on which end comes first.
   template <class ConeMap, class VertexIndexMap, class VertexUVMap>
-  Error_code parameterize(SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap, VertexUVMap uvmap,
+  Error_code parameterize(const SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap, VertexUVMap uvmap,
                           VertexIndexMap vimap) const
+  {
+    typedef std::conjunction<Mesh_check<SeamMesh>, Uv_map_check<VertexUVMap, SeamMesh>>   Check;
+    if constexpr (Check::value)
+      return parameterize_seam_mesh(mesh, bhd, cmap, uvmap, vimap);
+    else {
+      Check::tell();
+      return ERROR_WRONG_PARAMETER;
+    }
+  }
+
+private:
+  template <class ConeMap, class VertexIndexMap, class VertexUVMap>
+  Error_code parameterize_seam_mesh(const SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap,
+                                    VertexUVMap uvmap, VertexIndexMap vimap) const
   {
     typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
     typedef typename Wrapped_run<SeamMesh>::Index_map                  Index_map;
@@ -55,7 +71,7 @@ public:
     const Error_code code = run.parameterize(session, uv, [&]() -> Error_code {
       if (num_vertices(mesh) != uv.size())
         return ERROR_NO_TOPOLOGICAL_DISC;
-      return this->make_parameterizer()->parameterize(mesh, bhd, cmap,
+      return this->make_parameterizer()->parameterize(const_cast<SeamMesh&>(mesh), bhd, cmap,
                                                       Component_map<Index_map, User_point_2>{ run.index(), &uv },
                                                       run.index());
     });

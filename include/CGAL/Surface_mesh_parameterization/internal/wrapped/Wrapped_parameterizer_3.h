@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_WRAPPED_PARAMETERIZER_3_H
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
@@ -20,6 +21,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -44,8 +46,25 @@ public:
   // Further arguments are handed on, as the number of iterations of Iterative_authalic_parameterizer_3. Holes are
   // filled in a copy of the mesh, where there can be one.
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
-  Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
+  Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
                           VertexParameterizedMap vpmap, Others&&... others)
+  {
+    typedef std::conjunction<Mesh_check<Triangle_mesh>, Uv_map_check<VertexUVMap, Triangle_mesh, true>>   Check;
+    if constexpr (Check::value)
+      return parameterize_mesh(mesh, bhd, uvmap, vpmap, std::forward<Others>(others)...);
+    else {
+      Check::tell();
+      return ERROR_WRONG_PARAMETER;
+    }
+  }
+
+private:
+  typedef boost::graph_traits<Triangle_mesh>          Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor    vertex_descriptor;
+
+  template <class VertexUVMap, class VertexParameterizedMap, class... Others>
+  Error_code parameterize_mesh(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap,
+                               VertexParameterizedMap vpmap, Others&&... others)
   {
     std::shared_ptr<Filled_mesh<Triangle_mesh>> filled;
     if (this->options().fills_holes) {
@@ -58,14 +77,11 @@ public:
                                 vpmap, std::forward<Others>(others)...);
   }
 
-private:
-  typedef boost::graph_traits<Triangle_mesh>          Graph_traits;
-  typedef typename Graph_traits::vertex_descriptor    vertex_descriptor;
-
   // Runs on a mesh, which may be a copy of that of the property maps.
   template <class VertexUVMap, class VertexParameterizedMap, class... Others>
-  Error_code parameterize_surface(Triangle_mesh& mesh, halfedge_descriptor bhd, const Filled_mesh<Triangle_mesh>* copy,
-                                  VertexUVMap uvmap, VertexParameterizedMap vpmap, Others&&... others)
+  Error_code parameterize_surface(const Triangle_mesh& mesh, halfedge_descriptor bhd,
+                                  const Filled_mesh<Triangle_mesh>* copy, VertexUVMap uvmap,
+                                  VertexParameterizedMap vpmap, Others&&... others)
   {
     typedef typename boost::property_traits<VertexUVMap>::value_type    User_point_2;
     typedef typename Wrapped_run<Triangle_mesh>::Index_map              Index_map;
@@ -89,10 +105,13 @@ private:
       session->allow_marks();
     Error_code code = run.parameterize(session, uv, [&] {
       copy_places(vertices, uvmap, vpmap, uv, is_placed);
+      // CGAL's parameterizers read the mesh only, but do not say so.
       return this->make_parameterizer()->parameterize(
-          mesh, bhd, Component_map<Index_map, User_point_2>{ run.index(), &uv }, run.index(),
-          Component_map<Index_map, char>{ run.index(), &is_placed }, std::forward<Others>(others)...);
+          const_cast<Triangle_mesh&>(mesh), bhd, Component_map<Index_map, User_point_2>{ run.index(), &uv },
+          run.index(), Component_map<Index_map, char>{ run.index(), &is_placed }, std::forward<Others>(others)...);
     }, Use::copies_solution);
+    if (code == OK && session->summary().setups == 0)
+      code = this->fail(ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);      // another solver made the map
     if (code == OK)
       code = run.settle_flips(uv);
     if (code == OK && this->optional_steps().run_relative && run.is_mostly_moved()) {

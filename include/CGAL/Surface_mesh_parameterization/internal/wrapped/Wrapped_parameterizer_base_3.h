@@ -91,6 +91,7 @@ private:
   template <class NamedParameters>
   void set_options(const NamedParameters& np)
   {
+    assert_names<Joined_names<Wrapped_option_names, typename Optional_steps<Parameterizer>::Option_names>>(np);
     Hierarchy_options hierarchy_defaults;
     hierarchy_defaults.has_unit_edges = Solver_use<Parameterizer>::has_uniform_weights;
     m_options = wrapped_options_of(np, hierarchy_defaults);

@@ -1,0 +1,382 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Programs that must not compile, one for each macro; refused_programs_test.sh compiles them. The sentence behind each
+// `#ifdef` must be in the compiler's first error, and it must be the only error. What they share compiles, and with
+// C++20 so do the concepts.
+
+#include "refused_programs.h"
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace np = SMP::parameters;
+typedef CGAL::Simple_cartesian<double>                    Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3>               Mesh;
+typedef Mesh::Halfedge_index                              Halfedge;
+typedef Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2>   UV_map;
+typedef SMP::MIPS_parameterizer_3<Mesh>                   MIPS;
+typedef SMP::Uniform_edge_weights_3                       Weights;
+
+// Runs a parameterizer as users do.
+template <class Parameterizer>
+SMP::Error_code run(const Parameterizer& parameterizer, Mesh& mesh, Halfedge bhd, UV_map uvmap)
+{
+  return SMP::parameterize(mesh, parameterizer, bhd, uvmap);
+}
+
+template <class Parameterizer>
+SMP::Error_code run_hierarchically(Mesh& mesh, Halfedge bhd, UV_map uvmap)
+{
+  return SMP::parameterize(mesh, SMP::Hierarchical_parameterizer_3<Parameterizer>(), bhd, uvmap);
+}
+
+// ---- what is right, for the wrong programs to spoil ----
+
+struct Energy_base
+{
+  static constexpr double minimum = 4;
+  static constexpr bool is_scale_invariant = false;
+  static double value(double f, double d) { return f + f / (d * d); }
+};
+
+struct Flip_free_energy_base : Energy_base
+{
+  static constexpr bool is_flip_free = true;
+};
+
+struct Method_base
+{
+  typedef ::Mesh                 Triangle_mesh;
+  typedef CGAL::Sequential_tag   Concurrency_tag;
+};
+
+struct Refinement : Method_base
+{
+  SMP::Error_code refine(const SMP::Level&, SMP::Level::Uv&, SMP::Level_summary&) { return SMP::OK; }
+};
+
+struct Weights_base
+{
+  static constexpr bool is_symmetric = true, is_positive = true;
+};
+
+template <class Energy>
+using With_energy = SMP::Distortion_parameterizer_3<Mesh, Energy>;
+
+template <class Weights, class Border = SMP::Circular_border_arc_length_parameterizer_3<Mesh>>
+using With_weights = SMP::Edge_energy_parameterizer_3<Mesh, Weights, Border>;
+
+struct Nothing { };
+
+#ifdef WITH_CONCEPTS
+template <SMP::DistortionEnergy_2 Energy, SMP::EdgeWeights_3, SMP::HierarchyVisitor_3, SMP::Parameterizer_3,
+          SMP::RefinableParameterizer_3, SMP::RebindableParameterizer_3, SMP::SparseLinearAlgebraTraits_d>
+struct With_concepts { };
+typedef With_concepts<SMP::MIPS_energy_2, Weights, SMP::Hierarchy_visitor_3, MIPS, MIPS,
+                      SMP::LSCM_parameterizer_3<Mesh>, SMP::Multigrid_solver_traits>   Right;
+static_assert(!SMP::DistortionEnergy_2<Nothing> && !SMP::EdgeWeights_3<Nothing> && !SMP::HierarchyVisitor_3<Nothing> &&
+              !SMP::Parameterizer_3<Nothing> && !SMP::RefinableParameterizer_3<Nothing> &&
+              !SMP::RebindableParameterizer_3<Nothing> && !SMP::SparseLinearAlgebraTraits_d<Nothing>);
+#endif
+
+// ---- energies ----
+
+#ifdef ENERGY_WITHOUT_MINIMUM // Energy has no constant minimum
+struct Energy { };
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<With_energy<Energy>>(m, h, uv); }
+#endif
+
+#ifdef ENERGY_WITHOUT_SCALE_INVARIANCE // Energy has no constant is_scale_invariant
+struct Energy { static constexpr double minimum = 4; };
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<With_energy<Energy>>(m, h, uv); }
+#endif
+
+#ifdef ENERGY_WITHOUT_FLIP_FREE // Energy has no constant is_flip_free
+struct Energy : Energy_base { };
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<With_energy<Energy>>(m, h, uv); }
+#endif
+
+#ifdef ENERGY_WITHOUT_OF_AREA // Energy has no of_area(double) const that returns an Energy
+struct Energy : Flip_free_energy_base { };
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<With_energy<Energy>>(m, h, uv); }
+#endif
+
+#ifdef ENERGY_WITHOUT_VALUE // Energy has no value(double, double) const that returns a double
+struct Energy
+{
+  static constexpr double minimum = 4;
+  static constexpr bool is_scale_invariant = false, is_flip_free = true;
+  Energy of_area(double) const { return *this; }
+  double value(double f) const { return f; }
+};
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<With_energy<Energy>>(m, h, uv); }
+#endif
+
+#ifdef ENERGY_WITHOUT_DERIVATIVES // Energy has no derivatives(double, double) const
+struct Energy : Flip_free_energy_base { Energy of_area(double) const { return *this; } };
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<With_energy<Energy>>(m, h, uv); }
+#endif
+
+#ifdef ENERGY_WITH_PARAMETER // Energy has no default or copy constructor
+struct Energy : SMP::MIPS_energy_2 { explicit Energy(double) { } };
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<With_energy<Energy>>(m, h, uv); }
+#endif
+
+#ifdef ENERGY_THAT_FLIPS // Energy does not keep triangles positive
+struct Energy : SMP::MIPS_energy_2
+{
+  static constexpr bool is_flip_free = false;
+  Energy of_area(double) const { return *this; }
+};
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<With_energy<Energy>>(m, h, uv); }
+#endif
+
+// ---- edge weights and border parameterizers ----
+
+#ifdef WEIGHTS_WITHOUT_SYMMETRY // EdgeWeights has no constant is_symmetric
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<With_weights<Nothing>>(m, h, uv); }
+#endif
+
+#ifdef WEIGHTS_WITHOUT_SIGN // EdgeWeights has no constant is_positive
+struct Unsigned_weights { static constexpr bool is_symmetric = true; };
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv)
+{
+  return run_hierarchically<With_weights<Unsigned_weights>>(m, h, uv);
+}
+#endif
+
+#ifdef WEIGHTS_WITHOUT_OPERATOR // EdgeWeights has no operator()(const Point_3&, const std::vector<Point_3>&
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv)
+{
+  return run(With_weights<Weights_base>({}, Weights_base()), m, h, uv);
+}
+#endif
+
+#ifdef NO_BORDER_PARAMETERIZER // BorderParameterizer has no parameterize(const TriangleMesh&, halfedge_descriptor
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv)
+{
+  return run_hierarchically<With_weights<Weights, Nothing>>(m, h, uv);
+}
+#endif
+
+#ifdef NO_BORDER_PARAMETERIZER_FOR_CGAL // the BorderParameterizer of the parameterizer has no parameterize(
+typedef SMP::Mean_value_coordinates_parameterizer_3<Mesh, Nothing> Mean_value;
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<Mean_value>(m, h, uv); }
+#endif
+
+// ---- solvers, and parameterizers whose solver cannot be exchanged ----
+
+#ifdef NO_SOLVER_FOR_CGAL // the SolverTraits of the parameterizer have no NT, Matrix, Vector or linear_solver(
+typedef SMP::LSCM_parameterizer_3<Mesh, CGAL::Default, Nothing> LSCM;
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<LSCM>(m, h, uv); }
+#endif
+
+#ifdef THIRD_ARGUMENT_IS_NO_SOLVER // the third template argument of P are no solver traits
+template <class Mesh_, class Scale, class Color> struct Own { typedef Mesh_ Triangle_mesh; };
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<Own<Mesh, int, int>>(m, h, uv); }
+#endif
+
+#ifdef DEFAULT_THIRD_ARGUMENT_IS_NO_SOLVER // the third template argument of P are no solver traits
+template <class Mesh_, class Scale = CGAL::Default, class Color = CGAL::Default> struct Own
+{
+  typedef Mesh_ Triangle_mesh;
+};
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<Own<Mesh>>(m, h, uv); }
+#endif
+
+#ifdef SUBCLASS_THAT_IS_NO_TEMPLATE // specialize Rebind_solver<P, SolverTraits>, or make P a template of mesh, border
+struct Own : SMP::Mean_value_coordinates_parameterizer_3<Mesh> { };
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<Own>(m, h, uv); }
+#endif
+
+// ---- methods ----
+
+#ifdef NO_PARAMETERIZER // P is no parameterizer that runs hierarchically
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<Method_base>(m, h, uv); }
+#endif
+
+#ifdef METHOD_WITHOUT_MESH // the method has no type Triangle_mesh
+struct Method { void refine() { } };
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<Method>(m, h, uv); }
+#endif
+
+#ifdef METHOD_WITHOUT_TAG // the method has no type Concurrency_tag
+struct Method { typedef ::Mesh Triangle_mesh; void refine() { } };
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<Method>(m, h, uv); }
+#endif
+
+#ifdef METHOD_WITHOUT_FLIP_FREE // the method has no constant is_flip_free
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<Refinement>(m, h, uv); }
+#endif
+
+#ifdef METHOD_WITHOUT_COARSEST // the method has no parameterize_coarsest(const Level&, Level::Uv&)
+struct Method : Refinement { static constexpr bool is_flip_free = true; };
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv)
+{
+  return run(SMP::Hierarchical_parameterizer_3<Method>(Method(), np::coarsest_size(9)), m, h, uv);
+}
+#endif
+
+#ifdef METHOD_WITHOUT_REFINE // the method has no refine(const Level&, Level::Uv&, Level_summary&)
+struct Method : Method_base
+{
+  static constexpr bool is_flip_free = true;
+  SMP::Error_code parameterize_coarsest(const SMP::Level&, SMP::Level::Uv&) { return SMP::OK; }
+};
+SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv)
+{
+  return run(SMP::Nested_iteration_parameterizer_3<Method>(np::coarsest_size(9)), m, h, uv);
+}
+#endif
+
+// ---- meshes, halfedges and maps ----
+
+#ifdef NO_MESH // TriangleMesh is no FaceListGraph: there is no vertices(mesh)
+auto wrong(Nothing& m, UV_map uv) { return SMP::hierarchical_parameterization(m, uv); }
+#endif
+
+#ifdef NO_MESH_OF_A_METHOD // TriangleMesh is no FaceListGraph: there is no vertices(mesh)
+typedef SMP::MIPS_parameterizer_3<std::vector<Kernel::Point_3>> Method;
+SMP::Error_code wrong(std::vector<Kernel::Point_3>& m, Halfedge h, UV_map uv)
+{
+  return SMP::parameterize(m, SMP::Hierarchical_parameterizer_3<Method>(), h, uv);
+}
+#endif
+
+#ifdef NO_MESH_OF_A_BORDER // TriangleMesh is no FaceListGraph: there is no vertices(mesh)
+SMP::Error_code wrong(Nothing& m, Halfedge h, UV_map uv)
+{
+  return SMP::parameterize(
+      m, SMP::Hierarchical_parameterizer_3<SMP::Edge_energy_parameterizer_3<Nothing, Weights, Nothing>>(), h, uv);
+}
+#endif
+
+#ifdef NO_MESH_OF_A_COMPONENT // TriangleMesh is no FaceListGraph: there is no vertices(mesh)
+auto wrong(const Nothing& m, Halfedge h) { return SMP::Mesh_component<Nothing>(m, h).error(); }
+#endif
+
+#ifdef OTHER_MESH // mesh is of another type than the Triangle_mesh of the parameterizer
+typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3> Other_mesh;
+SMP::Error_code wrong(Other_mesh& m, Halfedge h, UV_map uv)
+{
+  return SMP::parameterize(m, SMP::Hierarchical_parameterizer_3<MIPS>(), h, uv);
+}
+#endif
+
+#ifdef NO_HALFEDGE // bhd is no halfedge_descriptor of the mesh
+SMP::Error_code wrong(Mesh& m, Mesh::Vertex_index v, UV_map uv)
+{
+  return SMP::parameterize(m, SMP::Hierarchical_parameterizer_3<MIPS>(), v, uv);
+}
+#endif
+
+#ifdef NO_PROPERTY_MAP // uvmap is no property map
+auto wrong(Mesh& m, std::vector<Kernel::Point_2> uv) { return SMP::hierarchical_parameterization(m, uv); }
+#endif
+
+#ifdef MAP_TO_NUMBERS // uvmap is no map to points of the plane: the value type has no x() and y()
+SMP::Error_code wrong(Mesh& m, Halfedge h, Mesh::Property_map<Mesh::Vertex_index, double> uv)
+{
+  return SMP::parameterize(m, SMP::Hierarchical_parameterizer_3<MIPS>(), h, uv);
+}
+#endif
+
+#ifdef MAP_TO_SPACE // uvmap is no map to points of the plane: the value type has no constructor from two doubles
+auto wrong(Mesh& m) { return SMP::hierarchical_parameterization(m, m.points()); }
+#endif
+
+#ifdef MAP_TO_SPACE_OF_CGAL // uvmap is no map to points of the plane: the value type has no constructor from two
+SMP::Error_code wrong(Mesh& m, Halfedge h)
+{
+  SMP::Hierarchical_parameterizer_3<SMP::Mean_value_coordinates_parameterizer_3<Mesh>> mean_value;
+  return SMP::parameterize(m, mean_value, h, m.points());
+}
+#endif
+
+#ifdef MAP_OF_HALFEDGES // uvmap cannot be written: there is no put(uvmap, v, point) for a vertex v of the mesh
+auto wrong(Mesh& m, Mesh::Property_map<Halfedge, Kernel::Point_2> uv)
+{
+  return SMP::hierarchical_parameterization(m, uv);
+}
+#endif
+
+#ifdef MAP_THAT_CANNOT_BE_READ // uvmap cannot be read: there is no get(uvmap, v)
+auto wrong(const Mesh& m, Mesh::Property_map<Halfedge, Kernel::Point_2> uv)
+{
+  return SMP::parameterization_quality(m, uv);
+}
+#endif
+
+#ifdef NO_MAP_TO_DRAW // uvmap cannot be read: there is no get(uvmap, v)
+void wrong(const Mesh& m) { SMP::IO::write_SVG(std::cout, m, m.faces(), std::map<Mesh::Vertex_index, int>()); }
+#endif
+
+#ifdef NO_MAP_TO_WRITE_OUT // uvmap cannot be read: there is no get(uvmap, v)
+void wrong(const Mesh& m, const std::vector<bool>& vp) { SMP::IO::write_OBJ(std::cout, m, Nothing(), vp); }
+#endif
+
+#ifdef NO_INDEX_MAP // vimap has no get(vimap, v), an integer, for a vertex v of the mesh
+auto wrong(const Mesh& m, Halfedge h, UV_map uv) { return SMP::Multigrid_solver_traits(m, h, uv); }
+#endif
+
+// ---- visitors and options ----
+
+#ifdef VISITOR_WITHOUT_HIERARCHY // the visitor has no hierarchy_built(const Collapse_hierarchy_3&)
+auto wrong(Mesh& m, UV_map uv) { return SMP::hierarchical_parameterization(m, uv, np::visitor(Nothing())); }
+#endif
+
+#ifdef VISITOR_WITHOUT_LEVELS // the visitor has no level_parameterized(const Level&, const Level::Uv&
+struct Visitor { bool hierarchy_built(const SMP::Collapse_hierarchy_3&) { return true; } };
+auto wrong(Mesh& m, UV_map uv) { return SMP::hierarchical_parameterization(m, uv, np::visitor(Visitor())); }
+#endif
+
+#ifdef SUMMARY_BY_VALUE // write summary(std::ref(s))
+auto wrong(Mesh& m, UV_map uv)
+{
+  SMP::Parameterization_summary s;
+  return SMP::hierarchical_parameterization(m, uv, np::summary(s));
+}
+#endif
+
+#ifdef OPTION_OF_THE_METHOD_FOR_THE_ADAPTOR // the named parameter 'tolerance' has no effect here
+auto wrong() { return SMP::Hierarchical_parameterizer_3<MIPS>(MIPS(), np::random_seed(1).tolerance(1e-8)); }
+#endif
+
+#ifdef OPTION_OF_THE_ADAPTOR_FOR_A_METHOD // the named parameter 'coarsest_size' has no effect here
+auto wrong() { return MIPS(np::tolerance(1e-8).coarsest_size(9)); }
+#endif
+
+#ifdef OPTION_OF_ANOTHER_METHOD // the named parameter 'lambda' has no effect here
+auto wrong(Mesh& m, UV_map uv) { return SMP::hierarchical_parameterization(m, uv, np::lambda(1).random_seed(2)); }
+#endif
+
+#ifdef OPTION_OF_MIPS_FOR_CGAL // the named parameter 'triangle_weight' has no effect here
+auto wrong(Mesh& m, UV_map uv)
+{
+  return SMP::hierarchical_parameterization<SMP::Mean_value_coordinates_parameterizer_3>(
+      m, uv, np::triangle_weight(SMP::Triangle_weight::AREA));
+}
+#endif
+
+#ifdef OPTION_OF_FLIPS_FOR_AN_ORBIFOLD // the named parameter 'flip_policy' has no effect here
+typedef Mesh::Property_map<Mesh::Edge_index, bool> Is_seam_edge;
+typedef Mesh::Property_map<Mesh::Vertex_index, bool> Is_seam_vertex;
+typedef SMP::Orbifold_Tutte_parameterizer_3<CGAL::Seam_mesh<Mesh, Is_seam_edge, Is_seam_vertex>> Orbifold;
+auto wrong()
+{
+  return SMP::Hierarchical_parameterizer_3<Orbifold>(SMP::Square, np::flip_policy(SMP::Flip_policy::FAIL));
+}
+#endif
+
+#ifdef OPTION_OF_CGAL // a named parameter of CGAL's has no effect here
+auto wrong(Mesh& m, UV_map uv)
+{
+  return SMP::hierarchical_parameterization(m, uv, np::tolerance(1e-8).vertex_point_map(m.points()));
+}
+#endif
+
+#ifdef OPTION_FOR_SETTLE_FLIPS // the named parameter 'flip_policy' has no effect here
+auto wrong(Mesh& m, Halfedge h, UV_map uv)
+{
+  return SMP::settle_flips(m, h, uv, SMP::Flip_policy::FAIL, np::flip_policy(SMP::Flip_policy::REPAIR));
+}
+#endif

@@ -1,0 +1,170 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Named parameters in any order, the summary of every call, meshes that are const. What must not compile is in
+// refused_programs.cpp.
+
+#include "mapped_model.h"
+#include "mesh_conversions.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
+#include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
+#include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+#include <string>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+namespace np = CGAL::Surface_mesh_parameterization::parameters;
+
+typedef Hierarchical_parameterizer_3<MIPS_parameterizer_3<Surface_mesh>>   Hierarchical_MIPS;
+
+struct Counting_visitor : Hierarchy_visitor_3
+{
+  int* levels;
+  explicit Counting_visitor(int& levels) : levels(&levels) { }
+  bool level_parameterized(const Level&, const Level::Uv&, const Level_summary&) { return ++*levels; }
+};
+
+TEST(Options, have_any_order)
+{
+  Mapped<Surface_mesh> first(grid(24, 18, wavy)), last(grid(24, 18, wavy)), other(grid(24, 18, wavy));
+  Parameterization_summary s, t;
+  int levels_s = 0, levels_t = 0;
+  first.parameterize(Hierarchical_MIPS(
+      np::visitor(Counting_visitor(levels_s)).random_seed(3).summary(std::ref(s)).tolerance(1e-2).coarsest_size(20)));
+  last.parameterize(Hierarchical_MIPS(
+      np::coarsest_size(20).tolerance(1e-2).summary(std::ref(t)).random_seed(3).visitor(Counting_visitor(levels_t))));
+  EXPECT_EQ(first.uv(), last.uv());
+  EXPECT_GT(s.levels.size(), 1u);
+  EXPECT_EQ(s.levels.size(), t.levels.size());
+  EXPECT_EQ(std::size_t(levels_s), s.levels.size());
+  EXPECT_EQ(levels_s, levels_t);
+
+  other.parameterize(Hierarchical_MIPS(np::random_seed(4).tolerance(1e-2).coarsest_size(20)));
+  EXPECT_NE(first.uv(), other.uv());        // the seed counts, wherever it stands
+
+  // after one of the package's names, those of CGAL lead back to the package's
+  other.parameterize(Hierarchical_MIPS(CGAL::parameters::tolerance(1e-2).random_seed(3).coarsest_size(20)));
+  EXPECT_EQ(first.uv(), other.uv());
+}
+
+// A method that takes a name of the package, and does not tell so.
+class Own_method : public Refinable_parameterizer_base_3<Own_method, Surface_mesh>
+{
+public:
+  explicit Own_method() : Own_method(np::default_values()) { }
+
+  template <class NamedParameters>
+  explicit Own_method(const NamedParameters& np)
+    : Refinable_parameterizer_base_3(np),
+      m_lambda(CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, CGAL::internal_np::lambda), 0))
+  { }
+
+  Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
+  {
+    return m_mips.parameterize_coarsest(level, uv);
+  }
+
+  Error_code refine(const Level&, Level::Uv&, Level_summary& summary) const
+  {
+    summary.energy_end = m_lambda;
+    return OK;
+  }
+
+private:
+  MIPS_parameterizer_3<Surface_mesh> m_mips;
+  int m_lambda;
+};
+
+TEST(Options, of_a_method_of_the_user_are_left_to_it)
+{
+  Mapped<Surface_mesh> mapped(grid(12, 9, wavy));
+  Parameterization_summary s;
+  mapped.parameterize(Hierarchical_parameterizer_3<Own_method>(np::random_seed(1).lambda(7).summary(std::ref(s))));
+  EXPECT_EQ(s.energy, 7);
+}
+
+TEST(Options, fill_the_summary_of_one_call)
+{
+  Mapped<Surface_mesh> disk(grid(12, 9, wavy)), closed(sphere(6, 8)), empty{ Flat_mesh() };
+  Parameterization_summary s;
+  const Parameterization_summary result =
+      hierarchical_parameterization(disk.mesh, disk.uvmap, np::summary(std::ref(s)));
+  EXPECT_TRUE(s.is_ok() && s.converged);
+  EXPECT_EQ(s.energy, result.energy);
+  EXPECT_EQ(s.levels.size(), result.levels.size());
+  EXPECT_GT(s.levels.size(), 0u);
+
+  hierarchical_parameterization<Barycentric_mapping_parameterizer_3>(disk.mesh, disk.uvmap,
+                                                                     np::random_seed(1).summary(std::ref(s)));
+  EXPECT_TRUE(s.is_ok());
+  EXPECT_EQ(s.linear_solver.setups, 1u);
+
+  hierarchical_parameterization(closed.mesh, closed.uvmap, np::summary(std::ref(s)));
+  EXPECT_EQ(s.error.code, ERROR_NO_TOPOLOGICAL_DISC);
+  hierarchical_parameterization(empty.mesh, empty.uvmap, np::summary(std::ref(s)));
+  EXPECT_EQ(s.error.code, ERROR_EMPTY_MESH);
+}
+
+template <class Parameterizer>
+class Const_mesh : public testing::Test
+{ };
+
+typedef testing::Types<MIPS_parameterizer_3<Surface_mesh>,
+                       Edge_energy_parameterizer_3<Surface_mesh, Uniform_edge_weights_3>,
+                       Barycentric_mapping_parameterizer_3<Surface_mesh>, LSCM_parameterizer_3<Surface_mesh>>
+    Parameterizers;
+TYPED_TEST_SUITE(Const_mesh, Parameterizers);
+
+TYPED_TEST(Const_mesh, has_the_map_of_one_that_is_not)
+{
+  Mapped<Surface_mesh> expected(grid(12, 9, wavy)), found(grid(12, 9, wavy));
+  const Surface_mesh& mesh = found.mesh;
+  const Hierarchical_parameterizer_3<TypeParam> parameterizer(np::flip_policy(Flip_policy::KEEP));
+  EXPECT_EQ(expected.parameterize(parameterizer).code, OK);
+  EXPECT_EQ(SMP::parameterize(mesh, parameterizer, longest_border(mesh), found.uvmap), OK);
+  EXPECT_EQ(found.uv(), expected.uv());
+}
+
+TEST(One_call, takes_a_const_mesh)
+{
+  Mapped<Surface_mesh> expected(grid(12, 9, wavy)), found(grid(12, 9, wavy));
+  const Surface_mesh& mesh = found.mesh;
+  EXPECT_TRUE(hierarchical_parameterization(expected.mesh, expected.uvmap).is_ok());
+  EXPECT_TRUE(hierarchical_parameterization(mesh, found.uvmap).is_ok());
+  EXPECT_EQ(found.uv(), expected.uv());
+}
+
+TEST(Error_message, knows_every_code)
+{
+  std::set<std::string> messages;
+  for (int code = OK; code <= ERROR_WRONG_PARAMETER + 1; ++code) {
+    const std::string message = error_message(Error_code(code));
+    EXPECT_FALSE(message.empty());
+    EXPECT_EQ(message == "unknown error", code > ERROR_WRONG_PARAMETER);
+    messages.insert(message);
+  }
+  EXPECT_EQ(messages.size(), std::size_t(ERROR_WRONG_PARAMETER) + 2);
+}
+
+} // namespace
