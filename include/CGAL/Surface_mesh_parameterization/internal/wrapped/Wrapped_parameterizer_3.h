@@ -84,7 +84,6 @@ private:
     typedef boost::graph_traits<Triangle_mesh>                          Graph_traits;
     typedef typename Graph_traits::vertex_descriptor                    vertex_descriptor;
     typedef typename boost::property_traits<VertexUVMap>::value_type    User_point_2;
-    typedef typename Wrapped_run<Triangle_mesh>::Index_map              Index_map;
 
     Wrapped_run<Triangle_mesh> run(mesh, bhd, this->options());
     if (run.error() != OK)
@@ -101,19 +100,9 @@ private:
         is_placed[i] = true;
       }
 
-    std::function<bool(std::size_t)> is_locked;
-    if (Use::locks_placed_vertices)
-      is_locked = [&is_placed](std::size_t i) { return bool(is_placed[i]); };
-    const auto session =
-        std::make_shared<Multigrid_session>(run.interpolation(), Mesh_unknowns(run.interpolation()->ranks(), is_locked),
-                                            this->options().solver,
-                                            &make_multigrid_linear_solver<Use::solves_in_pairs ? 2 : 1>,
-                                            Use::solves_in_pairs);
+    const auto session = make_session(run, is_placed);
     Error_code code = run.parameterize(session, uv, [&] {
-      // CGAL's parameterizers read the mesh only, but do not say so.
-      const Error_code result = this->make_parameterizer()->parameterize(
-          const_cast<Triangle_mesh&>(mesh), bhd, Component_map<Index_map, User_point_2>{ run.index(), &uv },
-          run.index(), Component_map<Index_map, char>{ run.index(), &is_placed }, std::forward<Others>(others)...);
+      const Error_code result = make_map(mesh, bhd, run.index(), uv, is_placed, std::forward<Others>(others)...);
       const bool has_used_solver = session->summary().setups > 0;
       return result == OK && !has_used_solver ? ERROR_CANNOT_SOLVE_LINEAR_SYSTEM : result;
     });
@@ -133,6 +122,31 @@ private:
         put(vpmap, vertices[i], bool(is_placed[i]));
       }
     return code;
+  }
+
+  // The solver of a run, which looks at `is_placed` when it gets a matrix.
+  std::shared_ptr<Multigrid_session> make_session(const Wrapped_run<Triangle_mesh>& run,
+                                                  const std::vector<char>& is_placed) const
+  {
+    std::function<bool(std::size_t)> is_locked;
+    if (Use::locks_placed_vertices)
+      is_locked = [&is_placed](std::size_t i) { return bool(is_placed[i]); };
+    return std::make_shared<Multigrid_session>(run.interpolation(),
+                                               Mesh_unknowns(run.interpolation()->ranks(), is_locked),
+                                               this->options().solver,
+                                               &make_multigrid_linear_solver<Use::solves_in_pairs ? 2 : 1>,
+                                               Use::solves_in_pairs);
+  }
+
+  template <class IndexMap, class Point, class... Others>
+  Error_code make_map(const Triangle_mesh& mesh, halfedge_descriptor bhd, const IndexMap& index, std::vector<Point>& uv,
+                      std::vector<char>& is_placed, Others&&... others) const
+  {
+    // CGAL's parameterizers read the mesh only, but do not say so.
+    return this->make_parameterizer()->parameterize(const_cast<Triangle_mesh&>(mesh), bhd,
+                                                    Component_map<IndexMap, Point>{ index, &uv }, index,
+                                                    Component_map<IndexMap, char>{ index, &is_placed },
+                                                    std::forward<Others>(others)...);
   }
 };
 
