@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Contact_pattern.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/number_utils.h>
 
@@ -33,6 +34,7 @@ namespace {
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
 using namespace test_meshes;
+namespace parameters = CGAL::parameters;
 
 // The staircase in the plane, one sector beside the other around vertex 0, where they leave a gap.
 struct Fan
