@@ -92,7 +92,6 @@ private:
     if (copy)
       for (vertex_descriptor& v : vertices)
         v = copy->original(v);
-<<<<<<< HEAD
     std::vector<User_point_2> uv;
     std::vector<char> is_placed;
     const auto session =
@@ -105,29 +104,10 @@ private:
       session->allow_marks();
     Error_code code = run.parameterize(session, uv, [&] {
       copy_places(vertices, uvmap, vpmap, uv, is_placed);
-      // CGAL's parameterizers read the mesh only, but do not say so.
-      return this->make_parameterizer()->parameterize(
-          const_cast<Triangle_mesh&>(mesh), bhd, Component_map<Index_map, User_point_2>{ run.index(), &uv },
-          run.index(), Component_map<Index_map, char>{ run.index(), &is_placed }, std::forward<Others>(others)...);
+      return make_map(mesh, bhd, run.index(), uv, is_placed, std::forward<Others>(others)...);
     }, Use::copies_solution);
     if (code == OK && session->summary().setups == 0)
       code = this->fail(ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);      // another solver made the map
-=======
-    std::vector<User_point_2> uv(vertices.size());
-    std::vector<char> is_placed(vertices.size(), false);
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      if (vertices[i] != Graph_traits::null_vertex() && get(vpmap, vertices[i])) {
-        uv[i] = get(uvmap, vertices[i]);
-        is_placed[i] = true;
-      }
-
-    const auto session = make_session(run, is_placed);
-    Error_code code = run.parameterize(session, uv, [&] {
-      const Error_code result = make_map(mesh, bhd, run.index(), uv, is_placed, std::forward<Others>(others)...);
-      const bool has_used_solver = session->summary().setups > 0;
-      return result == OK && !has_used_solver ? ERROR_CANNOT_SOLVE_LINEAR_SYSTEM : result;
-    });
->>>>>>> A
     if (code == OK)
       code = run.settle_flips(uv);
     if (code == OK && this->optional_steps().run_relative && run.is_mostly_moved()) {
@@ -146,7 +126,6 @@ private:
     return code;
   }
 
-<<<<<<< HEAD
   // The places that the user's maps hold already.
   template <class VertexUVMap, class VertexParameterizedMap, class Point>
   static void copy_places(const std::vector<vertex_descriptor>& vertices, VertexUVMap uvmap,
@@ -159,19 +138,6 @@ private:
         uv[i] = get(uvmap, vertices[i]);
         is_placed[i] = true;
       }
-=======
-  // The solver of a run, which looks at `is_placed` when it gets a matrix.
-  std::shared_ptr<Multigrid_session> make_session(const Wrapped_run<Triangle_mesh>& run,
-                                                  const std::vector<char>& is_placed) const
-  {
-    std::function<bool(std::size_t)> is_locked;
-    if (Use::locks_placed_vertices)
-      is_locked = [&is_placed](std::size_t i) { return bool(is_placed[i]); };
-    return std::make_shared<Multigrid_session>(run.interpolation(),
-                                               Mesh_unknowns(run.interpolation()->ranks(), is_locked),
-                                               this->options().solver,
-                                               &make_multigrid_linear_solver<Use::solves_in_pairs ? 2 : 1>,
-                                               Use::solves_in_pairs);
   }
 
   template <class IndexMap, class Point, class... Others>
@@ -183,7 +149,6 @@ private:
                                                     Component_map<IndexMap, Point>{ index, &uv }, index,
                                                     Component_map<IndexMap, char>{ index, &is_placed },
                                                     std::forward<Others>(others)...);
->>>>>>> A
   }
 };
 
