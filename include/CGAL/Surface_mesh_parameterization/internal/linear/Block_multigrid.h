@@ -26,6 +26,7 @@ struct Block_multigrid_options
   std::size_t groups_per_grid = 5;        // collapse groups from one grid to the next
   std::size_t coarsest_size = 1000;       // a grid of so many vertices is solved directly
   int sweeps = 2;                         // of the smoother, before and after the coarse grids
+  bool has_k_cycles = false;              // two steps of conjugate gradients on each coarse grid, see solve_coarse()
   double shift =
       1e-10;      // of the coarsest matrix, that is singular: the energies do not change when the plane is moved
 };
@@ -125,40 +126,14 @@ public:
       relax_backward(m_grids[g], b, x);
   }
 
-  // Two steps of conjugate gradients, each with a cycle, as in the K-cycle of Notay and Vassilevski (2008). Coarse grids
-  // resist almost conformal motions that the finest one hardly resists: with one cycle the error of a grid would add to
-  // those of all coarser ones.
+  // One cycle, or two steps of conjugate gradients, each with a cycle, as in the K-cycle of Notay and Vassilevski (2008).
+  // These are for energies that conformal motions hardly change: coarse grids resist such motions more than the finest
+  // one, and with one cycle the error of a grid would add to those of all coarser ones.
   void solve_coarse(std::size_t g)
   {
-    Grid& grid = m_grids[g];
-    v_cycle(*this, g, grid.right_side, grid.solution);
-    if (is_coarsest(g))
-      return;
-    Block_vectors &x = grid.solution, &r = grid.right_side, &z = grid.second_solution, &ax = grid.product;
-    for (Block_vectors* vectors : { &z, &ax })
-      vectors->resize(x.size());
-    typedef Values<double, 2>   Products;     // b x, x A x
-    const Products first = sum_over_rows<Products>(grid, [&](Index i) {
-      ax[i] = grid.matrix.row_times(i, x);
-      return Products{ { inner_product(r[i], x[i]), inner_product(x[i], ax[i]) } };
-    });
-    if (!(first[1] > 0))
-      return;
-    const double length = first[0] / first[1];
-    m_loops.for_each(0, grid.matrix.number_of_rows(), [&](Index i) { r[i] -= length * ax[i]; });
-    v_cycle(*this, g, r, z);
-
-    typedef Values<double, 4>   More_products;      // x A z, r z, r x, z A z
-    const More_products second = sum_over_rows<More_products>(grid, [&](Index i) {
-      const Block_vector az = grid.matrix.row_times(i, z);
-      return More_products{ { inner_product(ax[i], z[i]), inner_product(r[i], z[i]), inner_product(r[i], x[i]),
-                              inner_product(z[i], az) } };
-    });
-    // The direction z - factor x is conjugate to x.
-    const double factor = second[0] / first[1], curvature = second[3] - factor * second[0];
-    const double second_length = curvature > 0 ? (second[1] - factor * second[2]) / curvature : 0;
-    m_loops.for_each(0, grid.matrix.number_of_rows(),
-                     [&](Index i) { x[i] = (length - second_length * factor) * x[i] + second_length * z[i]; });
+    v_cycle(*this, g, m_grids[g].right_side, m_grids[g].solution);
+    if (m_options.has_k_cycles && !is_coarsest(g))
+      take_second_step(g);
   }
 
   // The right side of the coarse grid: S_c P^T S^-1 (b - A x).
@@ -198,8 +173,39 @@ private:
     std::unique_ptr<Pruned_prolongation> prolongation;      // from the next coarser grid
     std::unique_ptr<Galerkin_product> galerkin_product;
     Block_vectors right_side, solution, residual;
-    Block_vectors second_solution, product;     // see solve_coarse()
+    Block_vectors second_solution, product;     // see take_second_step()
   };
+
+  // Makes the solution of a cycle that of two steps of conjugate gradients; changes the right side.
+  void take_second_step(std::size_t g)
+  {
+    Grid& grid = m_grids[g];
+    Block_vectors &x = grid.solution, &r = grid.right_side, &z = grid.second_solution, &ax = grid.product;
+    for (Block_vectors* vectors : { &z, &ax })
+      vectors->resize(x.size());
+    typedef Values<double, 2>   Products;     // b x, x A x
+    const Products first = sum_over_rows<Products>(grid, [&](Index i) {
+      ax[i] = grid.matrix.row_times(i, x);
+      return Products{ { inner_product(r[i], x[i]), inner_product(x[i], ax[i]) } };
+    });
+    if (!(first[1] > 0))
+      return;
+    const double length = first[0] / first[1];
+    m_loops.for_each(0, grid.matrix.number_of_rows(), [&](Index i) { r[i] -= length * ax[i]; });
+    v_cycle(*this, g, r, z);
+
+    typedef Values<double, 4>   More_products;      // x A z, r z, r x, z A z
+    const More_products second = sum_over_rows<More_products>(grid, [&](Index i) {
+      const Block_vector az = grid.matrix.row_times(i, z);
+      return More_products{ { inner_product(ax[i], z[i]), inner_product(r[i], z[i]), inner_product(r[i], x[i]),
+                              inner_product(z[i], az) } };
+    });
+    // The direction z - factor x is conjugate to x.
+    const double factor = second[0] / first[1], curvature = second[3] - factor * second[0];
+    const double second_length = curvature > 0 ? (second[1] - factor * second[2]) / curvature : 0;
+    m_loops.for_each(0, grid.matrix.number_of_rows(),
+                     [&](Index i) { x[i] = (length - second_length * factor) * x[i] + second_length * z[i]; });
+  }
 
   template <class Products, class Function>
   Products sum_over_rows(const Grid& grid, const Function& f) const

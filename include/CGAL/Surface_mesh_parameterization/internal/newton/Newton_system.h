@@ -26,7 +26,7 @@ class Newton_system
 {
 public:
   Newton_system(const Level_energy& energy, const Newton_options& options)
-    : m_energy(energy), m_level(energy.level()), m_options(options), m_multigrid(energy.level()),
+    : m_energy(energy), m_level(energy.level()), m_options(options), m_multigrid(energy.level(), multigrid_options(energy)),
       m_pattern(energy.level().rings())
   {
     m_pattern.give_to(m_multigrid.matrix());
@@ -146,6 +146,13 @@ private:
     const Loops& m_loops;
     double m_residual_reduction, m_target = -1;
   };
+
+  static Block_multigrid_options multigrid_options(const Level_energy& energy)
+  {
+    Block_multigrid_options result;
+    result.has_k_cycles = energy.is_scale_invariant();
+    return result;
+  }
 
   template <class Function>
   void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, Index(m_gradient.size()), f); }
