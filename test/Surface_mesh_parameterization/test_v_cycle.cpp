@@ -226,9 +226,8 @@ std::size_t cycles_for_conformal_motion(Index n)
 {
   const Finest_level f(grid(n, n, flat), parameters::coarsest_size(20));
   const Level::Uv uv = identity_map(f.level);
-  Block_multigrid_options options;
-  options.has_k_cycles = true;
-  Block_multigrid multigrid(f.level, options);
+  Block_multigrid multigrid(f.level);
+  multigrid.use_k_cycles();
   const One_rings& rings = f.level.rings();
   multigrid.matrix().set_pattern(rings.number_of_vertices(), rings.offsets(), rings.neighbors());
   Block_vectors gradient(uv.size()), motion, b(uv.size());

@@ -26,7 +26,6 @@ struct Block_multigrid_options
   std::size_t groups_per_grid = 5;        // collapse groups from one grid to the next
   std::size_t coarsest_size = 1000;       // a grid of so many vertices is solved directly
   int sweeps = 2;                         // of the smoother, before and after the coarse grids
-  bool has_k_cycles = false;              // two steps of conjugate gradients on each coarse grid, see solve_coarse()
   double shift =
       1e-10;      // of the coarsest matrix, that is singular: the energies do not change when the plane is moved
 };
@@ -99,6 +98,9 @@ public:
   // Whether the direct solver at the bottom could factorize its matrix.
   bool is_ready() const { return m_direct_solver != nullptr; }
 
+  // From now on, cycles take two steps of conjugate gradients on each coarse grid, see solve_coarse().
+  void use_k_cycles() { m_has_k_cycles = true; }
+
   // One cycle from 0 for A x = b, in scaled variables; the result is valid until the next one, and may be overwritten.
   Block_vectors& cycle(const Block_vectors& b)
   {
@@ -132,7 +134,7 @@ public:
   void solve_coarse(std::size_t g)
   {
     v_cycle(*this, g, m_grids[g].right_side, m_grids[g].solution);
-    if (m_options.has_k_cycles && !is_coarsest(g))
+    if (m_has_k_cycles && !is_coarsest(g))
       take_second_step(g);
   }
 
@@ -267,6 +269,7 @@ private:
   }
 
   Block_multigrid_options m_options;
+  bool m_has_k_cycles = false;
   Loops m_loops;
   const Collapse_hierarchy_3& m_hierarchy;
   std::vector<Index> m_group_ends;      // the numbers of vertices of the levels

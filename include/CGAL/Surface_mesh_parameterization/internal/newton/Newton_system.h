@@ -26,7 +26,7 @@ class Newton_system
 {
 public:
   Newton_system(const Level_energy& energy, const Newton_options& options)
-    : m_energy(energy), m_level(energy.level()), m_options(options), m_multigrid(energy.level(), multigrid_options(energy)),
+    : m_energy(energy), m_level(energy.level()), m_options(options), m_multigrid(energy.level()),
       m_pattern(energy.level().rings())
   {
     m_pattern.give_to(m_multigrid.matrix());
@@ -76,13 +76,16 @@ public:
 
   const Block_vectors& gradient() const { return m_gradient; }
 
-  // Finds the moves that lead to the minimum; returns the number of V-cycles.
+  // Finds the moves that lead to the minimum; returns the number of cycles.
   std::size_t solve()
   {
     const std::vector<double>& scale = m_multigrid.matrix().scale;
     for_each_vertex([&](Index v) { m_residual[v] = -scale[v] * m_gradient[v]; });
     const std::size_t cycles = solve_for_residual();
     m_needs_setup = cycles > m_options.most_cycles_without_setup;
+    // A K-cycle costs 1.4 times as much as a V-cycle, and pays where conformal motions are all that is left.
+    if (cycles == m_options.most_cycles && m_energy.is_scale_invariant())
+      m_multigrid.use_k_cycles();
     return cycles;
   }
 
@@ -146,13 +149,6 @@ private:
     const Loops& m_loops;
     double m_residual_reduction, m_target = -1;
   };
-
-  static Block_multigrid_options multigrid_options(const Level_energy& energy)
-  {
-    Block_multigrid_options result;
-    result.has_k_cycles = energy.is_scale_invariant();
-    return result;
-  }
 
   template <class Function>
   void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, Index(m_gradient.size()), f); }

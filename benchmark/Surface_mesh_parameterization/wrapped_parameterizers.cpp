@@ -1,0 +1,200 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// CGAL's parameterizers as they are and in Hierarchical_parameterizer_3, with default options: on several mesh types
+// and with all borders, the seconds of both calls, in turn, and how far apart their maps are. CSV on stdout.
+
+#include "benchmark_utilities.h"
+
+#include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_authalic_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Iterative_authalic_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
+
+#include <CGAL/Default.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/Face_filtered_graph.h>
+#include <CGAL/boost/graph/Seam_mesh.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+
+#include <cmath>
+#include <utility>
+
+typedef CGAL::Polyhedron_3<Kernel>   Polyhedron;
+typedef CGAL::Seam_mesh<Mesh, Mesh::Property_map<Mesh::Edge_index, bool>, Mesh::Property_map<Mesh::Vertex_index, bool>>   Seam_mesh;
+typedef CGAL::Face_filtered_graph<Mesh>   Filtered_mesh;
+
+struct Choice
+{
+  std::vector<std::string> mesh_types, parameterizers;      // none: all
+  std::size_t runs;
+
+  static bool contains(const std::vector<std::string>& names, const std::string& name)
+  {
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+  }
+};
+
+template <class TriangleMesh>
+struct Map
+{
+  typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<Point_2>>::type uvmap;
+  SMP::Error_code code = SMP::OK;
+  std::vector<double> seconds;
+
+  explicit Map(TriangleMesh& mesh) : uvmap(get(CGAL::dynamic_vertex_property_t<Point_2>(), mesh)) { }
+
+  // Some of CGAL's parameterizers cannot be copied, and one prints as it goes.
+  template <class Make_parameterizer>
+  void make(TriangleMesh& mesh, const Make_parameterizer& make_parameterizer)
+  {
+    const auto bhd = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+    std::streambuf* const output = std::cout.rdbuf(nullptr);
+    std::streambuf* const errors = std::cerr.rdbuf(nullptr);
+    seconds.push_back(seconds_of([&] { code = SMP::parameterize(mesh, make_parameterizer(), bhd, uvmap); }));
+    std::cout.rdbuf(output);
+    std::cerr.rdbuf(errors);
+  }
+};
+
+// The greatest distance between the places of a vertex in two maps, relative to the diagonal of the first.
+template <class TriangleMesh>
+double difference(const TriangleMesh& mesh, const Map<TriangleMesh>& expected, const Map<TriangleMesh>& found)
+{
+  CGAL::Bbox_2 box;
+  double greatest = 0;
+  for (const auto v : vertices(mesh)) {
+    const Point_2 p = get(expected.uvmap, v);
+    box += p.bbox();
+    greatest = (std::max)(greatest, CGAL::squared_distance(p, get(found.uvmap, v)));
+  }
+  return std::sqrt(greatest) / std::hypot(box.x_span(), box.y_span());
+}
+
+template <class Parameterizer>
+void compare(const Named_mesh& input, typename Parameterizer::Triangle_mesh& mesh, const std::string& mesh_type,
+             const std::string& name, const std::string& border, const Choice& choice)
+{
+  if (!Choice::contains(choice.parameterizers, name))
+    return;
+  typedef typename Parameterizer::Triangle_mesh   Triangle_mesh;
+  Map<Triangle_mesh> flat(mesh), hierarchical(mesh);
+  SMP::Parameterization_summary summary;
+  for (std::size_t i = 0; i < choice.runs; ++i) {
+    flat.make(mesh, [] { return Parameterizer(); });
+    hierarchical.make(mesh, [&] {
+      return SMP::Hierarchical_parameterizer_3<Parameterizer>(CGAL::parameters::summary(std::ref(summary)));
+    });
+  }
+  const double seconds_flat = median(flat.seconds), seconds = median(hierarchical.seconds);
+  std::cout << input.name << ',' << input.mesh.number_of_faces() << ',' << mesh_type << ',' << name << ',' << border
+            << ',' << int(flat.code) << ',' << int(hierarchical.code) << ',' << seconds_flat << ',' << seconds << ','
+            << seconds / seconds_flat << ',' << difference(mesh, flat, hierarchical) << ',' << summary.flips << ','
+            << summary.moved_vertices << ',' << summary.linear_solver.iterations << ','
+            << summary.linear_solver.direct_solutions << std::endl;
+}
+
+// With one kind of border.
+template <class Border, class TriangleMesh>
+void compare_fixed_borders(const Named_mesh& input, TriangleMesh& mesh, const std::string& mesh_type,
+                           const std::string& border, const Choice& choice)
+{
+  compare<SMP::Barycentric_mapping_parameterizer_3<TriangleMesh, Border>>(input, mesh, mesh_type, "barycentric", border, choice);
+  compare<SMP::Mean_value_coordinates_parameterizer_3<TriangleMesh, Border>>(input, mesh, mesh_type, "mean-value", border, choice);
+  compare<SMP::Discrete_conformal_map_parameterizer_3<TriangleMesh, Border>>(input, mesh, mesh_type, "conformal", border, choice);
+  compare<SMP::Discrete_authalic_parameterizer_3<TriangleMesh, Border>>(input, mesh, mesh_type, "authalic", border, choice);
+  compare<SMP::Iterative_authalic_parameterizer_3<TriangleMesh, Border>>(input, mesh, mesh_type, "iterative-authalic", border, choice);
+}
+
+// With CGAL's default borders.
+template <class TriangleMesh>
+void compare_on(const Named_mesh& input, TriangleMesh& mesh, const std::string& mesh_type, const Choice& choice)
+{
+  compare_fixed_borders<CGAL::Default>(input, mesh, mesh_type, "default", choice);
+  compare<SMP::LSCM_parameterizer_3<TriangleMesh>>(input, mesh, mesh_type, "lscm", "default", choice);
+}
+
+void compare_on_surface_mesh(Named_mesh& input, const Choice& choice)
+{
+  const std::string type = "Surface_mesh";
+  compare_on(input, input.mesh, type, choice);
+  compare_fixed_borders<SMP::Circular_border_uniform_parameterizer_3<Mesh>>(input, input.mesh, type, "circle-uniform", choice);
+  compare_fixed_borders<SMP::Square_border_arc_length_parameterizer_3<Mesh>>(input, input.mesh, type, "square", choice);
+  compare_fixed_borders<SMP::Square_border_uniform_parameterizer_3<Mesh>>(input, input.mesh, type, "square-uniform", choice);
+}
+
+void compare_on_polyhedron(Named_mesh& input, const Choice& choice)
+{
+  Polyhedron polyhedron;
+  CGAL::copy_face_graph(input.mesh, polyhedron);
+  compare_on(input, polyhedron, "Polyhedron_3", choice);
+}
+
+// A cut of one edge, from a border vertex to one that is not on a border.
+void compare_on_seam_mesh(Named_mesh& input, const Choice& choice)
+{
+  auto is_seam_edge = input.mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+  auto is_seam_vertex = input.mesh.add_property_map<Mesh::Vertex_index, bool>("v:seam", false).first;
+  Seam_mesh seam_mesh(input.mesh, is_seam_edge, is_seam_vertex);
+  for (const Mesh::Edge_index e : input.mesh.edges()) {
+    const Mesh::Vertex_index v = input.mesh.vertex(e, 0), w = input.mesh.vertex(e, 1);
+    if (input.mesh.is_border(v) != input.mesh.is_border(w)) {
+      seam_mesh.add_seam(v, w);
+      break;
+    }
+  }
+  compare_on(input, seam_mesh, "Seam_mesh", choice);
+}
+
+// All faces but one at the border.
+void compare_on_filtered_graph(Named_mesh& input, const Choice& choice)
+{
+  Mesh::Halfedge_index h = outer_border(input.mesh);
+  while (input.mesh.is_border(input.mesh.target(input.mesh.next(input.mesh.opposite(h)))))
+    h = input.mesh.next(h);
+  std::vector<Mesh::Face_index> faces;
+  for (const Mesh::Face_index f : input.mesh.faces())
+    if (f != input.mesh.face(input.mesh.opposite(h)))
+      faces.push_back(f);
+  Filtered_mesh filtered(input.mesh, faces);
+  compare_on(input, filtered, "Face_filtered_graph", choice);
+}
+
+void run(int argc, char* argv[])
+{
+  po::options_description options("Options");
+  options.add_options()
+    ("subdivide", po::value<int>()->default_value(0), "Loop subdivisions of the mesh")
+    ("runs", po::value<int>()->default_value(3), "runs of each; seconds are their median")
+    ("mesh-type", po::value<std::vector<std::string>>()->default_value({}, "all"),
+     "Surface_mesh, Polyhedron_3, Seam_mesh, Face_filtered_graph")
+    ("parameterizer", po::value<std::vector<std::string>>()->default_value({}, "all"),
+     "barycentric, mean-value, conformal, authalic, iterative-authalic, lscm");
+  const po::variables_map values =
+      parse(argc, argv, options, "wrapped_parameterizers [MESH.off] [--subdivide K] [--runs N] [--mesh-type T]... "
+                                 "[--parameterizer P]...");
+  const Choice choice = { values["mesh-type"].as<std::vector<std::string>>(),
+                          values["parameterizer"].as<std::vector<std::string>>(), count_of(values, "runs", 1, 100) };
+  Named_mesh input = only_mesh(values);
+  subdivide(input.mesh, count_of(values, "subdivide", 0, 12));
+  input.mesh.collect_garbage();
+  std::cout << "mesh,triangles,mesh_type,parameterizer,border,error_of_cgal,error,seconds_of_cgal,seconds,ratio,difference,flips,"
+               "moved_vertices,iterations,direct_solutions"
+            << std::endl;
+  const std::pair<const char*, void (*)(Named_mesh&, const Choice&)> comparisons[] = {
+    { "Surface_mesh", compare_on_surface_mesh }, { "Polyhedron_3", compare_on_polyhedron },
+    { "Seam_mesh", compare_on_seam_mesh }, { "Face_filtered_graph", compare_on_filtered_graph } };
+  for (const auto& [type, compare_on_type] : comparisons)
+    if (Choice::contains(choice.mesh_types, type))
+      compare_on_type(input, choice);
+}
+
+int main(int argc, char* argv[])
+{
+  return exit_status_of([&] { run(argc, argv); });
+}
