@@ -8,7 +8,8 @@ build=$root/.build/program
 log=$root/.build/program.log
 
 compile() {
-  configure "$build" -DCMAKE_BUILD_TYPE=Release -DHIERARCHICAL_PARAMETERIZATION_BUILD_TESTS=OFF &&
+  configure "$build" -DCMAKE_BUILD_TYPE=Release -DHIERARCHICAL_PARAMETERIZATION_BUILD_TESTS=OFF \
+    -DHIERARCHICAL_PARAMETERIZATION_BUILD_EXAMPLES=ON &&
     cmake --build "$build" -j"$(nproc)" --target hierarchical_parameterization_program
 }
 

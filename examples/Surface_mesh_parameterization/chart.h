@@ -10,13 +10,11 @@
 #include <CGAL/boost/graph/Seam_mesh.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <list>
-#include <ostream>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -112,13 +110,6 @@ private:
   std::vector<Mesh::Halfedge_index> m_towards_tree;       // of each vertex that is not on it
 };
 
-// The corners of a face as vertices of the seam mesh.
-inline std::array<Seam_mesh::vertex_descriptor, 3> seam_corners(const Seam_mesh& seam_mesh, Mesh::Face_index f)
-{
-  const auto h = halfedge(f, seam_mesh);
-  return { source(h, seam_mesh), target(h, seam_mesh), target(next(h, seam_mesh), seam_mesh) };
-}
-
 // Moves the maps of charts into the unit square, side by side, all scaled alike.
 inline void lay_side_by_side(std::list<Chart>& charts)
 {
@@ -136,35 +127,5 @@ inline void lay_side_by_side(std::list<Chart>& charts)
       chart.uvmap[v] = *p++;
   }
 }
-
-// Writes charts as Wavefront OBJ: each vertex of the mesh is one `v`, each vertex of the seam mesh one `vt`.
-class Chart_writer
-{
-public:
-  explicit Chart_writer(std::ostream& out) : m_out(out) { m_out.precision(17); }
-
-  void write(const Chart& chart)
-  {
-    const Mesh& mesh = chart.mesh;
-    for (const Mesh::Vertex_index v : mesh.vertices())
-      m_out << "v " << mesh.point(v) << '\n';
-    std::vector<std::size_t> texture_index(mesh.num_halfedges(), 0);
-    for (const Seam_mesh::vertex_descriptor v : vertices(chart.seam_mesh)) {
-      m_out << "vt " << chart.uvmap[v] << '\n';
-      texture_index[Mesh::Halfedge_index(v)] = ++m_number_of_texture_vertices;
-    }
-    for (const Mesh::Face_index f : mesh.faces()) {
-      m_out << 'f';
-      for (const Seam_mesh::vertex_descriptor v : seam_corners(chart.seam_mesh, f))
-        m_out << ' ' << m_number_of_vertices + mesh.target(v) + 1 << '/' << texture_index[Mesh::Halfedge_index(v)];
-      m_out << '\n';
-    }
-    m_number_of_vertices += mesh.number_of_vertices();
-  }
-
-private:
-  std::ostream& m_out;
-  std::size_t m_number_of_vertices = 0, m_number_of_texture_vertices = 0;
-};
 
 #endif // CHART_H

@@ -8,6 +8,7 @@
 #include "example_utilities.h"
 #include "write_file.h"
 
+#include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
@@ -16,6 +17,7 @@
 #include <CGAL/Polygon_mesh_processing/repair.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/property_map.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <cmath>
@@ -73,7 +75,8 @@ void run(const Arguments& arguments)
       std::size_t(mesh.number_of_vertices()), std::size_t(num_vertices(chart.seam_mesh)), seam.size(), quality.flips,
       quality.overlaps, quality.symmetric_dirichlet);
   write_file(arguments.text("output", "cut_open.obj"), [&](std::ostream& out) {
-    Chart_writer(out).write(chart);
+    SMP::IO::write_OBJ(out, chart.seam_mesh, chart.uvmap,
+                       CGAL::Constant_property_map<Seam_mesh::vertex_descriptor, bool>(true));
     for (const Mesh::Halfedge_index h : seam)
       out << "l " << chart.mesh.source(h) + 1 << ' ' << chart.mesh.target(h) + 1 << '\n';
   });

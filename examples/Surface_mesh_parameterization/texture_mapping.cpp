@@ -16,6 +16,7 @@
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <cstddef>
 #include <cstdio>
@@ -59,6 +60,36 @@ void write_TGA(std::ostream& out, const Checker_board& board, std::size_t pixels
         out.put(char(to_byte(color[i])));
     }
 }
+
+// Writes charts to one file, as IO::write_OBJ() writes a single one: each chart counts on from the one before.
+class Chart_writer
+{
+public:
+  explicit Chart_writer(std::ostream& out) : m_out(out) { m_out.precision(17); }
+
+  void write(const Chart& chart)
+  {
+    const Mesh& mesh = chart.mesh;
+    for (const Mesh::Vertex_index v : mesh.vertices())
+      m_out << "v " << mesh.point(v) << '\n';
+    std::vector<std::size_t> texture_index(mesh.num_halfedges(), 0);
+    for (const Seam_mesh::vertex_descriptor v : vertices(chart.seam_mesh)) {
+      m_out << "vt " << chart.uvmap[v] << '\n';
+      texture_index[Mesh::Halfedge_index(v)] = ++m_number_of_texture_vertices;
+    }
+    for (const Mesh::Face_index f : mesh.faces()) {
+      m_out << 'f';
+      for (const Seam_mesh::vertex_descriptor v : vertices_around_face(halfedge(f, chart.seam_mesh), chart.seam_mesh))
+        m_out << ' ' << m_number_of_vertices + mesh.target(v) + 1 << '/' << texture_index[Mesh::Halfedge_index(v)];
+      m_out << '\n';
+    }
+    m_number_of_vertices += mesh.number_of_vertices();
+  }
+
+private:
+  std::ostream& m_out;
+  std::size_t m_number_of_vertices = 0, m_number_of_texture_vertices = 0;
+};
 
 // A material whose texture is the image, both named without folder, as they lie beside the OBJ file.
 void write_files(const std::string& name, const std::list<Chart>& charts, const Checker_board& board)

@@ -9,7 +9,6 @@
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_SVG.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
@@ -202,40 +201,6 @@ TEST(Parameterization_quality, counts_what_is_not_positive)
 }
 
 // ---- files ----
-
-TEST(Write_OBJ, writes_what_can_be_read_back)
-{
-  Mapped_mesh mapped(grid(4, 3, wavy));
-  append(single_triangle(), mapped.mesh);     // has no place in the plane
-  const auto vpmap = mapped.mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:parameterized", false).first;
-  EXPECT_EQ(Hierarchical_MIPS().parameterize(mapped.mesh, longest_border(mapped.mesh), mapped.uvmap,
-                                             get(CGAL::vertex_index, mapped.mesh), vpmap),
-            OK);
-  std::stringstream file;
-  SMP::IO::write_OBJ(file, mapped.mesh, mapped.uvmap, vpmap);
-  std::vector<Kernel::Point_3> points;
-  std::vector<Kernel::Point_2> uv;
-  std::size_t with_uv = 0, without_uv = 0;
-  for (std::string line, word; std::getline(file, line);) {
-    std::istringstream words(line);
-    words >> word;
-    double x, y, z;
-    if (word == "v" && words >> x >> y >> z)
-      points.emplace_back(x, y, z);
-    else if (word == "vt" && words >> x >> y)
-      uv.emplace_back(x, y);
-    else
-      ++(line.find('/') == std::string::npos ? without_uv : with_uv);
-  }
-  ASSERT_EQ(points.size(), mapped.mesh.number_of_vertices());
-  ASSERT_EQ(uv.size(), 20u);
-  for (const auto v : vertices(mapped.mesh)) {
-    EXPECT_EQ(points[v], mapped.mesh.point(v));
-    EXPECT_TRUE(v >= 20 || uv[v] == mapped.uvmap[v]);
-  }
-  EXPECT_EQ(with_uv, 24u);
-  EXPECT_EQ(without_uv, 1u);
-}
 
 TEST(Write_SVG, draws_every_triangle)
 {

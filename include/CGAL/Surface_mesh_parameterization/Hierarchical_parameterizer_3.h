@@ -7,16 +7,17 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/concepts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Short_calls.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_as_rigid_as_possible_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_orbifold_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/adaptor_checks.h>
-
-#include <CGAL/boost/graph/properties.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
 #include <type_traits>
 
@@ -41,9 +42,9 @@ constexpr auto hierarchical_base()
   if constexpr (!Shipped_check<Parameterizer>::value)
     return Base_type<Refused<Shipped_check<Parameterizer>>>();
   else if constexpr (is_refinable_parameterizer_v<Parameterizer>)
-    return Base_type<Nested_iteration_parameterizer_3<Parameterizer>>();
+    return Base_type<Short_calls<Parameterizer, Nested_iteration_parameterizer_3<Parameterizer>>>();
   else if constexpr (is_rebindable_parameterizer_v<Parameterizer>)
-    return Base_type<Wrapped_parameterizer_3<Parameterizer>>();
+    return Base_type<Short_calls<Parameterizer, Wrapped_parameterizer_3<Parameterizer>>>();
   else if constexpr (looks_refinable<Parameterizer>)
     return Base_type<Refused<Method_check<Parameterizer>>>();
   else
@@ -59,7 +60,8 @@ struct Hierarchical_base
 template <class TriangleMesh, class BorderParameterizer, class SolverTraits>
 struct Hierarchical_base<ARAP_parameterizer_3<TriangleMesh, BorderParameterizer, SolverTraits>>
 {
-  typedef Wrapped_as_rigid_as_possible_3<TriangleMesh, BorderParameterizer>   type;
+  typedef Short_calls<ARAP_parameterizer_3<TriangleMesh, BorderParameterizer, SolverTraits>,
+                      Wrapped_as_rigid_as_possible_3<TriangleMesh, BorderParameterizer>>   type;
 };
 
 template <class SeamMesh, class SolverTraits>
@@ -108,13 +110,45 @@ class Hierarchical_parameterizer_3
   typedef typename internal::Hierarchical_base<Parameterizer>::type   Base;
 
 public:
+  typedef typename Base::Triangle_mesh         Triangle_mesh;
+  typedef typename Base::halfedge_descriptor   halfedge_descriptor;
+
   using Base::Base;
+
+  template <class VertexUVMap>
+  bool is_one_to_one_mapping(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap) const
+  {
+    Mesh_component<Triangle_mesh> component(mesh, bhd);
+    return component.error().code == OK && is_one_to_one_mapping(mesh, component.faces_of_component(), uvmap);
+  }
+
+  template <class FaceRange, class VertexUVMap,
+            class = std::enable_if_t<!std::is_convertible<FaceRange, halfedge_descriptor>::value>>
+  bool is_one_to_one_mapping(const Triangle_mesh& mesh, const FaceRange& face_range, VertexUVMap uvmap) const
+  {
+    typedef std::conjunction<internal::Mesh_check<Triangle_mesh>,
+                             internal::Readable_uv_map_check<VertexUVMap, Triangle_mesh>>   Check;
+    if constexpr (Check::value)
+      return internal::is_map_one_to_one(mesh, face_range, uvmap);
+    else {
+      Check::tell();
+      return false;
+    }
+  }
 };
 #else
 {
 public:
   typedef typename Parameterizer::Triangle_mesh                               Triangle_mesh;          ///< the mesh type
+  typedef typename Parameterizer::Triangle_mesh                               TriangleMesh;           ///< the same, as CGAL names it
+  typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor      vertex_descriptor;      ///< a vertex of the mesh
   typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;    ///< a halfedge of the mesh
+
+  /// that of `Parameterizer`; only for a model of `RebindableParameterizer_3` that has it and for `ARAP_parameterizer_3`
+  typedef typename Parameterizer::Border_parameterizer                        Border_parameterizer;
+
+  /// the solver that takes the place of that of `Parameterizer`; only where there is one
+  typedef Multigrid_solver_traits                                             Solver_traits;
 
   /// \name Constructors for a model of RefinableParameterizer_3
   /// @{
@@ -208,6 +242,25 @@ public:
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap vimap,
                           VertexParameterizedMap vpmap, Others&&... others);
 
+  /// does the same, with maps of its own for `vimap` and `vpmap`.
+  template <class VertexUVMap>
+  Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap);
+
+  /// does the same for the component that has the longest border of `mesh`, by the lengths of its edges. If there is no
+  /// border, the result is `ERROR_WRONG_PARAMETER`.
+  template <class VertexUVMap>
+  Error_code parameterize(const Triangle_mesh& mesh, VertexUVMap uvmap);
+
+  /// does the same with a number of iterations. Exists for a parameterizer that takes one, such as
+  /// `Iterative_authalic_parameterizer_3`.
+  template <class VertexUVMap>
+  Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap,
+                          unsigned int iterations);
+
+  /// as above, for the longest border
+  template <class VertexUVMap>
+  Error_code parameterize(const Triangle_mesh& mesh, VertexUVMap uvmap, unsigned int iterations);
+
   /// parameterizes a `CGAL::Seam_mesh` by `Orbifold_Tutte_parameterizer_3`, and exists for that class only.
   ///
   /// \param mesh the surface, cut open along the seam
@@ -221,6 +274,23 @@ public:
   template <class ConeMap, class VertexIndexMap, class VertexUVMap>
   Error_code parameterize(const SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap, VertexUVMap uvmap,
                           VertexIndexMap vimap) const;
+
+  /// tells by exact predicates whether the map of a component is one-to-one: whether its triangles are turned the same
+  /// way, all to the left or all to the right, no two of them overlap, and its borders meet neither themselves nor each
+  /// other. No map is one-to-one if it has a triangle without area or a place that is not finite, or if
+  /// `Mesh_component` rejects the surface.
+  ///
+  /// \param mesh the surface; only read
+  /// \param bhd a halfedge on a border of the component
+  /// \param uvmap a readable property map from vertices to points of the plane. It may come from any parameterizer
+  template <class VertexUVMap>
+  bool is_one_to_one_mapping(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap) const;
+
+  /// tells the same of the map of some faces.
+  ///
+  /// \param face_range the faces
+  template <class FaceRange, class VertexUVMap>
+  bool is_one_to_one_mapping(const Triangle_mesh& mesh, const FaceRange& face_range, VertexUVMap uvmap) const;
 
   /// @}
 };
@@ -246,8 +316,7 @@ Error_code parameterize(TriangleMesh& mesh, Hierarchical_parameterizer_3<Paramet
   typedef std::conjunction<internal::Mesh_check<Mesh>, internal::Halfedge_check<Halfedge, Mesh>,
                            internal::Same_mesh_check<Hierarchical_parameterizer_3<Parameterizer>, Mesh>>   Check;
   if constexpr (Check::value)
-    return parameterizer.parameterize(mesh, bhd, uvmap, get(CGAL::dynamic_vertex_property_t<int>(), mesh),
-                                      get(CGAL::dynamic_vertex_property_t<bool>(), mesh));
+    return parameterizer.parameterize(mesh, bhd, uvmap);
   else {
     Check::tell();
     return ERROR_WRONG_PARAMETER;

@@ -7,6 +7,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
@@ -166,6 +167,31 @@ std::size_t number_of_overlapping_faces(const TriangleMesh& mesh, const FaceRang
       triangles.push_back(t.uv);
   }
   return number_of_overlapping_pairs(triangles);
+}
+
+// Whether the map of some faces, or its mirror image, has positive triangles only, of which no two overlap, and borders
+// that do not meet.
+template <class TriangleMesh, class FaceRange, class VertexUVMap>
+bool is_map_one_to_one(const TriangleMesh& mesh, const FaceRange& face_range, VertexUVMap uvmap)
+{
+  std::vector<Triangle_2> triangles;
+  Orientation turn_of_all = COLLINEAR;
+  for (const auto f : face_range) {
+    const Mapped_triangle t(f, mesh, uvmap);
+    const Orientation turn = t.is_finite() ? exact_orientation(t.uv[0], t.uv[1], t.uv[2]) : COLLINEAR;
+    if (triangles.empty())
+      turn_of_all = turn;
+    if (turn == COLLINEAR || turn != turn_of_all)
+      return false;
+    triangles.push_back(t.uv);
+  }
+
+  Borders_of_faces<TriangleMesh, VertexUVMap> borders(mesh, face_range, uvmap);
+  if (turn_of_all == RIGHT_TURN)
+    for (Point_2& p : borders.uv)
+      p = Point_2(-p.x(), p.y());
+  return are_borders_one_to_one(borders.edges, borders.uv) ||
+         (!has_crossings(borders.edges, borders.uv) && number_of_overlapping_pairs(triangles) == 0);
 }
 
 } // namespace internal

@@ -11,25 +11,60 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <cstddef>
 #include <limits>
 #include <ostream>
 #include <type_traits>
 
+namespace CGAL {
+
+template <class, class, class> class Seam_mesh;
+
+} // namespace CGAL
+
 namespace CGAL::Surface_mesh_parameterization {
 
 namespace internal {
 
+// The mesh that has every point once, and its vertex at a vertex of `mesh`.
+template <class TriangleMesh>
+const TriangleMesh& uncut_mesh(const TriangleMesh& mesh)
+{
+  return mesh;
+}
+
+template <class TriangleMesh, class Vertex>
+Vertex uncut_vertex(Vertex v, const TriangleMesh&)
+{
+  return v;
+}
+
+template <class TriangleMesh, class SeamEdgeMap, class SeamVertexMap>
+const TriangleMesh& uncut_mesh(const Seam_mesh<TriangleMesh, SeamEdgeMap, SeamVertexMap>& mesh)
+{
+  return mesh.mesh();
+}
+
+template <class TriangleMesh, class SeamEdgeMap, class SeamVertexMap, class Vertex>
+auto uncut_vertex(Vertex v, const Seam_mesh<TriangleMesh, SeamEdgeMap, SeamVertexMap>& mesh)
+{
+  const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor towards_v = v;
+  return target(towards_v, mesh.mesh());
+}
+
 template <class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
 void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, VertexParameterizedMap vpmap)
 {
-  const auto point_map = get(CGAL::vertex_point, mesh);
-  const auto index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+  const auto& uncut = uncut_mesh(mesh);
+  const auto point_map = get(CGAL::vertex_point, uncut);
+  const auto index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), uncut);
   const auto texture_index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
   const std::streamsize old_precision = os.precision((std::numeric_limits<double>::max_digits10));
 
   std::size_t index = 0, texture_index = 0;
-  for (const auto v : vertices(mesh)) {
+  for (const auto v : vertices(uncut)) {
     const auto& p = get(point_map, v);
     os << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
     put(index_of, v, ++index);
@@ -46,7 +81,7 @@ void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, Ve
       has_texture = has_texture && get(vpmap, v);
     os << 'f';
     for (const auto v : vertices_around_face(halfedge(f, mesh), mesh)) {
-      os << ' ' << get(index_of, v);
+      os << ' ' << get(index_of, uncut_vertex(v, mesh));
       if (has_texture)
         os << '/' << get(texture_index_of, v);
     }
@@ -63,6 +98,10 @@ namespace IO {
 ///
 /// writes a mesh with its parameterization as Wavefront OBJ: `v` and `vt` lines in the order of `vertices(mesh)`, faces
 /// in the order of `faces(mesh)`. Coordinates have all digits.
+///
+/// Of a `CGAL::Seam_mesh` the surface is written uncut: its `v` lines are the vertices of the mesh that it cuts, in the
+/// order of that mesh. Only the texture coordinates are cut: there is a `vt` line for each vertex of the seam mesh, so a
+/// point on the seam has several.
 ///
 /// \param os the stream; its state tells whether writing succeeded
 /// \param mesh a model of `FaceListGraph` with an internal vertex point map

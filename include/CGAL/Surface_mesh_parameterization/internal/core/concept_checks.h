@@ -135,10 +135,10 @@ template <class Mesh> using Any_uv_map = Any_map<Vertex_of<Mesh>, Point_2>;
 template <class Mesh> using Any_index_map = Any_map<Vertex_of<Mesh>, int>;
 template <class Mesh> using Any_bool_map = Any_map<Vertex_of<Mesh>, bool>;
 
-template <class T, class MeshReference, class Mesh>
+template <class T, class MeshReference, class Mesh, class... Others>
 using Parameterize = decltype(std::declval<T&>().parameterize(
     std::declval<MeshReference>(), std::declval<Halfedge_of<Mesh>>(), std::declval<Any_uv_map<Mesh>>(),
-    std::declval<Any_index_map<Mesh>>(), std::declval<Any_bool_map<Mesh>>()));
+    std::declval<Any_index_map<Mesh>>(), std::declval<Any_bool_map<Mesh>>(), std::declval<Others>()...));
 template <class T, class Mesh>
 using Place_border = decltype(std::declval<T&>().place_border(
     std::declval<const Mesh&>(), std::declval<Halfedge_of<Mesh>>(), std::declval<Any_uv_map<Mesh>>(),

@@ -34,6 +34,7 @@ class Wrapped_orbifold_parameterizer_3
   typedef Wrapped_parameterizer_base_3<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>   Base;
 
 public:
+  typedef SeamMesh                                                      Triangle_mesh;
   typedef typename boost::graph_traits<SeamMesh>::halfedge_descriptor   halfedge_descriptor;
 
   using Base::Base;

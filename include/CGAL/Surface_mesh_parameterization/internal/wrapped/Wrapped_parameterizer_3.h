@@ -27,11 +27,21 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+// The type that CGAL's parameterizers have, if a parameterizer has it.
+template <class Parameterizer, class = void>
+struct Border_parameterizer_type { };
+
+template <class Parameterizer>
+struct Border_parameterizer_type<Parameterizer, std::void_t<typename Parameterizer::Border_parameterizer>>
+{
+  typedef typename Parameterizer::Border_parameterizer   Border_parameterizer;
+};
+
 // Runs a parameterizer that solves linear systems with the multigrid solver in place of its own. Vertices are numbered
 // breadth first, and the parameterizer writes to private maps, which are copied to the user's if all went well.
 template <class Parameterizer>
 class Wrapped_parameterizer_3
-  : public Wrapped_parameterizer_base_3<Parameterizer>
+  : public Wrapped_parameterizer_base_3<Parameterizer>, public Border_parameterizer_type<Parameterizer>
 {
   typedef Wrapped_parameterizer_base_3<Parameterizer>   Base;
   typedef Solver_use<Parameterizer>                     Use;

@@ -28,6 +28,8 @@ template <class Parameterizer>
 class Wrapped_parameterizer_base_3
 {
 public:
+  typedef Multigrid_solver_traits   Solver_traits;
+
   // The arguments are those of `Parameterizer`'s constructor, less the solver; named parameters may follow them:
   // - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see Collapse_hierarchy_3; `unit_edges` is the
   //   default for a parameterizer with uniform weights

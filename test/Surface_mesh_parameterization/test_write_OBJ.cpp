@@ -1,0 +1,215 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Meshes with their maps as OBJ: what is read back is what was written.
+
+#include "mapped_mesh.h"
+#include "mesh_conversions.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/Seam_mesh.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+
+// ---- a reader ----
+
+struct Corner
+{
+  std::size_t vertex;
+  std::size_t texture_vertex;     // 0 if there is none
+};
+
+// The lines of a file; indices count from 1.
+struct Lines
+{
+  std::vector<Kernel::Point_3> points;
+  std::vector<Kernel::Point_2> uv;
+  std::vector<std::vector<Corner>> faces;
+
+  explicit Lines(const std::string& text)
+  {
+    std::istringstream file(text);
+    for (std::string line, word; std::getline(file, line);) {
+      std::istringstream words(line);
+      words >> word;
+      double x, y, z;
+      if (word == "v" && words >> x >> y >> z)
+        points.emplace_back(x, y, z);
+      else if (word == "vt" && words >> x >> y)
+        uv.emplace_back(x, y);
+      else if (word == "f") {
+        faces.emplace_back();
+        while (words >> word)
+          faces.back().push_back(corner(word));
+      } else
+        ADD_FAILURE() << line;
+    }
+  }
+
+private:
+  static Corner corner(const std::string& word)
+  {
+    const std::size_t slash = word.find('/');
+    return { std::stoul(word), slash == std::string::npos ? 0 : std::stoul(word.substr(slash + 1)) };
+  }
+};
+
+template <class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
+Lines written(const TriangleMesh& mesh, VertexUVMap uvmap, VertexParameterizedMap vpmap)
+{
+  std::ostringstream file;
+  SMP::IO::write_OBJ(file, mesh, uvmap, vpmap);
+  return Lines(file.str());
+}
+
+// ---- meshes ----
+
+TEST(Write_OBJ, writes_what_can_be_read_back)
+{
+  Mapped_mesh mapped(grid(4, 3, wavy));
+  append(single_triangle(), mapped.mesh);     // has no place in the plane
+  const auto vpmap = mapped.mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:parameterized", false).first;
+  EXPECT_EQ(Hierarchical_parameterizer_3<MIPS_parameterizer_3<Surface_mesh>>().parameterize(
+                mapped.mesh, longest_border(mapped.mesh), mapped.uvmap, get(CGAL::vertex_index, mapped.mesh), vpmap),
+            OK);
+  const Lines lines = written(mapped.mesh, mapped.uvmap, vpmap);
+  ASSERT_EQ(lines.points.size(), mapped.mesh.number_of_vertices());
+  ASSERT_EQ(lines.uv.size(), 20u);
+  for (const auto v : vertices(mapped.mesh)) {
+    EXPECT_EQ(lines.points[v], mapped.mesh.point(v));
+    EXPECT_TRUE(v >= 20 || lines.uv[v] == mapped.uvmap[v]);
+  }
+  ASSERT_EQ(lines.faces.size(), 25u);
+  for (const auto f : faces(mapped.mesh)) {
+    ASSERT_EQ(lines.faces[f].size(), 3u);
+    std::size_t i = 0;
+    for (const auto v : CGAL::vertices_around_face(mapped.mesh.halfedge(f), mapped.mesh)) {
+      EXPECT_EQ(lines.faces[f][i].vertex, std::size_t(v) + 1);
+      EXPECT_EQ(lines.faces[f][i++].texture_vertex, std::size_t(f) < 24 ? std::size_t(v) + 1 : 0);
+    }
+  }
+}
+
+// ---- meshes with seams ----
+
+// A sphere with a vertex beside it, cut along a path of three edges. Places tell their vertices apart.
+template <class TriangleMesh>
+struct Cut_sphere
+{
+  typedef boost::graph_traits<TriangleMesh>                                                          Graph_traits;
+  typedef boost::associative_property_map<std::map<typename Graph_traits::edge_descriptor, bool>>    Seam_edge_map;
+  typedef boost::associative_property_map<std::map<typename Graph_traits::vertex_descriptor, bool>>  Seam_vertex_map;
+  typedef CGAL::Seam_mesh<TriangleMesh, Seam_edge_map, Seam_vertex_map>                              Seam_mesh;
+  typedef typename Seam_mesh::vertex_descriptor                                                      Seam_vertex;
+  typedef typename boost::property_map<Seam_mesh, CGAL::dynamic_vertex_property_t<Kernel::Point_2>>::const_type    Uv_map;
+  typedef typename boost::property_map<Seam_mesh, CGAL::dynamic_vertex_property_t<bool>>::const_type               Bool_map;
+
+  TriangleMesh mesh = make<TriangleMesh>(sphere(4, 6));
+  std::map<typename Graph_traits::edge_descriptor, bool> is_seam_edge;
+  std::map<typename Graph_traits::vertex_descriptor, bool> is_seam_vertex;
+  typename Graph_traits::halfedge_descriptor first = halfedge(*vertices(mesh).begin(), mesh);
+  Seam_mesh seam_mesh{ mesh, Seam_edge_map(is_seam_edge), Seam_vertex_map(is_seam_vertex) };
+  Uv_map uvmap;
+  Bool_map vpmap;
+  std::size_t number_of_places = num_vertices(mesh) + 2;     // inner vertices of the path have two
+
+  Cut_sphere()
+  {
+    put(get(CGAL::vertex_point, mesh), add_vertex(mesh), Kernel::Point_3(9, 8, 7));
+    const auto second = next(opposite(next(first, mesh), mesh), mesh);
+    const auto third = next(opposite(next(second, mesh), mesh), mesh);
+    for (const auto h : { first, second, third })
+      EXPECT_TRUE(seam_mesh.add_seam(source(h, mesh), target(h, mesh)));
+    uvmap = get(CGAL::dynamic_vertex_property_t<Kernel::Point_2>(), const_cast<const Seam_mesh&>(seam_mesh));
+    vpmap = get(CGAL::dynamic_vertex_property_t<bool>(), const_cast<const Seam_mesh&>(seam_mesh));
+    double i = 1;
+    for (const Seam_vertex v : vertices(seam_mesh)) {
+      put(uvmap, v, Kernel::Point_2(i, i / 3));
+      put(vpmap, v, true);
+      ++i;
+    }
+  }
+
+  // Checks all lines; `places` is the number of vertices of the seam mesh that have one.
+  void expect_written(std::size_t places) const
+  {
+    const Lines lines = written(seam_mesh, uvmap, vpmap);
+    ASSERT_EQ(lines.points.size(), num_vertices(mesh));
+    ASSERT_EQ(lines.faces.size(), num_faces(mesh));
+    EXPECT_EQ(lines.uv.size(), places);
+    std::size_t i = 0;
+    for (const auto v : vertices(mesh))
+      EXPECT_EQ(lines.points[i++], get(get(CGAL::vertex_point, mesh), v));
+    i = 0;
+    for (const auto f : faces(mesh))
+      expect_face(lines, lines.faces[i++], halfedge(f, mesh));
+  }
+
+  void expect_face(const Lines& lines, const std::vector<Corner>& corners,
+                   typename Graph_traits::halfedge_descriptor start) const
+  {
+    bool has_places = true;
+    for (const auto h : CGAL::halfedges_around_face(start, mesh))
+      has_places = has_places && get(vpmap, corner(h));
+    ASSERT_EQ(corners.size(), 3u);
+    std::size_t i = 0;
+    for (const auto h : CGAL::halfedges_around_face(start, mesh)) {
+      EXPECT_EQ(lines.points.at(corners[i].vertex - 1), get(get(CGAL::vertex_point, mesh), target(h, mesh)));
+      if (has_places) {
+        EXPECT_EQ(lines.uv.at(corners[i].texture_vertex - 1), get(uvmap, corner(h)));
+      } else
+        EXPECT_EQ(corners[i].texture_vertex, 0u);
+      ++i;
+    }
+  }
+
+  // The vertex of the seam mesh at the corner to which a halfedge leads.
+  Seam_vertex corner(typename Graph_traits::halfedge_descriptor h) const
+  {
+    return target(typename Seam_mesh::halfedge_descriptor(h), seam_mesh);
+  }
+};
+
+template <class TriangleMesh>
+class Write_OBJ_of_seam_mesh : public testing::Test { };
+typedef testing::Types<Surface_mesh, CGAL::Polyhedron_3<Kernel>> Meshes;
+TYPED_TEST_SUITE(Write_OBJ_of_seam_mesh, Meshes, );
+
+TYPED_TEST(Write_OBJ_of_seam_mesh, cuts_the_texture_and_not_the_surface)
+{
+  const Cut_sphere<TypeParam> cut;
+  cut.expect_written(cut.number_of_places);
+}
+
+TYPED_TEST(Write_OBJ_of_seam_mesh, has_no_texture_where_there_is_no_place)
+{
+  const Cut_sphere<TypeParam> cut;
+  put(cut.vpmap, cut.corner(cut.first), false);
+  cut.expect_written(cut.number_of_places - 1);
+}
+
+} // namespace
