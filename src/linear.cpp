@@ -16,10 +16,10 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 template std::unique_ptr<Direct_solver> factorize_symmetric<double>(Index, const std::vector<Matrix_entry>&);
 template std::unique_ptr<Direct_solver> factorize<double>(Index, const std::vector<Matrix_entry>&);
 template std::unique_ptr<Linear_solver>
-make_multigrid_linear_solver<1>(const Hierarchy_interpolation&, std::shared_ptr<const Sparse_rows<double>>,
+make_multigrid_linear_solver<1>(const Hierarchy_interpolation*, std::shared_ptr<const Sparse_rows<double>>,
                                 std::vector<Mesh_unknown>, const std::vector<Index>&);
 template std::unique_ptr<Linear_solver>
-make_multigrid_linear_solver<2>(const Hierarchy_interpolation&, std::shared_ptr<const Sparse_rows<double>>,
+make_multigrid_linear_solver<2>(const Hierarchy_interpolation*, std::shared_ptr<const Sparse_rows<double>>,
                                 std::vector<Mesh_unknown>, const std::vector<Index>&);
 template Error_code solve_directly<true>(const Edge_system&, Level::Uv&);
 template Error_code solve_directly<false>(const Edge_system&, Level::Uv&);

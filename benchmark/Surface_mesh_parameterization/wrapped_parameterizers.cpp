@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// CGAL's parameterizers as they are and in Hierarchical_parameterizer_3, with default options: on several mesh types
-// and with all borders, the seconds of both calls, in turn, and how far apart their maps are. CSV on stdout.
+// CGAL's parameterizers as they are and in Hierarchical_parameterizer_3: on several mesh types and with all borders, the
+// seconds of both calls, in turn, and how far apart their maps are. CSV on stdout.
 
 #include "benchmark_utilities.h"
 
@@ -33,6 +33,7 @@ struct Choice
 {
   std::vector<std::string> mesh_types, parameterizers;      // none: all
   std::size_t runs;
+  SMP::Flip_policy flip_policy;
 
   static bool contains(const std::vector<std::string>& names, const std::string& name)
   {
@@ -88,7 +89,8 @@ void compare(const Named_mesh& input, typename Parameterizer::Triangle_mesh& mes
   for (std::size_t i = 0; i < choice.runs; ++i) {
     flat.make(mesh, [] { return Parameterizer(); });
     hierarchical.make(mesh, [&] {
-      return SMP::Hierarchical_parameterizer_3<Parameterizer>(CGAL::parameters::summary(std::ref(summary)));
+      return SMP::Hierarchical_parameterizer_3<Parameterizer>(
+          SMP::parameters::flip_policy(choice.flip_policy).summary(std::ref(summary)));
     });
   }
   const double seconds_flat = median(flat.seconds), seconds = median(hierarchical.seconds);
@@ -171,15 +173,17 @@ void run(int argc, char* argv[])
   options.add_options()
     ("subdivide", po::value<int>()->default_value(0), "Loop subdivisions of the mesh")
     ("runs", po::value<int>()->default_value(3), "runs of each; seconds are their median")
+    ("repair", po::bool_switch(), "repair flips, which is the default of the adaptor, but not of CGAL")
     ("mesh-type", po::value<std::vector<std::string>>()->default_value({}, "all"),
      "Surface_mesh, Polyhedron_3, Seam_mesh, Face_filtered_graph")
     ("parameterizer", po::value<std::vector<std::string>>()->default_value({}, "all"),
      "barycentric, mean-value, conformal, authalic, iterative-authalic, lscm");
   const po::variables_map values =
-      parse(argc, argv, options, "wrapped_parameterizers [MESH.off] [--subdivide K] [--runs N] [--mesh-type T]... "
+      parse(argc, argv, options, "wrapped_parameterizers [MESH.off] [--subdivide K] [--runs N] [--repair] [--mesh-type T]... "
                                  "[--parameterizer P]...");
   const Choice choice = { values["mesh-type"].as<std::vector<std::string>>(),
-                          values["parameterizer"].as<std::vector<std::string>>(), count_of(values, "runs", 1, 100) };
+                          values["parameterizer"].as<std::vector<std::string>>(), count_of(values, "runs", 1, 100),
+                          values["repair"].as<bool>() ? SMP::Flip_policy::REPAIR : SMP::Flip_policy::KEEP };
   Named_mesh input = only_mesh(values);
   subdivide(input.mesh, count_of(values, "subdivide", 0, 12));
   input.mesh.collect_garbage();

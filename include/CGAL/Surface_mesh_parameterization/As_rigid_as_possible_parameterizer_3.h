@@ -66,7 +66,7 @@ public:
   /// - `lambda`: the cost of a change of scale, at least 0, may be infinite; default 1000, as in CGAL
   /// - `tolerance`, `number_of_iterations` and the other named parameters of `Refinement_options`, except
   ///   `triangle_weight` and `globally_injective`
-  /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `FAIL`
+  /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `REPAIR`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit As_rigid_as_possible_parameterizer_3(const NamedParameters& np = parameters::default_values())

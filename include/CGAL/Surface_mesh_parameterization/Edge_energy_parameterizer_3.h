@@ -84,7 +84,7 @@ public:
   ///   the sum of the squared distances of the vertices from the weighted means of their neighbors. It is relative to
   ///   the residual of the map with all vertices, except those of the border, at one point
   /// - `number_of_iterations`: the most sweeps on a level; default 10000
-  /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `FAIL`
+  /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `REPAIR`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Edge_energy_parameterizer_3(const Border_parameterizer& border_parameterizer = Border_parameterizer(),

@@ -14,9 +14,9 @@ namespace CGAL::Surface_mesh_parameterization {
 /// or a vertex around which its triangles wind more than once. A map that is mirrored as a whole has no flips.
 enum class Flip_policy
 {
-  FAIL,     ///< flips are an error, `ERROR_NO_1_TO_1_MAPPING`; the default
+  FAIL,     ///< flips are an error, `ERROR_NO_1_TO_1_MAPPING`
   KEEP,     ///< the map is returned as it is
-  REPAIR    ///< flips are removed; only vertices move that cannot stay where the method put them
+  REPAIR    ///< flips are removed; only vertices move that cannot stay where the method put them; the default
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

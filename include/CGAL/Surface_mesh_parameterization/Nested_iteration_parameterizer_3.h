@@ -64,14 +64,14 @@ public:
   /// - `visitor`: a model of `HierarchyVisitor_3`; default: none
   /// - `fill_holes`: whether every border except the outer one is closed by a virtual vertex in its middle, so that a
   ///   hole is mapped like a part of the surface; default `false`
-  /// - `flip_policy`: a `Flip_policy`: the treatment of flips; default `FAIL`
+  /// - `flip_policy`: a `Flip_policy`: the treatment of flips; default `REPAIR`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as
   ///   long as the parameterizer runs
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Nested_iteration_parameterizer_3(const Method& method = Method(),
                                             const NamedParameters& np = parameters::default_values())
     : m_method(method), m_visitor(internal::hierarchy_visitor_of(np)), m_summary(internal::summary_of(np)),
-      m_options(internal::nested_iteration_options_of(np))
+      m_options(internal::nested_iteration_options_of<Method>(np))
   {
     internal::assert_names<Option_names>(np);
   }

@@ -90,7 +90,7 @@ protected:
   ///        `flip_policy` and `fill_holes`
   template <class NamedParameters>
   explicit Refinable_parameterizer_base_3(const NamedParameters& np)
-    : m_summary(internal::summary_of(np)), m_options(internal::nested_iteration_options_of(np))
+    : m_summary(internal::summary_of(np)), m_options(internal::nested_iteration_options_of<Method>(np))
   {
     m_options.hierarchy = internal::Hierarchy_options();
     m_options.hierarchy.coarsest_size = (std::numeric_limits<std::size_t>::max)();

@@ -21,6 +21,7 @@
 
 #include <CGAL/Real_timer.h>
 
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -53,7 +54,16 @@ struct Nested_iteration_options
   Round_coordinate round = nullptr;       // to the number type of the result; null if that holds doubles
 };
 
-template <class NamedParameters>
+// Whether a method declares that its results have no flips either: is_flip_free only speaks of the levels below the
+// finest.
+template <class Method, class = void>
+struct Is_result_flip_free : std::false_type { };
+
+template <class Method>
+struct Is_result_flip_free<Method, std::void_t<decltype(Method::is_result_flip_free)>>
+  : std::bool_constant<Method::is_result_flip_free> { };
+
+template <class Method, class NamedParameters>
 Nested_iteration_options nested_iteration_options_of(const NamedParameters& np)
 {
   using parameters::choose_parameter;
@@ -61,7 +71,7 @@ Nested_iteration_options nested_iteration_options_of(const NamedParameters& np)
   Nested_iteration_options options;
   options.hierarchy = hierarchy_options_of(np);
   options.fills_holes = choose_parameter(get_parameter(np, internal_np::fill_holes), options.fills_holes);
-  options.flips = flip_settlement_of(np);
+  options.flips = flip_settlement_of<!Is_result_flip_free<Method>::value>(np);
   return options;
 }
 

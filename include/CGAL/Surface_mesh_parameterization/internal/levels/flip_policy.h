@@ -27,21 +27,24 @@ bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const 
 // `moved_vertices`.
 Error_code repair_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv, std::size_t& moved_vertices);
 
-// What becomes of flips. `repair`, for a policy that needs it, is repair_map(): it is compiled, header-only, by who
-// gives a policy, and not by everybody.
+// What becomes of flips. `repair`, for a policy that needs it, is repair_map(): it is compiled, header-only, where maps
+// may have flips or a policy is given, and not by everybody.
 struct Flip_settlement
 {
   Flip_policy policy = Flip_policy::FAIL;
   decltype(&repair_map) repair = nullptr;
 };
 
-template <class NamedParameters>
+// As named parameters say, or else a repair of maps that may have flips.
+template <bool may_have_flips, class NamedParameters>
 Flip_settlement flip_settlement_of(const NamedParameters& np)
 {
-  if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::flip_policy_t>::value)
-    return Flip_settlement();
-  else
+  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::flip_policy_t>::value)
     return { parameters::get_parameter(np, internal_np::flip_policy), &repair_map };
+  else if constexpr (may_have_flips)
+    return { Flip_policy::REPAIR, &repair_map };
+  else
+    return Flip_settlement();
 }
 
 // Does with the flips of a map what the policy says. `rings` are those of the surface that `make_surface()` makes, if

@@ -25,15 +25,6 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Whether a method declares that its results have no flips either: is_flip_free only speaks of the levels below the
-// finest.
-template <class Method, class = void>
-struct Is_result_flip_free : std::false_type { };
-
-template <class Method>
-struct Is_result_flip_free<Method, std::void_t<decltype(Method::is_result_flip_free)>>
-  : std::bool_constant<Method::is_result_flip_free> { };
-
 // A model of RefinableParameterizer_3 as the engine sees it.
 template <class Method>
 class Refinable_method_of final

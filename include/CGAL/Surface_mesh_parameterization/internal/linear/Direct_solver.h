@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_DIRECT_SOLVER_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_DIRECT_SOLVER_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Values.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
@@ -25,13 +26,13 @@ struct Matrix_entry
   double value() const { return a; }
 };
 
-// The factorization of a sparse matrix.
+// Solves linear systems with one sparse matrix, as its factorization does.
 class Direct_solver
 {
 public:
   virtual ~Direct_solver() = default;
 
-  // x := A^-1 b, for so many right sides and solutions, one after the other.
+  // x := A^-1 b, for so many right sides and solutions, one after the other; NaN if that fails.
   virtual void solve(const double* b, double* x, int number_of_right_sides) const = 0;
 
   // The same for right sides side by side: `b(i)` tells what they have in row i.
@@ -63,6 +64,20 @@ std::unique_ptr<Direct_solver> factorize_symmetric(Index n, const std::vector<Ma
 // takes long.
 template <class Real = double>
 std::unique_ptr<Direct_solver> factorize(Index n, const std::vector<Matrix_entry>& entries);
+
+// The same of a square matrix that is given by its rows.
+template <class Real = double>
+std::unique_ptr<Direct_solver> factorize_rows(const Sparse_rows<double>& a)
+{
+  std::vector<Matrix_entry> entries;
+  entries.reserve(a.values.size());
+  for (Index i = 0; i < a.number_of_rows(); ++i)
+    for (Index k = a.first[i]; k < a.first[i + 1]; ++k)
+      entries.push_back({ i, a.columns[k], a.values[k] });
+  return factorize<Real>(a.number_of_rows(), entries);
+}
+
+typedef decltype(&factorize_rows<double>)   Make_direct_solver;
 
 #ifdef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
 extern template std::unique_ptr<Direct_solver> factorize_symmetric<double>(Index, const std::vector<Matrix_entry>&);

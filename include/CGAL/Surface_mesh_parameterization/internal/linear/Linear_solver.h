@@ -8,9 +8,11 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -28,6 +30,10 @@ struct Linear_solver_options
       60;      // the most iterations in which the residual is not halved: of an indefinite matrix it may wander about for ever
   double worst_backward_error =
       1e-10;      // of a solution without iteration: of a nearly singular matrix, no solution has a small residual
+  // A matrix is solved without multigrid if the entries of a row, beside the diagonal, have a sum of absolute values
+  // that is greater than this, relative to the diagonal.
+  double greatest_row_sum = (std::numeric_limits<double>::infinity)();
+  Make_direct_solver make_direct_solver = &factorize_rows<double>;     // that solves where multigrid does not
 };
 
 struct Linear_solver_result
@@ -52,24 +58,23 @@ public:
                                      const std::vector<double*>& solutions, const Linear_solver_options& options) = 0;
 };
 
-// A Multigrid_linear_solver for a matrix, and for so many right sides side by side. `unknowns` and `tied_vertices` as
-// there.
+// A Multigrid_linear_solver for a matrix, and for so many right sides side by side. The other arguments as there.
 //
 // A template for the sake of who uses the package header-only: what does not solve linear systems, or not in pairs,
 // need not compile it.
 template <int most_right_sides>
 std::unique_ptr<Linear_solver>
-make_multigrid_linear_solver(const Hierarchy_interpolation& hierarchy, std::shared_ptr<const Sparse_rows<double>> rows,
+make_multigrid_linear_solver(const Hierarchy_interpolation* hierarchy, std::shared_ptr<const Sparse_rows<double>> rows,
                              std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices);
 
 typedef decltype(&make_multigrid_linear_solver<1>)   Make_linear_solver;
 
 #ifdef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
 extern template std::unique_ptr<Linear_solver>
-make_multigrid_linear_solver<1>(const Hierarchy_interpolation&, std::shared_ptr<const Sparse_rows<double>>,
+make_multigrid_linear_solver<1>(const Hierarchy_interpolation*, std::shared_ptr<const Sparse_rows<double>>,
                                 std::vector<Mesh_unknown>, const std::vector<Index>&);
 extern template std::unique_ptr<Linear_solver>
-make_multigrid_linear_solver<2>(const Hierarchy_interpolation&, std::shared_ptr<const Sparse_rows<double>>,
+make_multigrid_linear_solver<2>(const Hierarchy_interpolation*, std::shared_ptr<const Sparse_rows<double>>,
                                 std::vector<Mesh_unknown>, const std::vector<Index>&);
 #endif
 

@@ -30,8 +30,8 @@ class Mesh_system
 public:
   typedef Sparse_rows<double>   Rows;
 
-  // `unknowns[i]` tells where unknown i sits; empty where nobody knows.
-  Mesh_system(const Hierarchy_interpolation& hierarchy, std::shared_ptr<const Rows> rows,
+  // `unknowns[i]` tells where unknown i sits; empty where nobody knows, and then there need be no hierarchy.
+  Mesh_system(const Hierarchy_interpolation* hierarchy, std::shared_ptr<const Rows> rows,
               const std::vector<Mesh_unknown>& unknowns)
     : m_rows(std::move(rows))
   {
@@ -189,7 +189,7 @@ private:
     return true;
   }
 
-  void collect_free_unknowns(const Hierarchy_interpolation& hierarchy, const std::vector<Mesh_unknown>& unknowns)
+  void collect_free_unknowns(const Hierarchy_interpolation* hierarchy, const std::vector<Mesh_unknown>& unknowns)
   {
     double greatest = 0;
     for (Index i = 0; i < size(); ++i)
@@ -201,7 +201,7 @@ private:
     if (unknowns.empty())
       return;
     const auto place = [&](Index i) {
-      return std::make_pair(hierarchy.input_vertex(unknowns[i].vertex), unknowns[i].component);
+      return std::make_pair(hierarchy->input_vertex(unknowns[i].vertex), unknowns[i].component);
     };
     const auto is_before = [&](Index i, Index j) { return place(i) < place(j); };
     if (!std::is_sorted(m_free.begin(), m_free.end(), is_before))

@@ -35,9 +35,9 @@ class Multigrid_linear_solver final
   : public Linear_solver
 {
 public:
-  // `unknowns[i]` tells where unknown i sits; where nobody knows, all is solved directly. At `tied_vertices` there is
-  // none, since the values of others give theirs.
-  Multigrid_linear_solver(const Hierarchy_interpolation& hierarchy, std::shared_ptr<const Sparse_rows<double>> rows,
+  // `unknowns[i]` tells where unknown i sits; where there are none, all is solved directly, and there need be no
+  // hierarchy. At `tied_vertices` there is no unknown, since the values of others give theirs.
+  Multigrid_linear_solver(const Hierarchy_interpolation* hierarchy, std::shared_ptr<const Sparse_rows<double>> rows,
                           std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices = {})
     : m_system(hierarchy, std::move(rows), unknowns)
   {
@@ -50,7 +50,7 @@ public:
       grid_unknowns.push_back(unknowns[i]);
     std::vector<Mesh_unknown>().swap(unknowns);
     m_multigrid =
-        std::make_unique<Multigrid>(hierarchy, grid_unknowns, m_system.template free_part<Real>(), tied_vertices);
+        std::make_unique<Multigrid>(*hierarchy, grid_unknowns, m_system.template free_part<Real>(), tied_vertices);
   }
 
   const std::shared_ptr<const Sparse_rows<double>>& rows() const override { return m_system.rows(); }
@@ -213,23 +213,13 @@ private:
   {
     result.is_direct = true;
     if (!m_direct_solver)
-      m_direct_solver = factorize(*m_system.rows());
+      m_direct_solver = options.make_direct_solver(*m_system.rows());
     if (!m_direct_solver)
       return;
     m_direct_solver->solve_side_by_side([&](Index i) { return b[i]; }, x);
     m_system.compute_residual(b, x, r);
     result.residual = greatest(quotient(m_system.norm(r), start));
     result.is_solved = m_system.backward_error(b, x) <= options.worst_backward_error;
-  }
-
-  static std::unique_ptr<Direct_solver> factorize(const Sparse_rows<double>& a)
-  {
-    std::vector<Matrix_entry> entries;
-    entries.reserve(a.values.size());
-    for (Index i = 0; i < a.number_of_rows(); ++i)
-      for (Index k = a.first[i]; k < a.first[i + 1]; ++k)
-        entries.push_back({ i, a.columns[k], a.values[k] });
-    return internal::factorize(a.number_of_rows(), entries);
   }
 
   Mesh_system m_system;

@@ -14,22 +14,32 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Solver_vector.h>
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// What the copies of a Multigrid_solver_traits share: the interpolation, and the solver that was set up last.
+// What the copies of a Multigrid_solver_traits share: the hierarchy, and the solver that was set up last.
 class Multigrid_session
   : private Deferring_solver
 {
 public:
   typedef Solver_vector   Vector;
 
-  // `defers`, for a solver of two right sides: a first solution with a matrix is put off until it is read, or until the next right side comes: two of
-  // them are solved side by side in little more than the time of one. Whether that succeeds is told by finish() only.
+  // Returns null if there is to be no hierarchy.
+  typedef std::function<std::shared_ptr<const Hierarchy_interpolation>()>   Make_hierarchy;
+
+  // `defers`, for a solver of two right sides: a first solution with a matrix is put off until it is read, or until the
+  // next right side comes: two of them are solved side by side in little more than the time of one. Whether that
+  // succeeds is told by finish() only.
   Multigrid_session(std::shared_ptr<const Hierarchy_interpolation> interpolation, Mesh_unknowns unknowns,
                     const Linear_solver_options& options, Make_linear_solver make_solver, bool defers = false);
+
+  // The unknowns are in the order of the hierarchy's input. The hierarchy is made when the first matrix needs it.
+  Multigrid_session(Make_hierarchy make_hierarchy, const Linear_solver_options& options,
+                    Make_linear_solver make_solver, bool defers = false);
 
   Multigrid_session(const Multigrid_session&) = delete;
   Multigrid_session& operator=(const Multigrid_session&) = delete;
@@ -49,7 +59,8 @@ public:
   bool solve_marked(std::vector<double>& solution);
 
   // Sets up the solver for a matrix, unless it is the one of the last time; `tied_vertices` as for
-  // make_multigrid_linear_solver(). Of unknowns that do not match the mesh, the solver solves directly.
+  // make_multigrid_linear_solver(). Of unknowns that do not match the mesh, and of a matrix that does not suit
+  // multigrid, the solver solves directly.
   bool set_up(const Sparse_matrix& matrix, const std::vector<Index>& tied_vertices = {});
 
   // Solves with a matrix for one right side.
@@ -67,15 +78,21 @@ private:
   enum class Marks { NONE, ALLOWED, GIVEN, READ };
 
   void solve_now() override { finish(); }
+  bool suits_multigrid(const Sparse_rows<double>& rows) const;
+  bool find_hierarchy();
   bool set_up(std::shared_ptr<const Sparse_rows<double>> rows, const std::vector<Index>& tied_vertices);
+  bool set_up_multigrid(std::shared_ptr<const Sparse_rows<double>> rows, const std::vector<Index>& tied_vertices);
+  void make_solver(std::shared_ptr<const Sparse_rows<double>> rows, std::vector<Mesh_unknown> unknowns,
+                   const std::vector<Index>& tied_vertices);
   bool give_marks(const Vector& right_side, Vector& solution);
   bool put_off(const Vector& right_side, Vector& solution);
   bool solve(const std::vector<const std::vector<double>*>& right_sides,
              const std::vector<std::vector<double>*>& solutions);
   std::shared_ptr<Vector::Numbers> take_waiting_solution();
 
-  std::shared_ptr<const Hierarchy_interpolation> m_interpolation;
-  Mesh_unknowns m_unknowns;
+  Make_hierarchy m_make_hierarchy;
+  std::shared_ptr<const Hierarchy_interpolation> m_interpolation;     // null until it is made
+  std::optional<Mesh_unknowns> m_unknowns;
   Marks m_marks = Marks::NONE;
   std::shared_ptr<const Sparse_rows<double>> m_marked_rows;
   std::vector<double> m_marked_right_side;

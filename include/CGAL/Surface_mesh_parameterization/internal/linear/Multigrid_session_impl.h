@@ -10,6 +10,7 @@
 #include <CGAL/Real_timer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -25,6 +26,12 @@ Multigrid_session::Multigrid_session(std::shared_ptr<const Hierarchy_interpolati
 { }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Multigrid_session::Multigrid_session(Make_hierarchy make_hierarchy, const Linear_solver_options& options,
+                                     Make_linear_solver make_solver, bool defers)
+  : m_make_hierarchy(std::move(make_hierarchy)), m_options(options), m_make_solver(make_solver), m_defers(defers)
+{ }
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Multigrid_session::~Multigrid_session()
 {
   finish();
@@ -34,7 +41,7 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::read_marks(const std::vector<Point_2>& map)
 {
   m_marks = Marks::READ;
-  m_marked_unknowns = m_unknowns.from_marks(m_marked_rows->number_of_rows(), map);
+  m_marked_unknowns = m_unknowns->from_marks(m_marked_rows->number_of_rows(), map);
   return !m_marked_unknowns.empty();
 }
 
@@ -55,10 +62,52 @@ bool Multigrid_session::set_up(const Sparse_matrix& matrix, const std::vector<In
   return matrix.column_dimension() == matrix.row_dimension() && set_up(std::move(rows), tied_vertices);
 }
 
+// Where rows are far from diagonally dominant, as those of authalic weights may be, the matrix is indefinite, and
+// iterations arrive late or never.
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::suits_multigrid(const Sparse_rows<double>& rows) const
+{
+  if (m_options.greatest_row_sum == (std::numeric_limits<double>::infinity)())
+    return true;
+  for (Index i = 0; i < rows.number_of_rows(); ++i) {
+    double diagonal = 0, sum = 0;
+    for (Index k = rows.first[i]; k < rows.first[i + 1]; ++k)
+      if (rows.columns[k] == i)
+        diagonal = rows.values[k];
+      else
+        sum += std::abs(rows.values[k]);
+    if (sum != 0 && !(sum <= m_options.greatest_row_sum * diagonal))
+      return false;
+  }
+  return true;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::find_hierarchy()
+{
+  if (m_make_hierarchy) {
+    m_interpolation = m_make_hierarchy();
+    m_make_hierarchy = nullptr;
+    if (m_interpolation)
+      m_unknowns.emplace(m_interpolation->ranks());
+  }
+  return m_interpolation != nullptr;
+}
+
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::set_up(std::shared_ptr<const Sparse_rows<double>> rows, const std::vector<Index>& tied_vertices)
 {
-  std::vector<Mesh_unknown> unknowns = m_unknowns.in_order(rows->number_of_rows());
+  if (suits_multigrid(*rows))
+    return find_hierarchy() && set_up_multigrid(std::move(rows), tied_vertices);
+  make_solver(std::move(rows), {}, {});
+  return true;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::set_up_multigrid(std::shared_ptr<const Sparse_rows<double>> rows,
+                                         const std::vector<Index>& tied_vertices)
+{
+  std::vector<Mesh_unknown> unknowns = m_unknowns->in_order(rows->number_of_rows());
   const bool is_of_mesh = unknowns.size() == rows->number_of_rows();
   if (!unknowns_match(*m_interpolation, *rows, unknowns))
     unknowns = m_marked_unknowns;
@@ -72,13 +121,19 @@ bool Multigrid_session::set_up(std::shared_ptr<const Sparse_rows<double>> rows, 
       return false;
     unknowns.clear();
   }
+  make_solver(std::move(rows), std::move(unknowns), tied_vertices);
+  return true;
+}
 
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void Multigrid_session::make_solver(std::shared_ptr<const Sparse_rows<double>> rows, std::vector<Mesh_unknown> unknowns,
+                                    const std::vector<Index>& tied_vertices)
+{
   CGAL::Real_timer timer;
   timer.start();
-  m_solver = m_make_solver(*m_interpolation, std::move(rows), std::move(unknowns), tied_vertices);
+  m_solver = m_make_solver(m_interpolation.get(), std::move(rows), std::move(unknowns), tied_vertices);
   ++m_summary.setups;
   m_summary.seconds_setup += timer.time();
-  return true;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -56,8 +56,7 @@ struct Optional_steps
       steps.fill_holes = [](const Triangle_mesh& mesh, halfedge_descriptor bhd) {
         return std::make_shared<Filled_mesh<Triangle_mesh>>(mesh, bhd);
       };
-    if constexpr (!is_default_parameter<NamedParameters, internal_np::flip_policy_t>::value &&
-                  !std::is_void<Relative>::value)
+    if constexpr (!std::is_void<Relative>::value)
       steps.run_relative = &run<Relative>;
     return steps;
   }

@@ -6,14 +6,24 @@
 
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 
+#include <CGAL/Default.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
 namespace CGAL::Surface_mesh_parameterization {
 
+template <class> class Circular_border_arc_length_parameterizer_3;
+template <class> class Circular_border_uniform_parameterizer_3;
 template <class, class, class> class Barycentric_mapping_parameterizer_3;
 template <class, class, class> class Discrete_authalic_parameterizer_3;
 template <class, class, class> class Discrete_conformal_map_parameterizer_3;
 template <class, class, class> class Iterative_authalic_parameterizer_3;
 template <class, class, class> class LSCM_parameterizer_3;
 template <class, class, class> class Mean_value_coordinates_parameterizer_3;
+template <class, class> class Orbifold_Tutte_parameterizer_3;
 
 namespace internal {
 
@@ -23,11 +33,22 @@ struct Plain_solver_use
   static constexpr bool solves_in_pairs = false;          // for u and for v, before it looks at either
   static constexpr bool copies_solution = false;          // to the map, and does nothing else with it
   static constexpr bool has_uniform_weights = false;
+  static constexpr bool has_wild_weights = false;         // its matrices need not suit multigrid
+  static constexpr bool has_positive_weights = false;     // see may_have_flips
+
+  // Of the matrices that are for multigrid, see Linear_solver_options. In between there are hardly any: cotangent
+  // weights of the worst triangles stay below a half of this, and authalic ones, where they are wild, pass it far.
+  static constexpr double greatest_row_sum = 10;
+
 };
 
 // How a parameterizer uses its solver.
 template <class Parameterizer>
 struct Solver_use : Plain_solver_use { };
+
+// Whether a parameterizer may be faster with its own solver than with multigrid: `with()` so many vertices.
+template <class Parameterizer>
+struct Is_faster_alone : std::false_type { };
 
 struct Solves_in_pairs : Plain_solver_use
 {
@@ -39,11 +60,13 @@ template <class M, class B, class S>
 struct Solver_use<Barycentric_mapping_parameterizer_3<M, B, S>> : Solves_in_pairs
 {
   static constexpr bool has_uniform_weights = true;
+  static constexpr bool has_positive_weights = true;
 };
 
 template <class M, class B, class S>
 struct Solver_use<Discrete_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs
 {
+  static constexpr bool has_wild_weights = true;
 };
 template <class M, class B, class S>
 struct Solver_use<Discrete_conformal_map_parameterizer_3<M, B, S>> : Solves_in_pairs
@@ -52,11 +75,39 @@ struct Solver_use<Discrete_conformal_map_parameterizer_3<M, B, S>> : Solves_in_p
 template <class M, class B, class S>
 struct Solver_use<Iterative_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs
 {
+  static constexpr bool has_wild_weights = true;
 };
 template <class M, class B, class S>
 struct Solver_use<Mean_value_coordinates_parameterizer_3<M, B, S>> : Solves_in_pairs
 {
+  static constexpr bool has_positive_weights = true;
 };
+
+// The border parameterizer of a parameterizer, as its template argument says.
+template <class Border>
+struct Is_circle : std::false_type { };
+
+template <>
+struct Is_circle<Default> : std::true_type { };
+
+template <class Mesh>
+struct Is_circle<Circular_border_arc_length_parameterizer_3<Mesh>> : std::true_type { };
+
+template <class Mesh>
+struct Is_circle<Circular_border_uniform_parameterizer_3<Mesh>> : std::true_type { };
+
+// Whether a parameterizer's maps may have flips. With positive weights and a border that is strictly convex they have
+// none, by Tutte's and Floater's theorems. On a square, triangles with three vertices on a side are degenerate.
+template <class Parameterizer>
+constexpr bool may_have_flips = true;
+
+template <template <class, class, class> class Parameterizer, class Mesh, class Border, class Solver>
+constexpr bool may_have_flips<Parameterizer<Mesh, Border, Solver>> =
+    !(Solver_use<Parameterizer<Mesh, Border, Solver>>::has_positive_weights && Is_circle<Border>::value);
+
+// An orbifold's map keeps its flips.
+template <class SeamMesh, class Solver>
+constexpr bool may_have_flips<Orbifold_Tutte_parameterizer_3<SeamMesh, Solver>> = false;
 
 // The method without flips that minimizes the same kind of distortion as a parameterizer with a free border; void if
 // there is none.
@@ -77,6 +128,19 @@ struct Solver_use<LSCM_parameterizer_3<M, B, S>> : Plain_solver_use
 {
   static constexpr bool is_shipped = true;
   static constexpr bool copies_solution = true;
+  static constexpr double greatest_row_sum = (std::numeric_limits<double>::infinity)();
+};
+
+// Iterations grow with the border, like its square root: the conformal motions that it allows cost next to no energy,
+// and coarse grids resist them. The time of a factorization grows with the surface, almost like its square.
+template <class M, class B, class S>
+struct Is_faster_alone<LSCM_parameterizer_3<M, B, S>> : std::true_type
+{
+  static bool with(std::size_t vertices, std::size_t border_vertices)
+  {
+    constexpr double vertices_by_root_of_border = 7000;
+    return double(vertices) < vertices_by_root_of_border * std::sqrt(double(border_vertices));
+  }
 };
 
 } // namespace internal

@@ -34,7 +34,7 @@ typedef Names<internal_np::coarsest_size_t, internal_np::random_seed_t, internal
               internal_np::tolerance_t, internal_np::number_of_iterations_t, internal_np::visitor_t,
               internal_np::summary_t>   Wrapped_option_names;
 
-template <class NamedParameters>
+template <bool may_have_flips, class NamedParameters>
 Wrapped_options wrapped_options_of(const NamedParameters& np, const Hierarchy_options& hierarchy_defaults)
 {
   using parameters::choose_parameter;
@@ -43,7 +43,7 @@ Wrapped_options wrapped_options_of(const NamedParameters& np, const Hierarchy_op
   options.hierarchy = hierarchy_options_of(np, hierarchy_defaults);
   options.solver = linear_solver_options_of(np);
   options.fills_holes = choose_parameter(get_parameter(np, internal_np::fill_holes), options.fills_holes);
-  options.flips = flip_settlement_of(np);
+  options.flips = flip_settlement_of<may_have_flips>(np);
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value) {
     options.visitor = hierarchy_visitor_of(np);
     options.build = &build_visited_interpolation;

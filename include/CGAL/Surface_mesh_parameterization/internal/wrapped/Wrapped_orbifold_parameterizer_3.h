@@ -63,7 +63,7 @@ private:
     typedef typename Wrapped_run<SeamMesh>::Index_map                  Index_map;
 
     Wrapped_run<SeamMesh> run(mesh, bhd, this->options());
-    if (run.error() != OK)
+    if (run.error() != OK || !run.interpolation())
       return run.error();
     std::vector<User_point_2> uv(run.vertices().size());
     const auto session =

@@ -8,7 +8,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Component_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Filled_mesh.h>
@@ -94,6 +93,7 @@ private:
                                   VertexParameterizedMap vpmap, Others&&... others)
   {
     typedef typename boost::property_traits<VertexUVMap>::value_type    User_point_2;
+    typedef typename Wrapped_run<Triangle_mesh>::Index_map              Index_map;
 
     Wrapped_run<Triangle_mesh> run(mesh, bhd, this->options());
     if (run.error() != OK)
@@ -104,29 +104,21 @@ private:
         v = copy->original(v);
     std::vector<User_point_2> uv;
     std::vector<char> is_placed;
-    const auto session =
-        std::make_shared<Multigrid_session>(run.interpolation(), Mesh_unknowns(run.interpolation()->ranks()),
-                                            this->options().solver,
-                                            &make_multigrid_linear_solver<Use::solves_in_pairs ? 2 : 1>,
-                                            Use::solves_in_pairs);
-    // A second call would change the caller's further arguments once more.
-    if (sizeof...(Others) == 0)
-      session->allow_marks();
-    Error_code code = run.parameterize(session, uv, [&] {
+    Error_code code = make_map(run, uv, sizeof...(Others) == 0, [&](const auto& parameterizer) {
       copy_places(vertices, uvmap, vpmap, uv, is_placed);
-      return make_map(mesh, bhd, run.index(), uv, is_placed, std::forward<Others>(others)...);
-    }, Use::copies_solution);
-    if (code == OK && session->summary().setups == 0)
-      code = this->fail(ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);      // another solver made the map
+      // CGAL's parameterizers read the mesh only, but do not say so.
+      return parameterizer->parameterize(const_cast<Triangle_mesh&>(mesh), bhd,
+                                         Component_map<Index_map, User_point_2>{ run.index(), &uv }, run.index(),
+                                         Component_map<Index_map, char>{ run.index(), &is_placed },
+                                         std::forward<Others>(others)...);
+    });
     if (code == OK)
       code = run.settle_flips(uv);
     if (code == OK && this->optional_steps().run_relative && run.is_mostly_moved()) {
-      std::vector<Point_2> places(uv.size());
-      code = this->optional_steps().run_relative(mesh, bhd, run.index(), places, run.summary());
-      for (std::size_t i = 0; i < uv.size(); ++i) {
-        uv[i] = User_point_2(places[i].x(), places[i].y());
-        is_placed[i] = true;
-      }
+      code = run.replace_map(uv, [&](std::vector<Point_2>& places, Parameterization_summary& summary) {
+        return this->optional_steps().run_relative(mesh, bhd, run.index(), places, summary);
+      });
+      is_placed.assign(uv.size(), true);
     }
     for (std::size_t i = 0; i < vertices.size() && code == OK; ++i)
       if (vertices[i] != Graph_traits::null_vertex()) {
@@ -150,15 +142,28 @@ private:
       }
   }
 
-  template <class IndexMap, class Point, class... Others>
-  Error_code make_map(const Triangle_mesh& mesh, halfedge_descriptor bhd, const IndexMap& index, std::vector<Point>& uv,
-                      std::vector<char>& is_placed, Others&&... others) const
+  // Calls `run_parameterizer(pointer)` for a parameterizer with the solver that suits it. It can be called once more if
+  // that does not change the caller's further arguments.
+  template <class Point, class Function>
+  Error_code make_map(Wrapped_run<Triangle_mesh>& run, std::vector<Point>& uv, bool can_repeat,
+                      const Function& run_parameterizer)
   {
-    // CGAL's parameterizers read the mesh only, but do not say so.
-    return this->make_parameterizer()->parameterize(const_cast<Triangle_mesh&>(mesh), bhd,
-                                                    Component_map<IndexMap, Point>{ index, &uv }, index,
-                                                    Component_map<IndexMap, char>{ index, &is_placed },
-                                                    std::forward<Others>(others)...);
+    if constexpr (Is_faster_alone<Parameterizer>::value)
+      if (Is_faster_alone<Parameterizer>::with(run.vertices().size(), run.border_size()))
+        return run.parameterize_alone(uv, [&] { return run_parameterizer(this->make_parameterizer_alone()); });
+    if (!Use::has_wild_weights && !run.interpolation())      // early, while no matrix takes memory
+      return run.error();
+    const auto session =
+        std::make_shared<Multigrid_session>([&run] { return run.interpolation(); }, this->options().solver,
+                                            &make_multigrid_linear_solver<Use::solves_in_pairs ? 2 : 1>,
+                                            Use::solves_in_pairs);
+    if (can_repeat)
+      session->allow_marks();
+    const Error_code code = run.parameterize(
+        session, uv, [&] { return run_parameterizer(this->make_parameterizer()); }, Use::copies_solution);
+    if (code == OK && session->summary().setups == 0)
+      return this->fail(ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);      // another solver made the map
+    return code;
   }
 };
 

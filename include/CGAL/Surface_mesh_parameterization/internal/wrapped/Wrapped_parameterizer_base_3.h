@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Optional_steps.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Own_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_options.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -34,7 +35,7 @@ public:
   // - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see Collapse_hierarchy_3; `unit_edges` is the
   //   default for a parameterizer with uniform weights
   // - `tolerance`, `number_of_iterations`: of the solver, see Multigrid_solver_traits
-  // - `flip_policy`: what becomes of a map with flips
+  // - `flip_policy`: what becomes of a map with flips; a repair, if it is not given
   // - `fill_holes`: whether every further border is closed by a virtual vertex
   // - `visitor`: a model of HierarchyVisitor_3, whose hierarchy_built() is called
   // - `summary`: a std::reference_wrapper<Parameterization_summary> that receives what the run did
@@ -62,6 +63,9 @@ protected:
   // Each run makes its own parameterizer, inside the scope of its solver; and some of CGAL's cannot be copied.
   std::unique_ptr<Parameterizer_with_multigrid> make_parameterizer() const { return m_make(); }
 
+  // The parameterizer with its own solver; only where Is_faster_alone.
+  std::unique_ptr<Parameterizer> make_parameterizer_alone() const { return m_make_alone(); }
+
   const Wrapped_options& options() const { return m_options; }
   const Optional_steps<Parameterizer>& optional_steps() const { return m_optional_steps; }
 
@@ -84,10 +88,15 @@ private:
   void keep_arguments(const Tuple& arguments, std::index_sequence<positions...>)
   {
     m_has_arguments = sizeof...(positions) > 0;
-    m_make = [arguments] {
-      (void)arguments;
-      return std::make_unique<Parameterizer_with_multigrid>(std::get<positions>(arguments)...);
-    };
+    m_make = make_of<Parameterizer_with_multigrid>(std::get<positions>(arguments)...);
+    if constexpr (Is_faster_alone<Parameterizer>::value)
+      m_make_alone = make_of<Parameterizer>(std::get<positions>(arguments)...);
+  }
+
+  template <class P, class... Arguments>
+  static std::function<std::unique_ptr<P>()> make_of(const Arguments&... arguments)
+  {
+    return [arguments...] { return std::make_unique<P>(arguments...); };
   }
 
   template <class NamedParameters>
@@ -96,11 +105,13 @@ private:
     assert_names<Joined_names<Wrapped_option_names, typename Optional_steps<Parameterizer>::Option_names>>(np);
     Hierarchy_options hierarchy_defaults;
     hierarchy_defaults.has_unit_edges = Solver_use<Parameterizer>::has_uniform_weights;
-    m_options = wrapped_options_of(np, hierarchy_defaults);
+    m_options = wrapped_options_of<may_have_flips<Parameterizer>>(np, hierarchy_defaults);
+    set_direct_solver<Parameterizer>(m_options.solver);
     m_optional_steps = Optional_steps<Parameterizer>::of(np);
   }
 
   std::function<std::unique_ptr<Parameterizer_with_multigrid>()> m_make;
+  std::function<std::unique_ptr<Parameterizer>()> m_make_alone;
   bool m_has_arguments = false;
   Wrapped_options m_options;
   Optional_steps<Parameterizer> m_optional_steps;

@@ -47,7 +47,7 @@ public:
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor                                  halfedge_descriptor;
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int>>::const_type     Index_map;
 
-  // Reads the component of `bhd` and builds its hierarchy. Whether the run can go on is told by error().
+  // Reads the component of `bhd`. Whether the run can go on is told by error().
   Wrapped_run(const TriangleMesh& mesh, halfedge_descriptor bhd, const Wrapped_options& options)
     : m_options(options), m_index(get(CGAL::dynamic_vertex_property_t<int>(), mesh))
   {
@@ -60,16 +60,9 @@ public:
     m_vertices = component.vertices_of_component();
     for (std::size_t i = 0; i < m_vertices.size(); ++i)
       put(m_index, m_vertices[i], int(i));
-    if (options.flips.policy == Flip_policy::REPAIR)
-      m_surface = component.surface();
-    else if (options.flips.policy == Flip_policy::FAIL)
-      m_surface.triangles = component.surface().triangles;
-    m_interpolation = options.build(std::move(component.surface()), options.hierarchy, options.visitor.get());
+    m_surface = std::move(component.surface());
+    m_border_size = m_surface.outer_border.size();
     summary().seconds_hierarchy = m_timer.time();
-    if (!m_interpolation) {
-      summary().stopped = true;
-      summary().error.code = ERROR_NO_1_TO_1_MAPPING;
-    }
   }
 
   Error_code error() { return summary().error.code; }
@@ -95,7 +88,15 @@ public:
     return result;
   }
 
-  const std::shared_ptr<const Hierarchy_interpolation>& interpolation() const { return m_interpolation; }
+  std::size_t border_size() const { return m_border_size; }
+
+  // The hierarchy, which is built by the first call; null if the visitor has stopped the run.
+  const std::shared_ptr<const Hierarchy_interpolation>& interpolation()
+  {
+    if (!m_interpolation && error() == OK)
+      build_hierarchy();
+    return m_interpolation;
+  }
 
   // Calls `parameterize()`, which makes a parameterizer whose solver is that of the session and writes its map to `uv`.
   // Where the session gives marks of the unknowns for a solution, a parameterizer that just copies it has done its
@@ -113,13 +114,20 @@ public:
       else
         code = parameterize();
     }
-    if (code == OK && !(session->finish() && are_finite(uv)))
+    if (code == OK && !session->finish())
       code = ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-    summary().error.code = code;
-    summary().converged = code == OK;
+    if (summary().stopped)
+      code = error();
     summary().linear_solver = session->summary();
-    summary().seconds_parameterize = m_timer.time() - summary().seconds_hierarchy;
-    return code;
+    return finish(code, uv);
+  }
+
+  // The same for a parameterizer with its own solver.
+  template <class Point, class Function>
+  Error_code parameterize_alone(const std::vector<Point>& uv, const Function& parameterize)
+  {
+    const Error_code code = parameterize();
+    return finish(code, uv);
   }
 
   // Does with the flips of a map what the policy says.
@@ -144,9 +152,57 @@ public:
   // Whether so many vertices were moved by a repair that little is left of the map.
   bool is_mostly_moved() { return summary().moved_vertices > m_vertices.size() / 10; }
 
+  // Makes another map by `make_map(map, summary)`; the summary tells of both.
+  template <class Point, class Function>
+  Error_code replace_map(std::vector<Point>& uv, const Function& make_map)
+  {
+    std::vector<Point_2> map(uv.size());
+    Parameterization_summary other;
+    const Error_code code = make_map(map, other);
+    other.flips = summary().flips;
+    other.moved_vertices = uv.size();
+    other.linear_solver = summary().linear_solver;
+    other.seconds_hierarchy += summary().seconds_hierarchy;
+    other.seconds_parameterize = m_timer.time() - other.seconds_hierarchy;
+    summary() = other;
+    for (std::size_t i = 0; i < uv.size(); ++i)
+      uv[i] = Point(map[i].x(), map[i].y());
+    return code;
+  }
+
   Parameterization_summary& summary() { return m_options.summary ? *m_options.summary : m_own_summary; }
 
 private:
+  template <class Point>
+  Error_code finish(Error_code code, const std::vector<Point>& uv)
+  {
+    if (code == OK && !are_finite(uv))
+      code = ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+    summary().error.code = code;
+    summary().converged = code == OK;
+    summary().seconds_parameterize = m_timer.time() - summary().seconds_hierarchy;
+    return code;
+  }
+
+  // Of the surface there stays what the flip policy needs.
+  void build_hierarchy()
+  {
+    CGAL::Real_timer timer;
+    timer.start();
+    Triangulated_surface_3 rest;
+    if (m_options.flips.policy == Flip_policy::REPAIR)
+      rest = m_surface;
+    else if (m_options.flips.policy == Flip_policy::FAIL)
+      rest.triangles = m_surface.triangles;
+    m_interpolation = m_options.build(std::move(m_surface), m_options.hierarchy, m_options.visitor.get());
+    m_surface = std::move(rest);
+    summary().seconds_hierarchy += timer.time();
+    if (!m_interpolation) {
+      summary().stopped = true;
+      summary().error.code = ERROR_NO_1_TO_1_MAPPING;
+    }
+  }
+
   template <class Point>
   static Error_code replace_marks(Multigrid_session& session, std::vector<Point>& uv)
   {
@@ -185,7 +241,8 @@ private:
   CGAL::Real_timer m_timer;
   std::vector<vertex_descriptor> m_vertices;
   Index_map m_index;
-  Triangulated_surface_3 m_surface;     // what the flip policy needs of it
+  Triangulated_surface_3 m_surface;
+  std::size_t m_border_size = 0;        // vertices on the outer border
   std::shared_ptr<const Hierarchy_interpolation> m_interpolation;
   Parameterization_summary m_own_summary;
 };

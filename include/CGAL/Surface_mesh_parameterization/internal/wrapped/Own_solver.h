@@ -1,0 +1,96 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_OWN_SOLVER_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_OWN_SOLVER_H
+
+#include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
+#include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <type_traits>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// The solver that a parameterizer has without the adaptor, a model of SparseLinearAlgebraTraits_d.
+template <class SolverTraits>
+class Own_solver final
+  : public Direct_solver
+{
+  typedef typename SolverTraits::Matrix    Matrix;
+  typedef typename SolverTraits::Vector    Vector;
+  typedef typename SolverTraits::NT        NT;
+
+public:
+  explicit Own_solver(const Sparse_rows<double>& rows)
+    : m_size(int(rows.number_of_rows())), m_matrix(m_size, m_size)
+  {
+    constexpr bool is_new = true;
+    for (int i = 0; i < m_size; ++i)
+      for (Index k = rows.first[i]; k < rows.first[i + 1]; ++k)
+        m_matrix.set_coef(i, int(rows.columns[k]), rows.values[k], is_new);
+  }
+
+  void solve(const double* b, double* x, int number_of_right_sides) const override
+  {
+    for (int i = 0; i < number_of_right_sides; ++i, b += m_size, x += m_size) {
+      Vector right_side(m_size), solution(m_size);
+      for (int row = 0; row < m_size; ++row) {
+        right_side[row] = b[row];
+        solution[row] = 0;      // where an iteration starts
+      }
+      NT denominator;
+      if (!SolverTraits().linear_solver(m_matrix, right_side, solution, denominator))
+        std::fill(x, x + m_size, std::numeric_limits<double>::quiet_NaN());
+      else
+        for (int row = 0; row < m_size; ++row)
+          x[row] = solution[row] / denominator;
+    }
+  }
+
+private:
+  int m_size;
+  Matrix m_matrix;
+};
+
+template <class SolverTraits>
+std::unique_ptr<Direct_solver> make_own_solver(const Sparse_rows<double>& rows)
+{
+  return std::make_unique<Own_solver<SolverTraits>>(rows);
+}
+
+// The traits of that solver; void if nobody knows them.
+template <class Parameterizer>
+struct Own_solver_traits
+{
+  typedef Detected<concept_checks::Solver_traits_of, Parameterizer>   type;
+};
+
+template <template <class, class, class> class Parameterizer, class Mesh, class Border, class SolverTraits>
+struct Own_solver_traits<Parameterizer<Mesh, Border, SolverTraits>>
+  : Solver_traits_of<Parameterizer<Mesh, Border, SolverTraits>, SolverTraits>
+{ };
+
+// How systems are solved that are not for multigrid: as without the adaptor, where that is known.
+template <class Parameterizer>
+void set_direct_solver(Linear_solver_options& options)
+{
+  typedef typename Own_solver_traits<Parameterizer>::type   Traits;
+  if constexpr (!std::is_void<Traits>::value && !std::is_same<Traits, Multigrid_solver_traits>::value) {
+    options.make_direct_solver = &make_own_solver<Traits>;
+    options.worst_backward_error = (std::numeric_limits<double>::infinity)();     // its result is what is wanted
+    options.greatest_row_sum = Solver_use<Parameterizer>::greatest_row_sum;
+  }
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_OWN_SOLVER_H
