@@ -15,9 +15,9 @@ fail() {
   exit 1
 }
 
-# configure [OPTION]...
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
+# configure [OPTION OF CMAKE]...
 configure() { cmake -S "$source" -B "$build" "${options[@]}" "$@" >"$log" 2>&1; }
 
 # What the user asks for must be there.

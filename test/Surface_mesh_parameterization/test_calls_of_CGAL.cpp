@@ -4,7 +4,6 @@
 // The adaptor has the types and the calls of CGAL's parameterizers, so that it can take their place.
 
 #include "mesh_conversions.h"
-#include "seam_meshes.h"
 #include "test_meshes.h"
 #include "wrapped_maps.h"
 
@@ -17,7 +16,6 @@
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
-#include <CGAL/Surface_mesh_parameterization/Orbifold_Tutte_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -196,18 +194,6 @@ TYPED_TEST(Band, is_one_to_one_with_other_faces_if_they_do_not_overlap)
   EXPECT_FALSE(are_one_to_one(-9, -9, 30));
   const auto on_border = get(get(CGAL::vertex_point, mesh), *vertices(mesh).begin());
   EXPECT_FALSE(are_one_to_one(on_border.x() - 0.003, on_border.y() - 0.003, 0.01));
-}
-
-TEST(Orbifold_map, is_one_to_one_or_not)
-{
-  Cut_sphere cut;
-  const Hierarchical_parameterizer_3<Orbifold_Tutte_parameterizer_3<Seam_mesh>> orbifold;
-  Mapped<Seam_mesh> mapped(cut.mesh);
-  const auto bhd = longest_border(cut.mesh);
-  EXPECT_FALSE(orbifold.is_one_to_one_mapping(cut.mesh, bhd, mapped.uvmap));
-  EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Mean_value_coordinates_parameterizer_3<Seam_mesh>>(), bhd),
-            OK);
-  EXPECT_TRUE(orbifold.is_one_to_one_mapping(cut.mesh, bhd, mapped.uvmap));
 }
 
 // ---- short calls of parameterize() ----

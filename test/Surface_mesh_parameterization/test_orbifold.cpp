@@ -246,6 +246,16 @@ TEST(Orbifolds, fall_back_on_a_direct_solution)
   EXPECT_LT(cut.greatest_distance(uv, flat_uv), 1e-9);
 }
 
+TEST(Orbifolds, tell_whether_a_map_is_one_to_one)
+{
+  Cut_surface cut = ball(3, number_of_cones(Square));
+  const Hierarchical hierarchical(Square, Mean_value);
+  const Cut_surface::UV_map uv = cut.untouched_map();
+  EXPECT_FALSE(hierarchical.is_one_to_one_mapping(cut.mesh, cut.bhd, uv));
+  ASSERT_EQ(hierarchical.parameterize(cut.mesh, cut.bhd, cut.cone_map, uv, cut.index), OK);
+  EXPECT_TRUE(hierarchical.is_one_to_one_mapping(cut.mesh, cut.bhd, uv));
+}
+
 TEST(Orbifolds, leave_the_map_untouched_on_an_error)
 {
   Cut_surface cut = ball(2, 3);
