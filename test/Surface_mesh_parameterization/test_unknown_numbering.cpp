@@ -193,7 +193,7 @@ template <template <class, class, class> class Parameterizer, class Order>
 using With = Parameterizer<Surface_mesh, Order, Multigrid_solver_traits>;
 
 typedef Mean_value_coordinates_parameterizer_3<Surface_mesh>         CGAL_mean_value;
-typedef LSCM_parameterizer_3<Surface_mesh, Two_vertices>             CGAL_LSCM;
+typedef LSCM_by_multigrid<Surface_mesh, Two_vertices>                CGAL_LSCM;
 
 TEST(Unknown_numbering, does_not_matter)
 {

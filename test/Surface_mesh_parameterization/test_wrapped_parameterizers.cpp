@@ -67,7 +67,7 @@ class Wrapped : public testing::Test { };
 typedef testing::Types<Barycentric_mapping_parameterizer_3<Surface_mesh>,
                        Mean_value_coordinates_parameterizer_3<Surface_mesh>,
                        Discrete_conformal_map_parameterizer_3<Surface_mesh>,
-                       Discrete_authalic_parameterizer_3<Surface_mesh>, LSCM_parameterizer_3<Surface_mesh>>
+                       Discrete_authalic_parameterizer_3<Surface_mesh>, LSCM_by_multigrid<Surface_mesh>>
     Parameterizers;
 TYPED_TEST_SUITE(Wrapped, Parameterizers, );
 
@@ -140,7 +140,7 @@ TYPED_TEST(FaceGraph, has_the_maps_of_CGAL)
 {
   Model<TypeParam> model;
   check<Mean_value_coordinates_parameterizer_3<TypeParam>>(model.mesh);
-  check<LSCM_parameterizer_3<TypeParam>>(model.mesh);
+  check<LSCM_by_multigrid<TypeParam>>(model.mesh);
 }
 
 // ---- borders ----
@@ -179,7 +179,7 @@ TEST(Wrapped_borders, that_cannot_be_placed_are_errors_as_in_CGAL)
 TEST(Wrapped_LSCM, pins_the_given_vertices)
 {
   typedef Two_vertices_parameterizer_3<Surface_mesh>             Two_vertices;
-  typedef LSCM_parameterizer_3<Surface_mesh, Two_vertices>       LSCM;
+  typedef LSCM_by_multigrid<Surface_mesh, Two_vertices>          LSCM;
   Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
   const Surface_mesh::Vertex_index v0(7), v1(800);
   check<LSCM>(mesh, Two_vertices(v0, v1));
@@ -204,6 +204,54 @@ TEST(Wrapped_LSCM, pins_the_given_vertices)
             OK);
   found.expect_equal(expected, tolerance);
   EXPECT_EQ(get(found.uvmap, Surface_mesh::Vertex_index(42)), Kernel::Point_2(0.3, 0.9));
+}
+
+TEST(Wrapped_LSCM, of_a_small_surface_needs_no_multigrid)
+{
+  typedef LSCM_parameterizer_3<Surface_mesh> LSCM;
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
+  Parameterization_summary summary;
+  expect_equal_maps(mesh, LSCM(),
+                    Hierarchical_parameterizer_3<LSCM>(
+                        parameters::flip_policy(Flip_policy::KEEP).summary(std::ref(summary))));
+  EXPECT_TRUE(summary.is_ok());
+  EXPECT_TRUE(summary.converged);
+  EXPECT_EQ(summary.linear_solver.setups, 0u);
+}
+
+// ---- systems that are not for multigrid ----
+
+int solutions = 0;
+
+// CGAL's default solver; counts what it solves.
+struct Counting_solver : CGAL::Eigen_solver_traits<>
+{
+  bool linear_solver(const Matrix& a, const Vector& b, Vector& x, NT& d)
+  {
+    ++solutions;
+    return CGAL::Eigen_solver_traits<>::linear_solver(a, b, x, d);
+  }
+};
+
+TEST(Wrapped_authalic, takes_its_own_solver_where_weights_are_wild)
+{
+  typedef Discrete_authalic_parameterizer_3<Surface_mesh, CGAL::Default, Counting_solver> Parameterizer;
+  const auto own_solutions = [](const Flat_mesh& m) {
+    Surface_mesh mesh = make<Surface_mesh>(m);
+    Parameterization_summary summary;
+    Mapped<Surface_mesh> expected(mesh), found(mesh);
+    EXPECT_EQ(expected.parameterize(Parameterizer(), longest_border(mesh)), OK);
+    solutions = 0;
+    EXPECT_EQ(found.parameterize(Hierarchical_parameterizer_3<Parameterizer>(
+                                     parameters::flip_policy(Flip_policy::KEEP).summary(std::ref(summary))),
+                                 longest_border(mesh)),
+              OK);
+    found.expect_equal(expected, tolerance);
+    EXPECT_EQ(summary.linear_solver.direct_solutions, std::size_t(solutions));
+    return solutions;
+  };
+  EXPECT_EQ(own_solutions(delaunay_patch(700, 3, wavy)), 0);
+  EXPECT_EQ(own_solutions(crumpled_grid(14, 1)), 2);      // u and v
 }
 
 // ---- one that has arguments of its own ----

@@ -10,10 +10,12 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <CGAL/Default.h>
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/properties.h>
@@ -22,6 +24,25 @@
 
 #include <functional>
 #include <utility>
+
+namespace wrapped_maps {
+
+// CGAL's LSCM, which the adaptor runs by multigrid on small surfaces, too.
+template <class TriangleMesh, class BorderParameterizer = CGAL::Default, class SolverTraits = CGAL::Default>
+class LSCM_by_multigrid
+  : public CGAL::Surface_mesh_parameterization::LSCM_parameterizer_3<TriangleMesh, BorderParameterizer, SolverTraits>
+{
+  typedef CGAL::Surface_mesh_parameterization::LSCM_parameterizer_3<TriangleMesh, BorderParameterizer, SolverTraits>   Base;
+
+public:
+  using Base::Base;
+};
+
+} // namespace wrapped_maps
+
+template <class M, class B, class S>
+struct CGAL::Surface_mesh_parameterization::internal::Solver_use<wrapped_maps::LSCM_by_multigrid<M, B, S>>
+  : Solver_use<LSCM_parameterizer_3<M, B, S>> { };
 
 // The maps of CGAL's parameterizers and those of their adaptors.
 namespace wrapped_maps {

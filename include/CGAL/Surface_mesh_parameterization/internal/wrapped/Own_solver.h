@@ -79,6 +79,13 @@ struct Own_solver_traits<Parameterizer<Mesh, Border, SolverTraits>>
   : Solver_traits_of<Parameterizer<Mesh, Border, SolverTraits>, SolverTraits>
 { };
 
+// What is left of an orbifold's system is not for the solver of the whole.
+template <class SeamMesh, class SolverTraits>
+struct Own_solver_traits<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
+{
+  typedef void   type;
+};
+
 // How systems are solved that are not for multigrid: as without the adaptor, where that is known.
 template <class Parameterizer>
 void set_direct_solver(Linear_solver_options& options)
