@@ -67,6 +67,10 @@ private:
   enum class Marks { NONE, ALLOWED, GIVEN, READ };
 
   void solve_now() override { finish(); }
+
+  // Starts a stage of the run's progress, the part of it that a solution takes times a factor. Returns whether the run
+  // may go on.
+  bool start_stage(double factor) const;
   bool set_up(std::shared_ptr<const Sparse_rows<double>> rows, const std::vector<Index>& tied_vertices);
   bool give_marks(const Vector& right_side, Vector& solution);
   bool put_off(const Vector& right_side, Vector& solution);

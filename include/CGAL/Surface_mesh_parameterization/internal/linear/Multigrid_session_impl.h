@@ -27,7 +27,20 @@ Multigrid_session::Multigrid_session(std::shared_ptr<const Hierarchy_interpolati
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Multigrid_session::~Multigrid_session()
 {
+  m_options.progress = nullptr;     // nobody listens any more
   finish();
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::start_stage(double factor) const
+{
+  constexpr double residual_of_no_solution = 1;
+  Run_progress* const progress = m_options.progress;
+  if (!progress)
+    return true;
+  const std::size_t levels = m_interpolation->number_of_levels();
+  progress->start_stage(factor * m_options.part_of_rest, levels - 1, levels, m_interpolation->number_of_vertices());
+  return progress->tell(0, residual_of_no_solution, 0);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -73,6 +86,9 @@ bool Multigrid_session::set_up(std::shared_ptr<const Sparse_rows<double>> rows, 
     unknowns.clear();
   }
 
+  constexpr double time_for_a_solution = 0.2;
+  if (!start_stage(time_for_a_solution))
+    return false;
   CGAL::Real_timer timer;
   timer.start();
   m_solver = m_make_solver(*m_interpolation, std::move(rows), std::move(unknowns), tied_vertices);
@@ -84,7 +100,8 @@ bool Multigrid_session::set_up(std::shared_ptr<const Sparse_rows<double>> rows, 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution)
 {
-  if (!set_up(matrix))
+  constexpr double time_to_arrive = 0;
+  if (!start_stage(time_to_arrive) || !set_up(matrix))
     return false;
   return m_defers && m_solver ? put_off(right_side, solution) : solve(right_side, solution);
 }
@@ -156,6 +173,8 @@ bool Multigrid_session::solve(const std::vector<const std::vector<double>*>& rig
       return false;
     b.push_back(right_side->data());
   }
+  if (!start_stage(1))
+    return false;
   std::vector<double*> x;
   std::vector<std::size_t> sizes;       // which a failure leaves
   for (std::vector<double>* solution : solutions) {

@@ -23,6 +23,7 @@ struct Plain_solver_use
   static constexpr bool solves_in_pairs = false;          // for u and for v, before it looks at either
   static constexpr bool copies_solution = false;          // to the map, and does nothing else with it
   static constexpr bool has_uniform_weights = false;
+  static constexpr double part_of_solution = 0.9;         // of what is left of a run, the time of a solution
 };
 
 // How a parameterizer uses its solver.
@@ -52,6 +53,7 @@ struct Solver_use<Discrete_conformal_map_parameterizer_3<M, B, S>> : Solves_in_p
 template <class M, class B, class S>
 struct Solver_use<Iterative_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs
 {
+  static constexpr double part_of_solution = 0.1;
 };
 template <class M, class B, class S>
 struct Solver_use<Mean_value_coordinates_parameterizer_3<M, B, S>> : Solves_in_pairs

@@ -106,7 +106,7 @@ private:
     std::vector<char> is_placed;
     const auto session =
         std::make_shared<Multigrid_session>(run.interpolation(), Mesh_unknowns(run.interpolation()->ranks()),
-                                            this->options().solver,
+                                            run.solver_options(Use::part_of_solution),
                                             &make_multigrid_linear_solver<Use::solves_in_pairs ? 2 : 1>,
                                             Use::solves_in_pairs);
     // A second call would change the caller's further arguments once more.
@@ -122,12 +122,14 @@ private:
       code = run.settle_flips(uv);
     if (code == OK && this->optional_steps().run_relative && run.is_mostly_moved()) {
       std::vector<Point_2> places(uv.size());
-      code = this->optional_steps().run_relative(mesh, bhd, run.index(), places, run.summary());
+      code = this->optional_steps().run_relative(mesh, bhd, run.index(), places, run.progress(), run.summary());
       for (std::size_t i = 0; i < uv.size(); ++i) {
         uv[i] = User_point_2(places[i].x(), places[i].y());
         is_placed[i] = true;
       }
     }
+    if (code == OK)
+      code = run.finish();
     for (std::size_t i = 0; i < vertices.size() && code == OK; ++i)
       if (vertices[i] != Graph_traits::null_vertex()) {
         put(uvmap, vertices[i], uv[i]);

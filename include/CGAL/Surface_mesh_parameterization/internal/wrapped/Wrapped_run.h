@@ -10,9 +10,12 @@
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
@@ -49,8 +52,9 @@ public:
 
   // Reads the component of `bhd` and builds its hierarchy. Whether the run can go on is told by error().
   Wrapped_run(const TriangleMesh& mesh, halfedge_descriptor bhd, const Wrapped_options& options)
-    : m_options(options), m_index(get(CGAL::dynamic_vertex_property_t<int>(), mesh))
+    : m_options(options), m_progress(options.visitor.get()), m_index(get(CGAL::dynamic_vertex_property_t<int>(), mesh))
   {
+    constexpr double part_of_hierarchy = 0.1;       // of the time, more or less
     summary() = Parameterization_summary();
     m_timer.start();
     Mesh_component<TriangleMesh> component(mesh, bhd);
@@ -64,12 +68,13 @@ public:
       m_surface = component.surface();
     else if (options.flips.policy == Flip_policy::FAIL)
       m_surface.triangles = component.surface().triangles;
-    m_interpolation = options.build(std::move(component.surface()), options.hierarchy, options.visitor.get());
+    Hierarchy_options hierarchy_options = options.hierarchy;
+    hierarchy_options.progress = &m_progress;
+    m_progress.start_stage(part_of_hierarchy);
+    m_interpolation = options.build(std::move(component.surface()), hierarchy_options, options.visitor.get());
     summary().seconds_hierarchy = m_timer.time();
-    if (!m_interpolation) {
-      summary().stopped = true;
-      summary().error.code = ERROR_NO_1_TO_1_MAPPING;
-    }
+    if (!m_interpolation)
+      summary().error.code = ERROR_STOPPED;
   }
 
   Error_code error() { return summary().error.code; }
@@ -97,6 +102,15 @@ public:
 
   const std::shared_ptr<const Hierarchy_interpolation>& interpolation() const { return m_interpolation; }
 
+  // Those of the run's solver, of which a solution takes this part of what is left of the run.
+  Linear_solver_options solver_options(double part_of_rest)
+  {
+    Linear_solver_options result = m_options.solver;
+    result.progress = &m_progress;
+    result.part_of_rest = part_of_rest;
+    return result;
+  }
+
   // Calls `parameterize()`, which makes a parameterizer whose solver is that of the session and writes its map to `uv`.
   // Where the session gives marks of the unknowns for a solution, a parameterizer that just copies it has done its
   // work, and the numbers replace the marks; any other one is called once more.
@@ -115,6 +129,8 @@ public:
     }
     if (code == OK && !(session->finish() && are_finite(uv)))
       code = ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+    if (m_progress.is_stopped())
+      code = ERROR_STOPPED;
     summary().error.code = code;
     summary().converged = code == OK;
     summary().linear_solver = session->summary();
@@ -141,8 +157,18 @@ public:
     return error();
   }
 
+  // Tells that the map is finished. Returns `OK`, or `ERROR_STOPPED`.
+  Error_code finish()
+  {
+    if (!m_progress.finish())
+      summary().error.code = ERROR_STOPPED;
+    return error();
+  }
+
   // Whether so many vertices were moved by a repair that little is left of the map.
   bool is_mostly_moved() { return summary().moved_vertices > m_vertices.size() / 10; }
+
+  Run_progress& progress() { return m_progress; }
 
   Parameterization_summary& summary() { return m_options.summary ? *m_options.summary : m_own_summary; }
 
@@ -182,6 +208,7 @@ private:
   }
 
   const Wrapped_options& m_options;
+  Run_progress m_progress;
   CGAL::Real_timer m_timer;
   std::vector<vertex_descriptor> m_vertices;
   Index_map m_index;
