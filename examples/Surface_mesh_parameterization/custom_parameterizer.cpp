@@ -52,7 +52,7 @@ public:
     if (status != SMP::OK)
       return status;
     summary.energy_start = worst_of_level(level, uv);
-    for (int i = 0; i < sweeps; ++i)
+    for (int i = 0; i < sweeps && level.progressed(summary, double(i) / sweeps); ++i)
       for (Index v = 0; v < level.number_of_vertices(); ++v)
         if (!level.is_border(v))
           search(level, v, uv);

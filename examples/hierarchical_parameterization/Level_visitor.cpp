@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -61,33 +62,34 @@ std::string level_file(const std::string& folder, std::size_t level)
   return (std::filesystem::path(folder) / name).string();
 }
 
-Level_visitor::Level_visitor(const Input& input, const Method_options& options)
-  : m_options(options), m_mesh(input.mesh), m_has_progress_line(!options.quiet && isatty(STDERR_FILENO))
+Level_visitor::Level_visitor(const Input& input, const Method_options& options, const std::string& quantity)
+  : m_options(options), m_mesh(input.mesh)
 {
   if (!options.levels.empty())
     m_vertices = SMP::Mesh_component<Mesh>(input.mesh, input.border).vertices_of_component();
+  if (!options.quiet && isatty(STDERR_FILENO))
+    m_bar = std::make_shared<Progress_bar>(quantity);
 }
 
-bool Level_visitor::level_parameterized(const SMP::Level& level, const SMP::Level::Uv& uv,
-                                        const SMP::Level_summary& summary)
+bool Level_visitor::hierarchy_built(const SMP::Collapse_hierarchy_3& hierarchy)
 {
-  if (m_has_progress_line)
-    print_progress(level, summary);
+  m_triangles.clear();
+  for (std::size_t i = 0; i < hierarchy.number_of_levels(); ++i)
+    m_triangles.push_back(hierarchy.number_of_faces(i));
+  return true;
+}
+
+bool Level_visitor::level_parameterized(const SMP::Level& level, const SMP::Level::Uv& uv, const SMP::Level_summary&)
+{
   if (!m_options.levels.empty())
     write_file(level_file(m_options.levels, level.index()),
                [&](std::ostream& out) { write_level(out, m_mesh, m_vertices, level, uv); });
   return true;
 }
 
-// The time that a level takes grows with its size, so what is left can be told from what is done.
-void Level_visitor::print_progress(const SMP::Level& level, const SMP::Level_summary& summary)
+bool Level_visitor::progressed(const SMP::Parameterization_progress& progress)
 {
-  const SMP::Collapse_hierarchy_3& hierarchy = level.hierarchy();
-  double done = 0, left = 0;
-  for (std::size_t l = 0; l < hierarchy.number_of_levels(); ++l)
-    (l <= level.index() ? done : left) += double(hierarchy.number_of_vertices(l));
-  m_seconds += summary.seconds;
-  std::fprintf(stderr, "\rlevel %zu of %zu: %zu triangles, energy %.6g, about %.0f s left   %s", level.index() + 1,
-               hierarchy.number_of_levels(), summary.faces, summary.energy_end, m_seconds * left / done,
-               level.is_finest() ? "\n" : "");
+  if (m_bar)
+    m_bar->show(progress, progress.level < m_triangles.size() ? m_triangles[progress.level] : 0);
+  return true;
 }

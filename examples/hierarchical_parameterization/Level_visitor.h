@@ -6,36 +6,38 @@
 #ifndef LEVEL_VISITOR_H
 #define LEVEL_VISITOR_H
 
+#include "Progress_bar.h"
 #include "input.h"
 #include "methods.h"
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 // The name of the file of a level.
 std::string level_file(const std::string& folder, std::size_t level);
 
-// Tells of progress on a terminal and writes the levels.
+// Shows progress on a terminal and writes the levels.
 class Level_visitor : public SMP::Hierarchy_visitor_3
 {
 public:
-  // Both must outlive the visitor.
-  Level_visitor(const Input& input, const Method_options& options);
+  // The first two must outlive the visitor. `quantity` says what the method lowers.
+  Level_visitor(const Input& input, const Method_options& options, const std::string& quantity = "energy");
 
-  bool level_parameterized(const SMP::Level& level, const SMP::Level::Uv& uv, const SMP::Level_summary& summary);
+  bool hierarchy_built(const SMP::Collapse_hierarchy_3& hierarchy);
+  bool level_parameterized(const SMP::Level& level, const SMP::Level::Uv& uv, const SMP::Level_summary&);
+  bool progressed(const SMP::Parameterization_progress& progress);
 
 private:
-  void print_progress(const SMP::Level& level, const SMP::Level_summary& summary);
-
   const Method_options& m_options;
   const Mesh& m_mesh;
   std::vector<Mesh::Vertex_index>
       m_vertices;      // of the component, as the hierarchy numbers them; if levels are written
-  bool m_has_progress_line;
-  double m_seconds = 0;                               // on the levels that are done
+  std::vector<std::size_t> m_triangles;               // of the levels
+  std::shared_ptr<Progress_bar> m_bar;                // null if there is none
 };
 
 #endif // LEVEL_VISITOR_H

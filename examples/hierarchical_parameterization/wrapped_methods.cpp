@@ -37,7 +37,7 @@ SMP::Parameterization_summary run_wrapped(Input& input, const Method_options& op
   const SMP::Hierarchical_parameterizer_3<Parameterizer> hierarchical(
     CGAL::parameters::tolerance(options.tolerance).flip_policy(options.flip_policy).fill_holes(options.fills_holes)
       .summary(std::ref(summary)).number_of_iterations(options.iterations).random_seed(options.seed)
-      .visitor(Level_visitor(input, options)));
+      .visitor(Level_visitor(input, options, "residual")));
   SMP::parameterize(input.mesh, hierarchical, input.border, input.uvmap);
   return summary;
 }

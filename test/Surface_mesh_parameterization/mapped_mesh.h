@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_progress.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
@@ -107,6 +108,8 @@ struct Checking_visitor
         << "level " << level.index();
     return true;
   }
+
+  bool progressed(const SMP::Parameterization_progress&) { return true; }
 };
 
 } // namespace test_meshes

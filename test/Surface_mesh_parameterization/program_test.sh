@@ -88,6 +88,17 @@ expect 0 --method uniform --iterations 2 --flips repair --report report.json
 is_field flips 0 "uniform --iterations 2 --flips repair"
 expect 0 --weights area --tolerance 1e-3 --iterations 5 --quiet
 [ ! -s stdout ] && [ ! -s stderr ] || fail "--quiet printed something"
+
+# On a terminal a bar shows how far a run has come; elsewhere there is none.
+on_terminal() { script -qec "$program $*" /dev/null; }
+if command -v script >/dev/null; then
+  for method in mips uniform mean-value; do
+    on_terminal --method $method | tr '\r' '\n' | grep -q '^\[=*\] 100% level' || fail "no bar on a terminal: $method"
+    [ -z "$(on_terminal --method $method --quiet)" ] || fail "--quiet shows something on a terminal: $method"
+  done
+fi
+expect 0
+[ ! -s stderr ] || fail "a run in a pipe printed $(cat stderr) on stderr"
 expect 0 --help
 
 # A square of two triangles, with a triangle apart and an isolated vertex: the larger component is laid out.

@@ -329,6 +329,16 @@ struct Visitor { bool hierarchy_built(const SMP::Collapse_hierarchy_3&) { return
 auto wrong(Mesh& m, UV_map uv) { return SMP::hierarchical_parameterization(m, uv, np::visitor(Visitor())); }
 #endif
 
+#ifdef VISITOR_WITHOUT_PROGRESS // the visitor has no progressed(const Parameterization_progress&) that returns a bool
+struct Visitor
+{
+  bool hierarchy_built(const SMP::Collapse_hierarchy_3&) { return true; }
+  bool level_parameterized(const SMP::Level&, const SMP::Level::Uv&, const SMP::Level_summary&) { return true; }
+  void progressed(const SMP::Parameterization_progress&) { }
+};
+auto wrong(Mesh& m, UV_map uv) { return SMP::hierarchical_parameterization(m, uv, np::visitor(Visitor())); }
+#endif
+
 #ifdef SUMMARY_BY_VALUE // write summary(std::ref(s))
 auto wrong(Mesh& m, UV_map uv)
 {

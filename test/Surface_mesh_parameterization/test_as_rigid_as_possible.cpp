@@ -10,10 +10,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
@@ -279,10 +279,8 @@ TEST(As_rigid_as_possible, threads_do_not_change_the_map)
 #endif
 
 // Checks that all levels are free of flips but the finest.
-struct Checking_visitor
+struct Checking_visitor : Hierarchy_visitor_3
 {
-  bool hierarchy_built(const Collapse_hierarchy_3&) { return true; }
-
   bool level_parameterized(const Level& level, const Level::Uv& uv, const Level_summary&)
   {
     EXPECT_TRUE(level.is_finest() || SMP::internal::is_map_valid(level.rings(), uv)) << "level " << level.index();

@@ -6,11 +6,11 @@
 #include "mesh_conversions.h"
 #include "seam_meshes.h"
 
-#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Orbifold_Tutte_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_progress.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -273,21 +273,26 @@ TEST(Orbifolds, leave_the_map_untouched_on_an_error)
   EXPECT_TRUE(cut.is_untouched(uv));
 }
 
+// Stops a run when this part of it is done.
 struct Stopping_visitor : Hierarchy_visitor_3
 {
-  bool hierarchy_built(const Collapse_hierarchy_3&) { return false; }
+  double most_part_done;
+  explicit Stopping_visitor(double part) : most_part_done(part) { }
+  bool progressed(const Parameterization_progress& progress) { return progress.part_done < most_part_done; }
 };
 
 TEST(Orbifolds, leave_the_map_untouched_if_a_visitor_stops_the_run)
 {
   Cut_surface cut = ball(2, 3);
-  const Cut_surface::UV_map uv = cut.untouched_map();
-  Parameterization_summary summary;
-  const Hierarchical stopped(Square, Cotangent, parameters::summary(std::ref(summary)).visitor(Stopping_visitor()));
-  EXPECT_NE(stopped.parameterize(cut.mesh, cut.bhd, cut.cone_map, uv, cut.index), OK);
-  EXPECT_TRUE(summary.stopped);
-  EXPECT_FALSE(summary.converged);
-  EXPECT_TRUE(cut.is_untouched(uv));
+  for (const double part : { 0., 0.3, 1. }) {
+    const Cut_surface::UV_map uv = cut.untouched_map();
+    Parameterization_summary summary;
+    const auto np = parameters::summary(std::ref(summary)).visitor(Stopping_visitor(part));
+    EXPECT_EQ(Hierarchical(Square, Cotangent, np).parameterize(cut.mesh, cut.bhd, cut.cone_map, uv, cut.index),
+              ERROR_STOPPED);
+    EXPECT_EQ(summary.error.code, ERROR_STOPPED);
+    EXPECT_TRUE(cut.is_untouched(uv));
+  }
 }
 
 TEST(Orbifolds, refuse_a_point_that_is_not_finite)

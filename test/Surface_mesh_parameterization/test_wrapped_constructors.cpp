@@ -147,8 +147,8 @@ TEST(Wrapped_constructor, visitor_sees_the_hierarchy_and_can_stop_the_run)
     Parameterization_summary summary;
     Mapped<Surface_mesh> mapped(mesh);
     const auto np = parameters::coarsest_size(coarsest_size).summary(std::ref(summary)).visitor(Stopping_visitor(seen));
-    EXPECT_NE(mapped.parameterize(Hierarchical_mean_value(np), longest_border(mesh)), OK);
-    EXPECT_TRUE(summary.stopped);
+    EXPECT_EQ(mapped.parameterize(Hierarchical_mean_value(np), longest_border(mesh)), ERROR_STOPPED);
+    EXPECT_EQ(summary.error.code, ERROR_STOPPED);
     EXPECT_TRUE(mapped.is_untouched());
     EXPECT_LE(seen, coarsest_size);
     EXPECT_GT(seen, coarsest_size / 3);

@@ -5,12 +5,12 @@
 /// \cgalConcept
 ///
 /// A visitor that a run of `Nested_iteration_parameterizer_3` calls, and that can stop the run. A parameterizer that
-/// runs with the multigrid solver (`RebindableParameterizer_3`) calls `hierarchy_built()` only. Visitors are copied, so
-/// let a visitor hold references to what it collects.
+/// runs with the multigrid solver (`RebindableParameterizer_3`) calls `hierarchy_built()` and `progressed()` only.
+/// Visitors are copied, so let a visitor hold references to what it collects.
 ///
-/// A run that is stopped leaves the user's property maps untouched and returns `ERROR_NO_1_TO_1_MAPPING`. Its summary
-/// says `stopped`. With `fill_holes` the levels have virtual vertices, too: their `input_vertex()` is not less than the
-/// number of vertices of the component.
+/// A run that is stopped leaves the user's property maps untouched, calls the visitor no more, and returns
+/// `ERROR_STOPPED`. With `fill_holes` the levels have virtual vertices, too: their `input_vertex()` is not less than
+/// the number of vertices of the component.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Hierarchy_visitor_3`
 class HierarchyVisitor_3
@@ -31,4 +31,16 @@ public:
   bool level_parameterized(const CGAL::Surface_mesh_parameterization::Level& level,
                            const CGAL::Surface_mesh_parameterization::Level::Uv& uv,
                            const CGAL::Surface_mesh_parameterization::Level_summary& summary);
+
+  /// called when a part of the run is done: after each collapse group while the hierarchy is built, before and after
+  /// each iteration on each level, and after each iteration of a linear solver; at last when the map is finished and
+  /// about to be written. A method of one's own decides how often it calls this on a level, see
+  /// `RefinableParameterizer_3::refine()`. Direct solvers, the input checks and the treatment of flips do not call it.
+  ///
+  /// It is called in the thread of the run, and the run waits for it.
+  ///
+  /// \param progress where the run is, and an estimate of the part that is done
+  ///
+  /// \return whether the run may go on
+  bool progressed(const CGAL::Surface_mesh_parameterization::Parameterization_progress& progress);
 };

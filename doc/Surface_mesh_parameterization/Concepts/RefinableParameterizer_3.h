@@ -79,6 +79,11 @@ public:
 
   /// improves a map. It is called for every level, including the coarsest one.
   ///
+  /// After each iteration, the method may call `level.progressed(summary, part)` with what `summary` holds so far and
+  /// an estimate of the part of its work on this level that is done. If the result is `false`, a visitor has stopped
+  /// the run, and the method returns: the map and what it returns no longer matter. `parameterize_coarsest()` may do
+  /// so, too. A method that does not call it is stopped after the level.
+  ///
   /// \param level the level. The vertices from `level.first_new_vertex()` on are new, and `level.is_finest()` tells
   ///        whether this is the last call
   /// \param uv a map of the level. If the method is flip-free, the map is flip-free and must stay so

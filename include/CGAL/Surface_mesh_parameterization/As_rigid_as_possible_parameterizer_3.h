@@ -81,56 +81,59 @@ public:
 
   /// Tutte's map of a level, scaled to the surface's area. In a flat run it is then improved without flips.
   /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING` if Tutte's map, computed in
-  /// doubles, has a flip
+  /// doubles, has a flip; `ERROR_STOPPED`
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
     const Error_code status = internal::compute_first_map(level, uv);
     if (status != OK)
       return status;
     Level_summary unused_summary;
-    if (level.is_finest())
-      refine_without_flips(level, uv, unused_summary);
-    return OK;
+    return level.is_finest() ? refine_without_flips(level, uv, unused_summary) : OK;
   }
 
   /// improves a flip-free map of a level and keeps it flip-free. On the finest level, minimizes the energy, and flips
   /// are possible.
-  /// \return `OK`
+  /// \return `OK`, or `ERROR_STOPPED`
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     const double energy_start = energy(level, uv);
-    if (!level.is_finest())
-      refine_without_flips(level, uv, summary);
-    else if (m_lambda > 0)
-      internal::minimize_energy(level_energy(level), uv, m_options, summary);
-    else
-      internal::minimize_conformal_energy(level, uv, m_options, summary);
+    const Error_code status = minimize(level, uv, summary);
     summary.energy_start = energy_start;
     summary.energy_end = energy(level, uv);
-    return OK;
+    return status;
   }
 
 private:
-  // with lambda in the units of the level
+  // with lambda in the units of the level; reported in the user's units
   internal::Level_energy_of<Energy> level_energy(const Level& level) const
   {
-    return internal::Level_energy_of<Energy>(level, Triangle_weight::AREA,
-                                             Energy(std::ldexp(m_lambda, 2 * level.scale_exponent())));
+    const int exponent = 2 * level.scale_exponent();
+    internal::Level_energy_of<Energy> result(level, Triangle_weight::AREA, Energy(std::ldexp(m_lambda, exponent)));
+    result.set_unit(std::ldexp(1., exponent));
+    return result;
   }
 
-  // the energy in the user's units
+  // in the user's units
   double energy(const Level& level, const Level::Uv& uv) const
   {
     return std::ldexp(level_energy(level)(uv), -2 * level.scale_exponent());
   }
 
-  void refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) const
+  Error_code minimize(const Level& level, Level::Uv& uv, Level_summary& summary) const
+  {
+    if (!level.is_finest())
+      return refine_without_flips(level, uv, summary);
+    return m_lambda > 0 ? internal::minimize_energy(level_energy(level), uv, m_options, summary)
+                        : internal::minimize_conformal_energy(level, uv, m_options, summary);
+  }
+
+  Error_code refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     constexpr double tolerance_of_start = 1e-3;
     Refinement_options options = m_options;
     options.tolerance = (std::max)(options.tolerance, tolerance_of_start);
-    internal::minimize_energy(internal::Level_energy_of<Symmetric_Dirichlet_energy_2>(level, m_options.triangle_weight),
-                              uv, options, summary);
+    const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, m_options.triangle_weight);
+    return internal::minimize_energy(energy, uv, options, summary);
   }
 
   double m_lambda = 1000;

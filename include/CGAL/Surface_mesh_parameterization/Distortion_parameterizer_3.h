@@ -103,7 +103,7 @@ public:
 
   /// improves a flip-free map of a level and keeps it flip-free.
   /// \return `OK`, or `ERROR_NO_1_TO_1_MAPPING` if `globally_injective` is true and the borders could not be
-  ///         separated, or if the energy is not finite on the finest level
+  ///         separated, or if the energy is not finite on the finest level; `ERROR_STOPPED`
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     if constexpr (Energy::is_scale_invariant)
@@ -133,8 +133,8 @@ private:
   {
     const internal::Level_energy_of<E> energy(level, m_options.triangle_weight);
     if constexpr (!internal::is_finite_energy<E>)
-      if (!std::isfinite(energy(uv)))
-        lower_distortion(level, uv);
+      if (!std::isfinite(energy(uv)) && lower_distortion(level, uv) == ERROR_STOPPED)
+        return ERROR_STOPPED;
     const Error_code status = internal::minimize_flip_free(
         energy, Energy::is_scale_invariant && level.is_finest(), uv, m_options, summary);
     if constexpr (!internal::is_finite_energy<E>)
@@ -144,11 +144,11 @@ private:
   }
 
   // Brings a map to where an energy that overflows may be finite: to a minimum of one that does not.
-  void lower_distortion(const Level& level, Level::Uv& uv) const
+  Error_code lower_distortion(const Level& level, Level::Uv& uv) const
   {
     Level_summary unused;
     const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, m_options.triangle_weight);
-    internal::minimize_flip_free(energy, false, uv, m_options, unused);
+    return internal::minimize_flip_free(energy, false, uv, m_options, unused);
   }
 
   Refinement_options m_options;

@@ -123,7 +123,7 @@ public:
   }
 
   /// improves a map of a level until it has converged or has got the greatest number of sweeps.
-  /// \return `OK`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the sweeps diverged
+  /// \return `OK`, `ERROR_STOPPED`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the sweeps diverged
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary)
   {
     return internal::solve_by_sweeps(internal::Edge_system(level, m_weights), m_factor, m_tolerance,

@@ -187,7 +187,7 @@ public:
   /// - `fill_holes`: not for an orbifold; whether every border except the outer one is closed by a virtual vertex in
   ///   its middle; default `false`: the borders of holes are free. It works on a `Surface_mesh`, and on a
   ///   `Polyhedron_3` if there are no `arguments`; otherwise the result is `ERROR_WRONG_PARAMETER`
-  /// - `visitor`: a model of `HierarchyVisitor_3`, of which only `hierarchy_built()` is called
+  /// - `visitor`: a model of `HierarchyVisitor_3`, of which `hierarchy_built()` and `progressed()` are called
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did. It must live as
   ///   long as the parameterizer runs
   template <class... Arguments, class NamedParameters = parameters::Default_named_parameters>
@@ -237,7 +237,8 @@ public:
   ///        `Iterative_authalic_parameterizer_3`; none for a model of `RefinableParameterizer_3`
   ///
   /// \return `OK`; an error of `Mesh_component` or of the parameterizer; `ERROR_NO_1_TO_1_MAPPING` if there are flips
-  ///         and the `Flip_policy` is `FAIL`, if no map without flips was found, or if a visitor stopped the run
+  ///         and the `Flip_policy` is `FAIL`, or if no map without flips was found; `ERROR_STOPPED` if a visitor
+  ///         stopped the run
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap vimap,
                           VertexParameterizedMap vpmap, Others&&... others);

@@ -7,7 +7,9 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_progress.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -32,12 +34,15 @@ struct Hierarchy_visitor_3
   {
     return true;
   }
+
+  /// called after each collapse group and each iteration
+  bool progressed(const Parameterization_progress&) { return true; }
 };
 
 namespace internal {
 
 // A visitor of any type, so that it does not become a part of the parameterizer's type.
-struct Any_hierarchy_visitor
+struct Any_hierarchy_visitor : Progress_listener
 {
   virtual ~Any_hierarchy_visitor() = default;
   virtual bool hierarchy_built(const Collapse_hierarchy_3&) = 0;
@@ -54,23 +59,24 @@ struct Hierarchy_visitor_holder final : Any_hierarchy_visitor
   {
     return visitor.level_parameterized(level, uv, summary);
   }
+  bool progressed(const Parameterization_progress& progress) override { return visitor.progressed(progress); }
 
   Visitor visitor;
 };
 
-// The named parameter `visitor`, or one that does nothing.
+// The named parameter `visitor`; null if there is none.
 template <class NamedParameters>
 std::shared_ptr<Any_hierarchy_visitor> hierarchy_visitor_of(const NamedParameters& np)
 {
-  const auto visitor =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor), Hierarchy_visitor_3());
-  typedef std::decay_t<decltype(visitor)>   Visitor;
-  if constexpr (Visitor_check<Visitor>::value)
-    return std::make_shared<Hierarchy_visitor_holder<Visitor>>(visitor);
-  else {
-    Visitor_check<Visitor>::tell();
-    return nullptr;
+  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value) {
+    const auto visitor = parameters::get_parameter(np, internal_np::visitor);
+    typedef std::decay_t<decltype(visitor)>   Visitor;
+    if constexpr (Visitor_check<Visitor>::value)
+      return std::make_shared<Hierarchy_visitor_holder<Visitor>>(visitor);
+    else
+      Visitor_check<Visitor>::tell();
   }
+  return nullptr;
 }
 
 } // namespace internal

@@ -18,6 +18,10 @@
 
 namespace CGAL::Surface_mesh_parameterization {
 
+struct Level_summary;
+
+namespace internal { class Run_progress; }
+
 /// \ingroup PkgHierarchicalParameterizationHierarchy
 ///
 /// One level of a hierarchy. A refinable method sees a level instead of a mesh. Vertices and faces are numbered by
@@ -50,9 +54,11 @@ public:
   { }
 
   /// \cond SKIP_IN_MANUAL
-  // `loops` tells whether what is computed on the level may use several threads.
-  Level(const Collapse_hierarchy_3& hierarchy, std::size_t index, const internal::Loops& loops)
-    : m_mesh(hierarchy), m_loops(loops)
+  // `loops` tells whether what is computed on the level may use several threads; `progress`, which may be null and must
+  // outlive the level, is that of the run.
+  Level(const Collapse_hierarchy_3& hierarchy, std::size_t index, const internal::Loops& loops,
+        internal::Run_progress* progress = nullptr)
+    : m_mesh(hierarchy), m_loops(loops), m_progress(progress)
   {
     go_to(index);
   }
@@ -126,15 +132,31 @@ public:
   template <class Function>
   void for_each_vertex(const Function& f) const { m_loops.for_each(0, Index(number_of_vertices()), f); }
 
+  /// tells the visitor of the run, if it has one, what a method has done on the level so far. Without a visitor it
+  /// costs next to nothing. It is meant to be called after each iteration, in the thread of the run.
+  ///
+  /// \param summary its `iterations` and `energy_end` are those so far
+  /// \param part an estimate of the part of the method's work on the level that is done, from 0 to 1; it may fall
+  ///
+  /// \return whether the run may go on. Once the visitor has stopped the run, it is no longer called
+  bool progressed(const Level_summary& summary, double part) const;
+
   /// \cond SKIP_IN_MANUAL
   const internal::One_rings& rings() const { return m_rings; }
   const internal::Loops& loops() const { return m_loops; }
+
+  // Whether anybody sees what progressed() is told.
+  bool is_watched() const;
+
+  // Asks anew, within a long iteration, whether the run may go on.
+  bool may_go_on() const;
   /// \endcond
 
 private:
   Progressive_mesh_3 m_mesh;
   std::size_t m_index;
   internal::Loops m_loops;
+  internal::Run_progress* m_progress;
   internal::One_rings m_rings;
   std::vector<internal::Rest_corner> m_rest_corners;    // of every slot of the rings
 };

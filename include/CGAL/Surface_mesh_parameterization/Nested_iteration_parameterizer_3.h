@@ -99,8 +99,8 @@ public:
   ///
   /// \return `OK`; an error of `Mesh_component` or of the method; `ERROR_WRONG_PARAMETER` if the method fixed a vertex
   ///         at a place that is not finite; `ERROR_NO_1_TO_1_MAPPING` if a vertex could not be inserted without a flip,
-  ///         because its neighbors lie too close together for doubles, if there are flips and the `Flip_policy` is
-  ///         `FAIL`, or if the visitor stopped the run
+  ///         because its neighbors lie too close together for doubles, or if there are flips and the `Flip_policy` is
+  ///         `FAIL`; `ERROR_STOPPED` if the visitor stopped the run
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
                           VertexParameterizedMap vpmap)
@@ -109,8 +109,8 @@ public:
                              internal::Uv_map_check<VertexUVMap, Triangle_mesh>>   Check;
     if constexpr (Check::value) {
       Parameterization_summary unused_summary;
-      return internal::run_nested_iteration(m_method, m_options, *m_visitor, m_summary ? *m_summary : unused_summary,
-                                            mesh, bhd, uvmap, vpmap);
+      return internal::run_nested_iteration(m_method, m_options, m_visitor.get(),
+                                            m_summary ? *m_summary : unused_summary, mesh, bhd, uvmap, vpmap);
     } else {
       Check::tell();
       return ERROR_WRONG_PARAMETER;

@@ -18,6 +18,13 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
+/// the status of a run that a visitor stopped, a value that CGAL's enumeration leaves free. CGAL's
+/// `get_error_message()` answers "Unknown error" for it, `error_message()` knows it
+constexpr Error_code ERROR_STOPPED = Error_code(15);
+static_assert(ERROR_WRONG_PARAMETER < ERROR_STOPPED, "the value of ERROR_STOPPED is a code of CGAL's");
+
+/// \ingroup PkgHierarchicalParameterizationRef
+///
 /// What went wrong, and where.
 struct Parameterization_error
 {
@@ -68,7 +75,6 @@ struct Parameterization_summary
 {
   Parameterization_error error;           ///< what went wrong, and where
   bool converged = false;      ///< whether the finest level converged; the guarantees about flips do not depend on it
-  bool stopped = false;                   ///< whether a visitor stopped the run
   double energy = 0;      ///< the method's energy of the result: the sum over the triangles, or the mean over the area
   std::vector<Level_summary> levels;      ///< from the coarsest level to the finest
   std::size_t flips =

@@ -7,7 +7,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
@@ -70,8 +69,7 @@ public:
                              internal::Uv_map_check<VertexUVMap, Triangle_mesh>>   Check;
     if constexpr (Check::value) {
       Parameterization_summary unused_summary;
-      internal::Hierarchy_visitor_holder<Hierarchy_visitor_3> no_visitor{ Hierarchy_visitor_3() };
-      return internal::run_nested_iteration(static_cast<Method&>(*this), m_options, no_visitor,
+      return internal::run_nested_iteration(static_cast<Method&>(*this), m_options, nullptr,
                                             m_summary ? *m_summary : unused_summary, mesh, bhd, uvmap, vpmap);
     } else {
       Check::tell();

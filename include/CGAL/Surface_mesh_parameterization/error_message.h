@@ -20,7 +20,7 @@ namespace CGAL::Surface_mesh_parameterization {
 inline std::string error_message(const Parameterization_error& error)
 {
   const bool is_at_vertex = error.place == Parameterization_error::VERTEX;
-  std::string message = "unknown error";
+  std::string message = error.code == ERROR_STOPPED ? "a visitor stopped the run" : "unknown error";
   switch (error.code) {
     case OK: message = "no error"; break;
     case ERROR_EMPTY_MESH: message = "the mesh has no faces"; break;

@@ -29,6 +29,7 @@ namespace CGAL::Surface_mesh_parameterization {
 class Collapse_hierarchy_3;
 class Level;
 struct Level_summary;
+struct Parameterization_progress;
 
 namespace internal {
 
@@ -90,6 +91,8 @@ using Hierarchy_built = decltype(std::declval<T&>().hierarchy_built(std::declval
 template <class T>
 using Level_parameterized = decltype(std::declval<T&>().level_parameterized(
     std::declval<const Level&>(), std::declval<const std::vector<Point_2>&>(), std::declval<const Level_summary&>()));
+template <class T>
+using Progressed = decltype(std::declval<T&>().progressed(std::declval<const Parameterization_progress&>()));
 template <class T>
 using Parameterize_coarsest = decltype(std::declval<T&>().parameterize_coarsest(
     std::declval<const Level&>(), std::declval<std::vector<Point_2>&>()));
@@ -191,7 +194,7 @@ struct Visitor_check
 {
   static constexpr int missing = first_missing(
       { std::is_copy_constructible<Visitor>::value, is_detected_as<bool, Hierarchy_built, Visitor>,
-        is_detected_as<bool, Level_parameterized, Visitor> });
+        is_detected_as<bool, Level_parameterized, Visitor>, is_detected_as<bool, Progressed, Visitor> });
   static constexpr bool value = missing < 0;
 
   static void tell()
@@ -201,6 +204,8 @@ struct Visitor_check
                                 "see HierarchyVisitor_3");
     static_assert(missing != 2, "the visitor has no level_parameterized(const Level&, const Level::Uv&, const "
                                 "Level_summary&) that returns a bool: see HierarchyVisitor_3");
+    static_assert(missing != 3, "the visitor has no progressed(const Parameterization_progress&) that returns a bool: "
+                                "see HierarchyVisitor_3");
   }
 };
 

@@ -23,7 +23,8 @@ template <bool is_symmetric>
 Error_code solve_directly(const Edge_system& system, Level::Uv& uv);
 
 // Solves it by Gauss-Seidel sweeps with over-relaxation until the relative residual is small enough, or after
-// `most_sweeps`, and tells of them. Returns `OK`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the sweeps diverged.
+// `most_sweeps`, and tells of them. Returns `OK`, `ERROR_STOPPED`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the sweeps
+// diverged.
 Error_code solve_by_sweeps(const Edge_system& system, Relaxation_factor& factor, double tolerance,
                            std::size_t most_sweeps, Level::Uv& uv, Level_summary& summary);
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_EDGE_ENERGY_SOLVE_EDGE_SYSTEM_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_EDGE_ENERGY_SOLVE_EDGE_SYSTEM_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/solve_edge_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
 
@@ -73,16 +74,25 @@ Error_code solve_by_sweeps(const Edge_system& system, Relaxation_factor& factor,
                            std::size_t most_sweeps, Level::Uv& uv, Level_summary& summary)
 {
   constexpr double coarse_residual = 1e-3;      // the levels below the finest only have to hand on a good start
-  const double wanted_residual = system.level().is_finest() ? tolerance : (std::max)(tolerance, coarse_residual);
-  summary.energy_start = system.energy(uv);
+  constexpr std::size_t sweeps_for_an_energy = 16;      // for a visitor: it takes as long as a sweep
+  const Level& level = system.level();
+  const double wanted_residual = level.is_finest() ? tolerance : (std::max)(tolerance, coarse_residual);
+  summary.energy_start = summary.energy_end = system.energy(uv);
   summary.converged = system.relative_residual(uv) <= wanted_residual;
   factor.start(system.size());
-  while (!summary.converged && summary.iterations < most_sweeps) {
+  bool may_go_on = level.progressed(summary, 0);
+  while (may_go_on && !summary.converged && summary.iterations < most_sweeps) {
     const double residual = system.sweep(uv, factor.value());
     factor.learn(residual);
     ++summary.iterations;
     summary.converged = residual <= wanted_residual && system.relative_residual(uv) <= wanted_residual;
+    if (level.is_watched() && summary.iterations % sweeps_for_an_energy == 0)
+      summary.energy_end = system.energy(uv);
+    may_go_on =
+        level.progressed(summary, part_of_iteration(residual, wanted_residual, summary.iterations, most_sweeps));
   }
+  if (!may_go_on)
+    return ERROR_STOPPED;
   summary.energy_end = system.energy(uv);
   summary.vertex_visits = summary.iterations * system.size();
   return std::isfinite(summary.energy_end) ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;

@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HIERARCHY_BUILDER_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Collapse_group.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
@@ -45,7 +46,7 @@ public:
       metric = Unit_edge_metric(m_points, m_mesh);
     for (;;) {
       m_level_vertices.push_back(m_points.size());
-      if (m_points.size() <= options.coarsest_size)
+      if (m_points.size() <= options.coarsest_size || !may_go_on(options.progress))
         break;
       m_group.choose({ m_mesh, m_points, m_is_pinned, options.has_unit_edges ? &metric : nullptr }, fewest_vertices,
                      random, loops);
@@ -59,6 +60,15 @@ public:
   }
 
 private:
+  // The work is about proportional to the vertices that are removed.
+  bool may_go_on(Run_progress* progress) const
+  {
+    Parameterization_progress now;
+    now.vertices = m_points.size();
+    now.part_done = 1 - double(m_points.size()) / double(m_level_vertices.front());
+    return !progress || progress->tell(now);
+  }
+
   void perform_group(const Loops& loops)
   {
     m_is_removed.assign(m_points.size(), 0);

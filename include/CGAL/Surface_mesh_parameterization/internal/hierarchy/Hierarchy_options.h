@@ -11,6 +11,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+class Run_progress;
+
 // The named parameters of Collapse_hierarchy_3.
 struct Hierarchy_options
 {
@@ -21,6 +23,7 @@ struct Hierarchy_options
   unsigned int random_seed = 0;
   bool has_unit_edges = false;                // triangles are rated in the Unit_edge_metric
   std::vector<bool> is_constrained = {};      // the vertices that stay on every level; none of them if it is empty
+  Run_progress* progress = nullptr;           // is told of each group, and may end the building; may be null
 };
 
 // `defaults` with what named parameters hold, but for the constrained vertices.

@@ -5,6 +5,8 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_LEVEL_IMPL_H
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 
@@ -32,6 +34,24 @@ void Level::go_to(std::size_t index)
       m_rest_corners[m_rings.first_slot(v) + i] =
           internal::rest_corner(point(v), point(ring[i]), point(ring[i + 1 == ring.size() ? 0 : i + 1]));
   });
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Level::progressed(const Level_summary& summary, double part) const
+{
+  return !m_progress || m_progress->tell(summary.iterations, summary.energy_end, part);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Level::is_watched() const
+{
+  return m_progress && m_progress->is_watched();
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Level::may_go_on() const
+{
+  return !m_progress || m_progress->tell_again();
 }
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Function_ref.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
@@ -80,8 +81,8 @@ Nested_iteration_options nested_iteration_options_of(const NamedParameters& np)
 class Nested_iteration
 {
 public:
-  // The method may be changed by leave_room() and keep_borders_apart().
-  Nested_iteration(Refinable_method& method, const Nested_iteration_options& options, Any_hierarchy_visitor& visitor,
+  // The method may be changed by leave_room() and keep_borders_apart(). The visitor may be null.
+  Nested_iteration(Refinable_method& method, const Nested_iteration_options& options, Any_hierarchy_visitor* visitor,
                    Parameterization_summary& summary);
 
   // Writes the places of the surface's vertices, in their order, if all went well. The timer runs since the surface
@@ -90,6 +91,7 @@ public:
 
 private:
   Error_code parameterize(const Collapse_hierarchy_3& hierarchy, Level::Uv& uv);
+  void start_stage(const Level& level);
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv);
   Error_code climb(Level& level, Level::Uv& uv);
 
@@ -99,7 +101,6 @@ private:
   Error_code insert_vertices(const Level& level, Level::Uv& uv) const;
   Error_code finish(const Level& level, Level::Uv& uv);
   Error_code round(const Level& level, Level::Uv& uv);
-  Error_code stop();
 
   // A coarsest level that the method cannot lay out without a flip is coarsened further: the vertices come back by
   // insertion. Where doubles leave no room for one of them, another hierarchy may, or a more careful method; at last
@@ -108,7 +109,8 @@ private:
 
   Refinable_method& m_method;
   Nested_iteration_options m_options;
-  Any_hierarchy_visitor& m_visitor;
+  Any_hierarchy_visitor* m_visitor;
+  Run_progress m_progress;
   Parameterization_summary& m_summary;
   CGAL::Real_timer m_timer_of_level;
   unsigned int m_number_of_seeds = 0;

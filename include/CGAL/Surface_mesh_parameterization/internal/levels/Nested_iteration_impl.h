@@ -17,16 +17,19 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Nested_iteration::Nested_iteration(Refinable_method& method, const Nested_iteration_options& options,
-                                   Any_hierarchy_visitor& visitor, Parameterization_summary& summary)
-  : m_method(method), m_options(options), m_visitor(visitor), m_summary(summary)
+                                   Any_hierarchy_visitor* visitor, Parameterization_summary& summary)
+  : m_method(method), m_options(options), m_visitor(visitor), m_progress(visitor), m_summary(summary)
 {
+  m_options.hierarchy.progress = &m_progress;
   m_timer_of_level.start();
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::run(Triangulated_surface_3 surface, CGAL::Real_timer& timer, std::vector<Point_2>& uv)
 {
+  constexpr double part_of_hierarchy = 0.05;      // of the time, more or less
   for (;;) {
+    m_progress.start_stage(part_of_hierarchy);
     const Collapse_hierarchy_3 hierarchy(std::move(surface), m_options.hierarchy, m_method.loops());
     m_summary = Parameterization_summary();
     m_summary.seconds_hierarchy = timer.time();
@@ -40,7 +43,7 @@ Error_code Nested_iteration::run(Triangulated_surface_3 surface, CGAL::Real_time
         uv[hierarchy.input_vertex(rank)] = uv_by_rank[rank];
       return OK;
     }
-    if (status != ERROR_NO_1_TO_1_MAPPING || m_summary.stopped || !can_try_another_way(hierarchy))
+    if (status != ERROR_NO_1_TO_1_MAPPING || !can_try_another_way(hierarchy))
       return status;
     timer.reset();
     surface = input_surface(hierarchy);
@@ -55,19 +58,33 @@ Error_code Nested_iteration::run(Triangulated_surface_3 surface, CGAL::Real_time
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::parameterize(const Collapse_hierarchy_3& hierarchy, Level::Uv& uv)
 {
-  if (!m_visitor.hierarchy_built(hierarchy))
-    return stop();
+  if (m_progress.is_stopped() || (m_visitor && !m_visitor->hierarchy_built(hierarchy)))
+    return ERROR_STOPPED;
 
   m_watches_borders = m_method.keep_borders_apart(false);
   m_map_apart.clear();
   m_level_apart = 0;
-  Level level(hierarchy, 0, m_method.loops());
+  Level level(hierarchy, 0, m_method.loops(), &m_progress);
   Error_code status = parameterize_coarsest(level, uv);
   if (status == OK)
     status = climb(level, uv);
   if (status == OK && m_watches_borders && m_map_apart.size() < uv.size())
     status = climb_with_borders_apart(level, uv);
   return status == OK ? finish(level, uv) : status;
+}
+
+// The time that a level takes is about proportional to its vertices, and the finest one has to converge.
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void Nested_iteration::start_stage(const Level& level)
+{
+  constexpr double factor_of_finest_level = 10, part_of_end = 0.1;
+  const Collapse_hierarchy_3& hierarchy = level.hierarchy();
+  const double work = double(level.number_of_vertices());
+  double rest = (factor_of_finest_level + part_of_end) * double(hierarchy.number_of_vertices());
+  for (std::size_t i = level.index(); i + 1 < hierarchy.number_of_levels(); ++i)
+    rest += double(hierarchy.number_of_vertices(i));
+  m_progress.start_stage((level.is_finest() ? factor_of_finest_level : 1) * work / rest, level.index(),
+                         hierarchy.number_of_levels(), level.number_of_vertices());
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -77,6 +94,7 @@ Error_code Nested_iteration::climb(Level& level, Level::Uv& uv)
   while (status == OK && !level.is_finest()) {
     m_timer_of_level.reset();
     level.go_to(level.index() + 1);
+    start_stage(level);
     status = insert_vertices(level, uv);
     if (status == OK)
       status = refine(level, uv);
@@ -103,7 +121,10 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::parameterize_coarsest(const Level& level, Level::Uv& uv)
 {
   m_timer_of_level.reset();
+  start_stage(level);
   const Error_code status = m_method.parameterize_coarsest(level, uv);
+  if (m_progress.is_stopped())
+    return ERROR_STOPPED;
   return status == OK ? refine(level, uv) : status;
 }
 
@@ -116,13 +137,15 @@ Error_code Nested_iteration::refine(const Level& level, Level::Uv& uv)
   summary.faces = level.number_of_faces();
   const Error_code status = m_method.refine(level, uv, summary);
   summary.seconds = m_timer_of_level.time();
+  if (m_progress.is_stopped() || (status == OK && !level.progressed(summary, 1)))
+    return ERROR_STOPPED;
   if (status != OK)
     return status;
   if (m_watches_borders && !has_crossings(border_edges(level.rings()), uv)) {
     m_map_apart = uv;
     m_level_apart = level.index();
   }
-  return m_visitor.level_parameterized(level, uv, summary) ? OK : stop();
+  return !m_visitor || m_visitor->level_parameterized(level, uv, summary) ? OK : ERROR_STOPPED;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -150,9 +173,12 @@ Error_code Nested_iteration::finish(const Level& level, Level::Uv& uv)
     }
     return surface;
   };
-  const Error_code status =
-      m_method.settle_flips(m_options.flips, level.rings(), surface_by_rank, uv, m_summary);
-  return status == OK && m_options.round ? round(level, uv) : status;
+  Error_code status = m_method.settle_flips(m_options.flips, level.rings(), surface_by_rank, uv, m_summary);
+  if (status == OK && m_options.round)
+    status = round(level, uv);
+  if (status != OK)
+    return status;
+  return m_progress.finish() ? OK : ERROR_STOPPED;
 }
 
 // What is promised of the map is promised of what the user gets.
@@ -164,13 +190,6 @@ Error_code Nested_iteration::round(const Level& level, Level::Uv& uv)
   const bool is_good = round_map(level.rings(), m_options.round, level.scale_exponent(), uv) &&
                        !(m_method.keep_borders_apart(true) && has_crossings(border_edges(level.rings()), uv));
   return is_good ? OK : ERROR_NO_1_TO_1_MAPPING;
-}
-
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code Nested_iteration::stop()
-{
-  m_summary.stopped = true;
-  return ERROR_NO_1_TO_1_MAPPING;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -23,18 +23,19 @@ Error_code choose_first_map(const Level_energy& energy, const Refinement_options
 // instead, which is exact. Where `borders_must_not_meet`, that counts as spoilt, too.
 void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv);
 
-// Minimizes an energy from a map that is valid, if the energy keeps triangles positive.
-void minimize_energy(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
-                     Level_summary& summary);
+// Minimizes an energy from a map that is valid, if the energy keeps triangles positive. Returns `OK`, or
+// `ERROR_STOPPED`; so do the others.
+Error_code minimize_energy(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
+                           Level_summary& summary);
 
 // The same for a map that must stay free of flips, and of borders that meet if the options say so.
-// Returns `OK`, or `ERROR_NO_1_TO_1_MAPPING` if the borders could not be separated.
+// Returns `ERROR_NO_1_TO_1_MAPPING` if the borders could not be separated.
 Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, Level::Uv& uv,
                               const Refinement_options& options, Level_summary& summary);
 
 // Minimizes the as-rigid-as-possible energy with lambda = 0, see Conformal_refiner.
-void minimize_conformal_energy(const Level& level, Level::Uv& uv, const Refinement_options& options,
-                               Level_summary& summary);
+Error_code minimize_conformal_energy(const Level& level, Level::Uv& uv, const Refinement_options& options,
+                                     Level_summary& summary);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

@@ -93,10 +93,10 @@ void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void minimize_energy(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
-                     Level_summary& summary)
+Error_code minimize_energy(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
+                           Level_summary& summary)
 {
-  Level_refiner(energy, uv, options, summary).run();
+  return Level_refiner(energy, uv, options, summary).run() ? OK : ERROR_STOPPED;
 }
 
 // Minimizes the energy from `uv`. What keeps borders apart is paid for with energy: where that leads astray, `uv`
@@ -105,14 +105,13 @@ inline Error_code minimize_from(const Level_energy& energy, Level::Uv& uv, const
                                 Level_summary& summary)
 {
   const bool borders_must_not_meet = options.is_globally_injective;
-  if (!borders_must_not_meet) {
-    minimize_energy(energy, uv, options, summary);
-    return OK;
-  }
+  if (!borders_must_not_meet)
+    return minimize_energy(energy, uv, options, summary);
   if (!separate_borders(energy.level(), uv))
     return ERROR_NO_1_TO_1_MAPPING;
   const Level::Uv start = uv;
-  minimize_energy(energy, uv, options, summary);
+  if (minimize_energy(energy, uv, options, summary) == ERROR_STOPPED)
+    return ERROR_STOPPED;
   if (!(energy(uv) <= energy(start)) || has_crossings(border_edges(energy.level().rings()), uv)) {
     uv = start;
     summary.energy_end = summary.energy_start;
@@ -144,7 +143,10 @@ inline void start_again(const Level_energy& energy, Level::Uv start, Level::Uv& 
   if (status == OK && !is_small(energy.level()) && !(energy(start) < value))
     return;
   Level_summary other_summary;
-  if (minimize_from(energy, start, options, other_summary) != OK || (status == OK && !(energy(start) < value)))
+  const Error_code other_status = minimize_from(energy, start, options, other_summary);
+  if (other_status == ERROR_STOPPED)
+    status = ERROR_STOPPED;
+  if (other_status != OK || (status == OK && !(energy(start) < value)))
     return;
   uv.swap(start);
   summary.iterations += other_summary.iterations;
@@ -167,7 +169,8 @@ inline void start_again_from_first_map(const Level_energy& energy, Level::Uv& uv
     return;
   if (!began_there)
     start_again(energy, first, uv, options, summary, status);
-  if (!energy.is_scale_invariant() && (status != OK || is_far_above_minimum(energy, energy(uv)))) {
+  if (!energy.is_scale_invariant() && status != ERROR_STOPPED &&
+      (status != OK || is_far_above_minimum(energy, energy(uv)))) {
     scale_to_energy(energy, first);
     start_again(energy, first, uv, options, summary, status);
   }
@@ -179,6 +182,8 @@ Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, L
 {
   const Level& level = energy.level();
   Error_code status = minimize_from(energy, uv, options, summary);
+  if (status == ERROR_STOPPED)
+    return status;
   if (level.is_finest() && (status != OK || is_far_above_minimum(energy, energy(uv))))
     start_again_from_first_map(energy, uv, options, summary, status);
   if (status == OK && scales_to_area)
@@ -187,10 +192,10 @@ Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, L
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void minimize_conformal_energy(const Level& level, Level::Uv& uv, const Refinement_options& options,
-                               Level_summary& summary)
+Error_code minimize_conformal_energy(const Level& level, Level::Uv& uv, const Refinement_options& options,
+                                     Level_summary& summary)
 {
-  Conformal_refiner(level, uv, options, summary).run();
+  return Conformal_refiner(level, uv, options, summary).run() ? OK : ERROR_STOPPED;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -82,9 +82,9 @@ private:
 };
 
 // Runs a model of RefinableParameterizer_3 coarse to fine on the component of a mesh, and writes to the property maps
-// if all went well.
+// if all went well. The visitor may be null.
 template <class Method, class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
-Error_code run_nested_iteration(Method method, const Nested_iteration_options& options, Any_hierarchy_visitor& visitor,
+Error_code run_nested_iteration(Method method, const Nested_iteration_options& options, Any_hierarchy_visitor* visitor,
                                 Parameterization_summary& summary, const TriangleMesh& mesh,
                                 typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap,
                                 VertexParameterizedMap vpmap)

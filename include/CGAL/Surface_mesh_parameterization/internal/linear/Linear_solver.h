@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_LINEAR_SOLVER_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_LINEAR_SOLVER_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
@@ -34,7 +35,14 @@ struct Linear_solver_options
   // that is greater than this, relative to the diagonal.
   double greatest_row_sum = (std::numeric_limits<double>::infinity)();
   Make_direct_solver make_direct_solver = &factorize_rows<double>;     // that solves where multigrid does not
+  Run_progress* progress = nullptr;     // is told of each iteration, and may end them unsolved; may be null
+  double part_of_rest = 0.9;            // of the progress's run: a solution takes so much of what is left, more or less
 };
+
+inline bool is_stopped(const Linear_solver_options& options)
+{
+  return options.progress && options.progress->is_stopped();
+}
 
 struct Linear_solver_result
 {

@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_MULTIGRID_LINEAR_SOLVER_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Values.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
@@ -70,7 +71,7 @@ public:
       result = iterate(b, x, r, start, options);
     else if (m_system.is_regular() && m_system.free_unknowns().empty())
       result.is_solved = m_system.backward_error(b, x) <= options.worst_backward_error;
-    if (!result.is_solved)
+    if (!result.is_solved && !is_stopped(options))
       solve_directly(b, x, r, start, options, result);
     if (result.is_solved)
       for (std::size_t i = 0; i < x.size(); ++i)
@@ -103,9 +104,9 @@ private:
   class Iteration
   {
   public:
-    Iteration(const Multigrid_linear_solver& solver, const Value& target, int patience)
+    Iteration(const Multigrid_linear_solver& solver, const Value& target, const Linear_solver_options& options)
       : m_system(solver.m_system), m_multigrid(*solver.m_multigrid), m_space(m_multigrid),
-        m_correction(m_system.size()), m_target(target), m_patience(patience)
+        m_correction(m_system.size()), m_target(target), m_options(options)
     { }
 
     Index number_of_rows() const { return m_system.size(); }
@@ -123,17 +124,20 @@ private:
     bool is_finished(const Value& squared_norm)
     {
       const double excess = greatest(quotient(sqrt(squared_norm), m_target));
+      if (m_options.progress && !tell(m_options.tolerance * excess))
+        return true;
       if (excess < m_least_excess / 2) {
         m_least_excess = excess;
         m_idle_steps = 0;
       }
-      return !(excess > 1) || ++m_idle_steps > m_patience;
+      return !(excess > 1) || ++m_idle_steps > m_options.patience;
     }
 
     // M^-1 r
     Vector& precondition(const Vector& r)
     {
       const Value scale = give_to_grid(r);
+      ++m_cycles;
       m_multigrid.cycle(m_space);
       m_correction.assign(m_correction.size(), Value::zero());
       add_from_grid(scale, m_correction);
@@ -149,6 +153,15 @@ private:
     }
 
   private:
+    // Tells of a relative residual.
+    bool tell(double residual) const
+    {
+      const std::size_t iterations = m_cycles / (m_system.is_symmetric() ? 1 : 2);
+      const double part =
+          part_of_iteration(residual, m_options.tolerance, iterations, m_options.most_iterations);
+      return m_options.progress->tell(iterations, residual, part);
+    }
+
     // Writes r, scaled to the size of 1, to the finest grid; returns that scale.
     Value give_to_grid(const Vector& r)
     {
@@ -174,16 +187,17 @@ private:
     typename Multigrid::template Space<columns> m_space;
     Vector m_correction;
     Value m_target;
-    int m_patience;
+    const Linear_solver_options& m_options;
     double m_least_excess = (std::numeric_limits<double>::infinity)();      // of the residual over its target
     int m_idle_steps = 0;         // since the excess was halved
+    std::size_t m_cycles = 0;
   };
 
   // Changes x, where the free unknowns are 0, and its residual r, whose norms are `start`.
   Linear_solver_result iterate(const Side_by_side& b, Vector& x, Vector& r, const Value& start,
                                const Linear_solver_options& options) const
   {
-    Iteration iteration(*this, options.tolerance * start, options.patience);
+    Iteration iteration(*this, options.tolerance * start, options);
     iteration.full_multigrid(r, x);
     m_system.compute_residual(b, x, r);
     if (!is_less_or_equal(m_system.norm(r), start)) {
@@ -191,7 +205,8 @@ private:
       m_system.compute_residual(b, x, r);
     }
     Linear_solver_result result;
-    for (int i = 0; i < options.most_starts && result.iterations < options.most_iterations && !iteration.is_solved(r);
+    for (int i = 0; i < options.most_starts && result.iterations < options.most_iterations && !iteration.is_solved(r) &&
+                    !is_stopped(options);
          ++i) {
       const std::size_t left = options.most_iterations - result.iterations;
       if (m_system.is_symmetric()) {

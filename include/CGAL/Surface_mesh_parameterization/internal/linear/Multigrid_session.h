@@ -80,9 +80,13 @@ private:
   void solve_now() override { finish(); }
   bool suits_multigrid(const Sparse_rows<double>& rows) const;
   bool find_hierarchy();
+
+  // Starts a stage of the run's progress, the part of it that a solution takes times a factor. Returns whether the run
+  // may go on.
+  bool start_stage(double factor) const;
   bool set_up(std::shared_ptr<const Sparse_rows<double>> rows, const std::vector<Index>& tied_vertices);
   bool set_up_multigrid(std::shared_ptr<const Sparse_rows<double>> rows, const std::vector<Index>& tied_vertices);
-  void make_solver(std::shared_ptr<const Sparse_rows<double>> rows, std::vector<Mesh_unknown> unknowns,
+  bool make_solver(std::shared_ptr<const Sparse_rows<double>> rows, std::vector<Mesh_unknown> unknowns,
                    const std::vector<Index>& tied_vertices);
   bool give_marks(const Vector& right_side, Vector& solution);
   bool put_off(const Vector& right_side, Vector& solution);

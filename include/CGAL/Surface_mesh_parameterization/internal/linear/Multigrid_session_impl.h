@@ -34,7 +34,24 @@ Multigrid_session::Multigrid_session(Make_hierarchy make_hierarchy, const Linear
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Multigrid_session::~Multigrid_session()
 {
+  m_options.progress = nullptr;     // nobody listens any more
   finish();
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::start_stage(double factor) const
+{
+  constexpr double residual_of_no_solution = 1;
+  Run_progress* const progress = m_options.progress;
+  if (!progress)
+    return true;
+  const double part = factor * m_options.part_of_rest;
+  if (m_interpolation) {
+    const std::size_t levels = m_interpolation->number_of_levels();
+    progress->start_stage(part, levels - 1, levels, m_interpolation->number_of_vertices());
+  } else
+    progress->start_stage(part);
+  return progress->tell(0, residual_of_no_solution, 0);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -99,8 +116,7 @@ bool Multigrid_session::set_up(std::shared_ptr<const Sparse_rows<double>> rows, 
 {
   if (suits_multigrid(*rows))
     return find_hierarchy() && set_up_multigrid(std::move(rows), tied_vertices);
-  make_solver(std::move(rows), {}, {});
-  return true;
+  return make_solver(std::move(rows), {}, {});
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -121,25 +137,28 @@ bool Multigrid_session::set_up_multigrid(std::shared_ptr<const Sparse_rows<doubl
       return false;
     unknowns.clear();
   }
-  make_solver(std::move(rows), std::move(unknowns), tied_vertices);
-  return true;
+  return make_solver(std::move(rows), std::move(unknowns), tied_vertices);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void Multigrid_session::make_solver(std::shared_ptr<const Sparse_rows<double>> rows, std::vector<Mesh_unknown> unknowns,
+bool Multigrid_session::make_solver(std::shared_ptr<const Sparse_rows<double>> rows, std::vector<Mesh_unknown> unknowns,
                                     const std::vector<Index>& tied_vertices)
 {
+  constexpr double time_for_a_solution = 0.2;
+  if (!start_stage(time_for_a_solution))
+    return false;
   CGAL::Real_timer timer;
   timer.start();
   m_solver = m_make_solver(m_interpolation.get(), std::move(rows), std::move(unknowns), tied_vertices);
   ++m_summary.setups;
   m_summary.seconds_setup += timer.time();
+  return true;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution)
 {
-  if (!set_up(matrix))
+  if (is_stopped(m_options) || !set_up(matrix))
     return false;
   return m_defers && m_solver ? put_off(right_side, solution) : solve(right_side, solution);
 }
@@ -211,6 +230,8 @@ bool Multigrid_session::solve(const std::vector<const std::vector<double>*>& rig
       return false;
     b.push_back(right_side->data());
   }
+  if (!start_stage(1))
+    return false;
   std::vector<double*> x;
   std::vector<std::size_t> sizes;       // which a failure leaves
   for (std::vector<double>* solution : solutions) {

@@ -8,9 +8,11 @@
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
 
+#include <cmath>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -25,7 +27,8 @@ public:
       m_energy(level, Triangle_weight::AREA, As_rigid_as_possible_energy_2(0))
   { }
 
-  void run()
+  // Returns false if a visitor stopped the run.
+  bool run()
   {
     Newton_options newton_options;
     newton_options.residual_reduction =
@@ -34,16 +37,27 @@ public:
     const Index a = farthest_border_vertex(0), b = farthest_border_vertex(a);
     newton.fix_vertices({ a, b });
     double current = m_energy(m_uv);
-    while (m_summary.iterations < m_options.number_of_iterations && !m_summary.converged) {
+    bool may_go_on = tell(current, 0);
+    while (may_go_on && m_summary.iterations < m_options.number_of_iterations && !m_summary.converged) {
       const auto step = newton.step(m_uv, current);
       current -= step.decrease;
       ++m_summary.iterations;
       m_summary.cycles += step.cycles;
       m_summary.converged = !(step.decrease > m_options.tolerance * current);
+      may_go_on = tell(current, part_of_iteration(step.decrease / current, m_options.tolerance, m_summary.iterations,
+                                                  m_options.number_of_iterations));
     }
+    return may_go_on;
   }
 
 private:
+  // Tells of an energy, in the user's units, and of the part of the work on the level that is done.
+  bool tell(double energy, double part)
+  {
+    m_summary.energy_end = std::ldexp(energy, -2 * m_level.scale_exponent());
+    return m_level.progressed(m_summary, part);
+  }
+
   // The vertex on the outer border, and on the coarsest level, that lies farthest from v in the plane.
   Index farthest_border_vertex(Index v) const
   {

@@ -44,8 +44,10 @@ public:
   double weight(const Rest_corner& c) const { return m_weight == Triangle_weight::AREA ? 1 / c.inverse_area : 1; }
   double total_weight() const;
 
-  // What energies are reported in: the sum, or the mean over the area if triangles are weighted by it.
-  double unit() const { return m_weight == Triangle_weight::AREA ? total_weight() : 1; }
+  // What energies are reported in: the sum, or the mean over the area if triangles are weighted by it, unless another
+  // unit is set.
+  double unit() const { return m_unit > 0 ? m_unit : m_weight == Triangle_weight::AREA ? total_weight() : 1; }
+  void set_unit(double unit) { m_unit = unit; }
 
   // Infinite if a triangle is not positive and the energy keeps them so.
   double operator()(const Level::Uv& uv) const;
@@ -73,7 +75,7 @@ private:
 
   const Level& m_level;
   Triangle_weight m_weight;
-  double m_minimum;
+  double m_minimum, m_unit = 0;
   bool m_is_flip_free, m_is_scale_invariant;
 };
 

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
@@ -55,7 +56,7 @@ public:
   Level_refiner(const Level_energy& energy, Level::Uv& uv, const Refinement_options& refinement, Level_summary& summary,
                 const Level_refiner_options& options = Level_refiner_options())
     : m_energy(energy), m_level(energy.level()), m_uv(uv), m_refinement(refinement), m_options(options),
-      m_summary(summary), m_total_weight(m_energy.total_weight()), m_current(m_energy(uv))
+      m_summary(summary), m_total_weight(m_energy.total_weight()), m_unit(m_energy.unit()), m_current(m_energy(uv))
   {
     if (refinement.is_globally_injective)
       m_barrier = std::make_unique<Border_barrier>(m_level, m_options.barrier_stiffness * m_total_weight /
@@ -63,22 +64,42 @@ public:
   }
 
   // Energies are reported as the sum over the triangles, or as the mean over the area if triangles are weighted so.
-  void run()
+  // Returns false if a visitor stopped the run.
+  bool run()
   {
-    m_summary.energy_start = m_current / m_energy.unit();
-    if (m_refinement.number_of_local_steps > 0)
-      take_local_steps();
-    else {
-      settle_new_vertices();
-      if (m_refinement.optimizer == Optimizer::NEWTON)
-        iterate_newton();
-      else
-        relax_until_convergence();
+    m_summary.energy_start = m_current / m_unit;
+    if (tell(0)) {
+      if (m_refinement.number_of_local_steps > 0)
+        take_local_steps();
+      else {
+        settle_new_vertices();
+        if (m_refinement.optimizer == Optimizer::NEWTON)
+          iterate_newton();
+        else
+          relax_until_convergence();
+      }
     }
-    m_summary.energy_end = m_energy(m_uv) / m_energy.unit();
+    m_summary.energy_end = m_energy(m_uv) / m_unit;
+    return !m_is_stopped;
   }
 
 private:
+  // Tells that this part of the work on the level is done. Returns whether the run may go on.
+  bool tell(double part)
+  {
+    m_summary.energy_end = m_current / m_unit;
+    m_is_stopped = !m_level.progressed(m_summary, part);
+    return !m_is_stopped;
+  }
+
+  // The part that is done when an iteration has lowered the energy by `decrease`, and the last one lowers the excess
+  // energy by less than the part `least_decrease`.
+  double part_done(double decrease, double least_decrease) const
+  {
+    return part_of_iteration(decrease / excess(), least_decrease, m_summary.iterations,
+                             m_refinement.number_of_iterations);
+  }
+
   bool is_coarsest_of_many() const { return m_level.index() == 0 && !m_level.is_finest(); }
   std::size_t size() const { return m_level.number_of_vertices(); }
   double excess() const
@@ -112,10 +133,16 @@ private:
   // The paper's experiment: nothing but so many steps.
   void take_local_steps()
   {
+    const std::size_t number_of_steps = m_refinement.number_of_local_steps;
+    const Vertex_relaxation relaxation(m_energy, 1, m_barrier.get());
     std::mt19937 random(m_refinement.random_seed);
-    Vertex_relaxation(m_energy, 1, m_barrier.get()).random_steps(m_uv, m_refinement.number_of_local_steps, random);
-    m_summary.vertex_visits = m_refinement.number_of_local_steps;
-    m_summary.iterations = (m_summary.vertex_visits + size() - 1) / size();
+    do {
+      const std::size_t steps = (std::min)(size(), number_of_steps - m_summary.vertex_visits);
+      lower_by(relaxation.random_steps(m_uv, steps, random));
+      m_summary.vertex_visits += steps;
+      ++m_summary.iterations;
+    } while (tell(double(m_summary.vertex_visits) / double(number_of_steps)) &&
+             m_summary.vertex_visits < number_of_steps);
   }
 
   void settle_new_vertices()
@@ -133,12 +160,13 @@ private:
     const bool is_random = m_refinement.optimizer == Optimizer::RANDOM_VERTICES;
     const Vertex_relaxation relaxation(m_energy, is_random ? 1 : m_options.over_relaxation, m_barrier.get());
     std::mt19937 random(m_refinement.random_seed);
-    while (m_summary.iterations < most_sweeps && !m_summary.converged) {
+    while (!m_is_stopped && m_summary.iterations < most_sweeps && !m_summary.converged) {
       const double before = m_current;
       lower_by(is_random ? relaxation.random_steps(m_uv, size(), random) : relaxation.sweep(m_uv));
       m_summary.vertex_visits += size();
       m_summary.converged = is_little(before - m_current, m_refinement.tolerance);
       ++m_summary.iterations;
+      tell(part_done(before - m_current, m_refinement.tolerance));
     }
   }
 
@@ -147,22 +175,24 @@ private:
   {
     Vertex_relaxation relaxation(m_energy, m_options.over_relaxation, m_barrier.get());
     if (Block_multigrid::has_grid_of_finest_level(m_level)) {
-      sweep_while_it_pays(relaxation);
-      take_newton_steps(relaxation);
+      if (sweep_while_it_pays(relaxation))
+        take_newton_steps(relaxation);
     } else
       sweep(relaxation);
   }
 
-  // A sweep costs little beside a Newton step and is better at what is wrong in small places.
-  void sweep_while_it_pays(const Vertex_relaxation& relaxation)
+  // A sweep costs little beside a Newton step and is better at what is wrong in small places. Returns false if a
+  // visitor stopped the run.
+  bool sweep_while_it_pays(const Vertex_relaxation& relaxation)
   {
     double before;
     std::size_t sweeps = 0;
     do {
       before = m_current;
       sweep(relaxation);
-    } while (++sweeps < m_options.most_first_sweeps &&
+    } while (tell(0) && ++sweeps < m_options.most_first_sweeps &&
              !is_little(before - m_current, m_options.least_decrease_of_first_sweeps));
+    return !m_is_stopped;
   }
 
   void take_newton_steps(Vertex_relaxation& relaxation)
@@ -170,7 +200,7 @@ private:
     const double least_decrease = m_level.is_finest() ? m_refinement.tolerance : m_options.decrease_on_coarse_levels;
     Newton_method newton(m_energy, m_barrier.get(), m_options.newton);
     relaxation.set_turn_barrier(newton.turn_barrier());
-    while (m_summary.iterations < m_refinement.number_of_iterations && !m_summary.converged) {
+    while (!m_is_stopped && m_summary.iterations < m_refinement.number_of_iterations && !m_summary.converged) {
       const auto step = newton.step(m_uv, m_current);
       if (m_barrier || newton.turn_barrier().stiffness() > 0)     // the step may have paid for room with energy
         m_current = m_energy(m_uv);
@@ -181,7 +211,9 @@ private:
       const double before_sweep = m_current;
       if (step.length < m_options.short_step || !is_little(step.decrease, m_options.great_decrease))
         sweep(relaxation);
-      m_summary.converged = is_little(step.decrease + step.slack + (before_sweep - m_current), least_decrease);
+      const double decrease = step.decrease + step.slack + (before_sweep - m_current);
+      m_summary.converged = is_little(decrease, least_decrease);
+      tell(part_done(decrease, least_decrease));
     }
   }
 
@@ -201,8 +233,9 @@ private:
   Level_refiner_options m_options;
   Level_summary& m_summary;
   std::unique_ptr<Border_barrier> m_barrier;      // none unless the map has to be globally injective
-  const double m_total_weight;
+  const double m_total_weight, m_unit;
   double m_current;       // the energy of m_uv
+  bool m_is_stopped = false;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

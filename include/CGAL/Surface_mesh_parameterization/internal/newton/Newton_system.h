@@ -120,12 +120,12 @@ private:
   class Iteration
   {
   public:
-    Iteration(Block_multigrid& multigrid, const Loops& loops, double residual_reduction)
-      : m_multigrid(multigrid), m_loops(loops), m_residual_reduction(residual_reduction)
+    Iteration(Block_multigrid& multigrid, const Level& level, double residual_reduction)
+      : m_multigrid(multigrid), m_level(level), m_residual_reduction(residual_reduction)
     { }
 
     Index number_of_rows() const { return m_multigrid.matrix().number_of_rows(); }
-    const Loops& loops() const { return m_loops; }
+    const Loops& loops() const { return m_level.loops(); }
     Block_vector row_times(Index i, const Block_vectors& x) const { return m_multigrid.matrix().row_times(i, x); }
     Block_vectors& precondition(const Block_vectors& r) { return m_multigrid.cycle(r); }
     double squared_size(Index, const Block_vector& r) const { return inner_product(r, r); }
@@ -136,17 +136,17 @@ private:
       return last_product > 0 ? product / last_product : 0;
     }
 
-    // The first residual is that at the start.
+    // The first residual is that at the start. A run that is stopped ends with the step.
     bool is_finished(double squared_norm)
     {
       if (m_target < 0)
         m_target = m_residual_reduction * m_residual_reduction * squared_norm;
-      return !(squared_norm > m_target);
+      return !(squared_norm > m_target) || !m_level.may_go_on();
     }
 
   private:
     Block_multigrid& m_multigrid;
-    const Loops& m_loops;
+    const Level& m_level;
     double m_residual_reduction, m_target = -1;
   };
 
@@ -157,7 +157,7 @@ private:
   std::size_t solve_for_residual()
   {
     for_each_vertex([&](Index v) { m_solution[v] = Block_vector(0, 0); });
-    Iteration iteration(m_multigrid, m_level.loops(), m_options.residual_reduction);
+    Iteration iteration(m_multigrid, m_level, m_options.residual_reduction);
     const std::size_t cycles =
         conjugate_gradients(iteration, m_solution, m_residual, m_direction, m_options.most_cycles);
     for (const Index v : m_fixed)

@@ -5,9 +5,11 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_OPTIONAL_STEPS_H
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Component_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Filled_mesh.h>
@@ -44,7 +46,7 @@ struct Optional_steps
   // Runs the method without flips that takes the parameterizer's place where a repair left little of the map. Null if
   // there is none.
   Error_code (*run_relative)(const Triangle_mesh&, halfedge_descriptor, const Index_map&, std::vector<Point_2>& uv,
-                             Parameterization_summary&) = nullptr;
+                             Run_progress&, Parameterization_summary&) = nullptr;
 
   template <class NamedParameters>
   static Optional_steps of(const NamedParameters&)
@@ -62,13 +64,25 @@ struct Optional_steps
   }
 
 private:
+  // Tells the wrapped run of the progress of another one.
+  struct Relay : Hierarchy_visitor_3
+  {
+    Run_progress& progress;
+    explicit Relay(Run_progress& progress) : progress(progress) { }
+
+    bool progressed(const Parameterization_progress& of_stage) { return progress.tell(of_stage); }
+  };
+
   template <class Method>
   static Error_code run(const Triangle_mesh& mesh, halfedge_descriptor bhd, const Index_map& index,
-                        std::vector<Point_2>& uv, Parameterization_summary& summary)
+                        std::vector<Point_2>& uv, Run_progress& progress, Parameterization_summary& summary)
   {
     typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor   vertex_descriptor;
     const Constant_property_map<vertex_descriptor, bool> is_parameterized;
-    return Nested_iteration_parameterizer_3<Method>(Method(), parameters::summary(std::ref(summary)))
+    constexpr double part_of_rest = 0.9;
+    progress.start_stage(part_of_rest);
+    const auto np = parameters::summary(std::ref(summary)).visitor(Relay(progress));
+    return Nested_iteration_parameterizer_3<Method>(Method(), np)
         .parameterize(mesh, bhd, Component_map<Index_map, Point_2>{ index, &uv }, index, is_parameterized);
   }
 };

@@ -35,11 +35,11 @@ struct Plain_solver_use
   static constexpr bool has_uniform_weights = false;
   static constexpr bool has_wild_weights = false;         // its matrices need not suit multigrid
   static constexpr bool has_positive_weights = false;     // see may_have_flips
+  static constexpr double part_of_solution = 0.9;         // of what is left of a run, the time of a solution
 
   // Of the matrices that are for multigrid, see Linear_solver_options. In between there are hardly any: cotangent
   // weights of the worst triangles stay below a half of this, and authalic ones, where they are wild, pass it far.
   static constexpr double greatest_row_sum = 10;
-
 };
 
 // How a parameterizer uses its solver.
@@ -76,6 +76,7 @@ template <class M, class B, class S>
 struct Solver_use<Iterative_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs
 {
   static constexpr bool has_wild_weights = true;
+  static constexpr double part_of_solution = 0.1;
 };
 template <class M, class B, class S>
 struct Solver_use<Mean_value_coordinates_parameterizer_3<M, B, S>> : Solves_in_pairs

@@ -68,14 +68,17 @@ private:
     std::vector<User_point_2> uv(run.vertices().size());
     const auto session =
         std::make_shared<Constrained_session>(run.interpolation(), run.number_vertices_as(vimap),
-                                              this->options().solver, &make_multigrid_linear_solver<1>);
-    const Error_code code = run.parameterize(session, uv, [&]() -> Error_code {
+                                              run.solver_options(Plain_solver_use::part_of_solution),
+                                              &make_multigrid_linear_solver<1>);
+    Error_code code = run.parameterize(session, uv, [&]() -> Error_code {
       if (num_vertices(mesh) != uv.size())
         return ERROR_NO_TOPOLOGICAL_DISC;
       return this->make_parameterizer()->parameterize(const_cast<SeamMesh&>(mesh), bhd, cmap,
                                                       Component_map<Index_map, User_point_2>{ run.index(), &uv },
                                                       run.index());
     });
+    if (code == OK)
+      code = run.finish();
     if (code == OK)
       for (const auto v : run.vertices())
         put(uvmap, v, uv[get(run.index(), v)]);

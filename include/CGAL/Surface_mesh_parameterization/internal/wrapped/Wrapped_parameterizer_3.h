@@ -116,10 +116,12 @@ private:
       code = run.settle_flips(uv);
     if (code == OK && this->optional_steps().run_relative && run.is_mostly_moved()) {
       code = run.replace_map(uv, [&](std::vector<Point_2>& places, Parameterization_summary& summary) {
-        return this->optional_steps().run_relative(mesh, bhd, run.index(), places, summary);
+        return this->optional_steps().run_relative(mesh, bhd, run.index(), places, run.progress(), summary);
       });
       is_placed.assign(uv.size(), true);
     }
+    if (code == OK)
+      code = run.finish();
     for (std::size_t i = 0; i < vertices.size() && code == OK; ++i)
       if (vertices[i] != Graph_traits::null_vertex()) {
         put(uvmap, vertices[i], uv[i]);
@@ -154,7 +156,7 @@ private:
     if (!Use::has_wild_weights && !run.interpolation())      // early, while no matrix takes memory
       return run.error();
     const auto session =
-        std::make_shared<Multigrid_session>([&run] { return run.interpolation(); }, this->options().solver,
+        std::make_shared<Multigrid_session>([&run] { return run.interpolation(); }, run.solver_options(Use::part_of_solution),
                                             &make_multigrid_linear_solver<Use::solves_in_pairs ? 2 : 1>,
                                             Use::solves_in_pairs);
     if (can_repeat)

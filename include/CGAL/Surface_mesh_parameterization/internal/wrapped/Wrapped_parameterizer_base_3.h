@@ -37,7 +37,7 @@ public:
   // - `tolerance`, `number_of_iterations`: of the solver, see Multigrid_solver_traits
   // - `flip_policy`: what becomes of a map with flips; a repair, if it is not given
   // - `fill_holes`: whether every further border is closed by a virtual vertex
-  // - `visitor`: a model of HierarchyVisitor_3, whose hierarchy_built() is called
+  // - `visitor`: a model of HierarchyVisitor_3, whose hierarchy_built() and progressed() are called
   // - `summary`: a std::reference_wrapper<Parameterization_summary> that receives what the run did
   Wrapped_parameterizer_base_3() : Wrapped_parameterizer_base_3(parameters::default_values()) { }
 

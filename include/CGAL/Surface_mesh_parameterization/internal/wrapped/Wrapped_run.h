@@ -10,9 +10,12 @@
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
@@ -49,7 +52,7 @@ public:
 
   // Reads the component of `bhd`. Whether the run can go on is told by error().
   Wrapped_run(const TriangleMesh& mesh, halfedge_descriptor bhd, const Wrapped_options& options)
-    : m_options(options), m_index(get(CGAL::dynamic_vertex_property_t<int>(), mesh))
+    : m_options(options), m_progress(options.visitor.get()), m_index(get(CGAL::dynamic_vertex_property_t<int>(), mesh))
   {
     summary() = Parameterization_summary();
     m_timer.start();
@@ -62,6 +65,7 @@ public:
       put(m_index, m_vertices[i], int(i));
     m_surface = std::move(component.surface());
     m_border_size = m_surface.outer_border.size();
+    m_progress.start_stage(0, 0, 1, m_vertices.size());
     summary().seconds_hierarchy = m_timer.time();
   }
 
@@ -98,6 +102,15 @@ public:
     return m_interpolation;
   }
 
+  // Those of the run's solver, of which a solution takes this part of what is left of the run.
+  Linear_solver_options solver_options(double part_of_rest)
+  {
+    Linear_solver_options result = m_options.solver;
+    result.progress = &m_progress;
+    result.part_of_rest = part_of_rest;
+    return result;
+  }
+
   // Calls `parameterize()`, which makes a parameterizer whose solver is that of the session and writes its map to `uv`.
   // Where the session gives marks of the unknowns for a solution, a parameterizer that just copies it has done its
   // work, and the numbers replace the marks; any other one is called once more.
@@ -116,18 +129,19 @@ public:
     }
     if (code == OK && !session->finish())
       code = ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-    if (summary().stopped)
-      code = error();
+    if (m_progress.is_stopped())
+      code = ERROR_STOPPED;
     summary().linear_solver = session->summary();
-    return finish(code, uv);
+    return close(code, uv);
   }
 
   // The same for a parameterizer with its own solver.
   template <class Point, class Function>
   Error_code parameterize_alone(const std::vector<Point>& uv, const Function& parameterize)
   {
-    const Error_code code = parameterize();
-    return finish(code, uv);
+    constexpr double energy_at_start = 1;
+    const bool may_go_on = m_progress.tell(0, energy_at_start, 0);
+    return close(may_go_on ? parameterize() : ERROR_STOPPED, uv);
   }
 
   // Does with the flips of a map what the policy says.
@@ -146,6 +160,14 @@ public:
     if (summary().moved_vertices > 0)
       for (std::size_t i = 0; i < uv.size(); ++i)
         uv[i] = Point(map[i].x(), map[i].y());
+    return error();
+  }
+
+  // Tells that the map is finished. Returns `OK`, or `ERROR_STOPPED`.
+  Error_code finish()
+  {
+    if (!m_progress.finish())
+      summary().error.code = ERROR_STOPPED;
     return error();
   }
 
@@ -169,12 +191,13 @@ public:
       uv[i] = Point(map[i].x(), map[i].y());
     return code;
   }
+  Run_progress& progress() { return m_progress; }
 
   Parameterization_summary& summary() { return m_options.summary ? *m_options.summary : m_own_summary; }
 
 private:
   template <class Point>
-  Error_code finish(Error_code code, const std::vector<Point>& uv)
+  Error_code close(Error_code code, const std::vector<Point>& uv)
   {
     if (code == OK && !are_finite(uv))
       code = ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
@@ -187,6 +210,7 @@ private:
   // Of the surface there stays what the flip policy needs.
   void build_hierarchy()
   {
+    constexpr double part_of_hierarchy = 0.1;       // of the time, more or less
     CGAL::Real_timer timer;
     timer.start();
     Triangulated_surface_3 rest;
@@ -194,13 +218,14 @@ private:
       rest = m_surface;
     else if (m_options.flips.policy == Flip_policy::FAIL)
       rest.triangles = m_surface.triangles;
-    m_interpolation = m_options.build(std::move(m_surface), m_options.hierarchy, m_options.visitor.get());
+    Hierarchy_options options = m_options.hierarchy;
+    options.progress = &m_progress;
+    m_progress.start_stage(part_of_hierarchy);
+    m_interpolation = m_options.build(std::move(m_surface), options, m_options.visitor.get());
     m_surface = std::move(rest);
     summary().seconds_hierarchy += timer.time();
-    if (!m_interpolation) {
-      summary().stopped = true;
-      summary().error.code = ERROR_NO_1_TO_1_MAPPING;
-    }
+    if (!m_interpolation)
+      summary().error.code = ERROR_STOPPED;
   }
 
   template <class Point>
@@ -238,6 +263,7 @@ private:
   }
 
   const Wrapped_options& m_options;
+  Run_progress m_progress;
   CGAL::Real_timer m_timer;
   std::vector<vertex_descriptor> m_vertices;
   Index_map m_index;

@@ -15,7 +15,7 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The hierarchy of a surface as a linear solver needs it. Where no visitor wants to see it, it is built without its
-// faces; else it is null if the visitor has stopped the run.
+// faces; else it is null if the visitor has stopped the run, of which the options have the progress.
 std::shared_ptr<const Hierarchy_interpolation>
 build_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options, Any_hierarchy_visitor*);
 std::shared_ptr<const Hierarchy_interpolation>

@@ -25,7 +25,8 @@ build_visited_interpolation(Triangulated_surface_3 surface, const Hierarchy_opti
                             Any_hierarchy_visitor* visitor)
 {
   const Collapse_hierarchy_3 hierarchy(std::move(surface), options, Loops());
-  return visitor->hierarchy_built(hierarchy) ? std::make_shared<const Hierarchy_interpolation>(hierarchy) : nullptr;
+  const bool may_go_on = !options.progress->is_stopped() && visitor->hierarchy_built(hierarchy);
+  return may_go_on ? std::make_shared<const Hierarchy_interpolation>(hierarchy) : nullptr;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
