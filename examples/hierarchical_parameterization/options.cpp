@@ -56,8 +56,8 @@ bool read_options(int argc, char** argv, Options& options)
       "most steps of the linear solver (default 300)")(
       "weights", po::value(&weights),
       "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)")(
-      "flips", po::value(&flips)->default_value("fail"),
-      "of methods that can flip triangles: fail (an error), repair or keep")(
+      "flips", po::value(&flips)->default_value("repair"),
+      "of methods that can flip triangles: repair, fail (an error) or keep")(
       "globally-injective", po::bool_switch(&options.is_globally_injective),
       "mips, symmetric-dirichlet: keep the free border from running over itself")(
       "fill-holes", po::bool_switch(&options.fills_holes),
@@ -117,7 +117,7 @@ bool read_options(int argc, char** argv, Options& options)
                             : weights == "area" ? SMP::Triangle_weight::AREA
                                                 : SMP::Triangle_weight::ONE;
   if (flips != "fail" && flips != "repair" && flips != "keep")
-    throw Usage_error{ "unknown way with flips '" + flips + "'; there are: fail, repair, keep" };
+    throw Usage_error{ "unknown way with flips '" + flips + "'; there are: repair, fail, keep" };
   options.flip_policy = flips == "fail"     ? SMP::Flip_policy::FAIL
                         : flips == "repair" ? SMP::Flip_policy::REPAIR
                                             : SMP::Flip_policy::KEEP;

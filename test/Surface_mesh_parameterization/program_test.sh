@@ -84,8 +84,8 @@ expect 3 --method uniform --iterations 2 --report report.json
 is_field status '"ERROR_NO_1_TO_1_MAPPING"' "uniform --iterations 2"
 expect 0 --method uniform --iterations 2 --flips keep --report report.json
 is_field status '"not_converged"' "uniform --iterations 2 --flips keep"
-expect 0 --method uniform --iterations 2 --flips repair --report report.json
-is_field flips 0 "uniform --iterations 2 --flips repair"
+expect 0 --method uniform --iterations 2 --report report.json
+is_field flips 0 "uniform --iterations 2"
 expect 0 --weights area --tolerance 1e-3 --iterations 5 --quiet
 [ ! -s stdout ] && [ ! -s stderr ] || fail "--quiet printed something"
 

@@ -54,7 +54,8 @@ struct Level_summary
 
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
-/// What a `Multigrid_solver_traits` did.
+/// What a `Multigrid_solver_traits` did. All is 0 if a parameterizer ran with its own solver, as LSCM does on small
+/// surfaces.
 struct Linear_solver_summary
 {
   std::size_t setups = 0;             ///< matrices for which the grids were set up
@@ -62,8 +63,9 @@ struct Linear_solver_summary
   std::size_t iterations = 0;      ///< the most iterations for one right-hand side, of conjugate gradients or BiCGSTAB
   double residual =
       0;      ///< the greatest relative residual at the end, recomputed from the solution; rows scaled to unit diagonal
-  std::size_t direct_solutions =
-      0;      ///< right-hand sides that a direct solver took over: no convergence, or unknowns that match no vertices
+  /// right-hand sides for which there was no multigrid, or no convergence: a direct solver solved, or that of the
+  /// parameterizer
+  std::size_t direct_solutions = 0;
   double seconds_setup = 0;           ///< wall-clock time of the setups
   double seconds_solve = 0;           ///< wall-clock time of the iterations and direct solutions
 };
