@@ -10,6 +10,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Own_solver.h>
+
+#include <CGAL/Eigen_matrix.h>
+#include <CGAL/Eigen_solver_traits.h>
+
+#include <Eigen/IterativeLinearSolvers>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -21,6 +27,9 @@ make_multigrid_linear_solver<1>(const Hierarchy_interpolation*, std::shared_ptr<
 template std::unique_ptr<Linear_solver>
 make_multigrid_linear_solver<2>(const Hierarchy_interpolation*, std::shared_ptr<const Sparse_rows<double>>,
                                 std::vector<Mesh_unknown>, const std::vector<Index>&);
+template std::unique_ptr<Direct_solver>
+make_own_solver<Eigen_solver_traits<Eigen::BiCGSTAB<Eigen_sparse_matrix<double>::EigenType, Eigen::IncompleteLUT<double>>>>(
+    const Sparse_rows<double>&);
 template Error_code solve_directly<true>(const Edge_system&, Level::Uv&);
 template Error_code solve_directly<false>(const Edge_system&, Level::Uv&);
 

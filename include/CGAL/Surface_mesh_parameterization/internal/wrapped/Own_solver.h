@@ -18,6 +18,17 @@
 #include <memory>
 #include <type_traits>
 
+// Declared only: Eigen's headers are for those who use its solvers.
+namespace Eigen {
+template <typename, int, typename> class SparseMatrix;
+template <typename, typename> class BiCGSTAB;
+template <typename, typename> class IncompleteLUT;
+} // namespace Eigen
+
+namespace CGAL {
+template <class> class Eigen_solver_traits;
+} // namespace CGAL
+
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The solver that a parameterizer has without the adaptor, a model of SparseLinearAlgebraTraits_d.
@@ -66,6 +77,13 @@ std::unique_ptr<Direct_solver> make_own_solver(const Sparse_rows<double>& rows)
 {
   return std::make_unique<Own_solver<SolverTraits>>(rows);
 }
+
+#ifdef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+// That of CGAL's parameterizers with a fixed border, by default.
+extern template std::unique_ptr<Direct_solver>
+make_own_solver<CGAL::Eigen_solver_traits<Eigen::BiCGSTAB<Eigen::SparseMatrix<double, 0, int>,
+                                                          Eigen::IncompleteLUT<double, int>>>>(const Sparse_rows<double>&);
+#endif
 
 // The traits of that solver; void if nobody knows them.
 template <class Parameterizer>
