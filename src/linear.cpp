@@ -27,9 +27,7 @@ make_multigrid_linear_solver<1>(const Hierarchy_interpolation*, std::shared_ptr<
 template std::unique_ptr<Linear_solver>
 make_multigrid_linear_solver<2>(const Hierarchy_interpolation*, std::shared_ptr<const Sparse_rows<double>>,
                                 std::vector<Mesh_unknown>, const std::vector<Index>&);
-template std::unique_ptr<Direct_solver>
-make_own_solver<Eigen_solver_traits<Eigen::BiCGSTAB<Eigen_sparse_matrix<double>::EigenType, Eigen::IncompleteLUT<double>>>>(
-    const Sparse_rows<double>&);
+template std::unique_ptr<Direct_solver> make_own_solver<Default_solver_traits>(const Sparse_rows<double>&);
 template Error_code solve_directly<true>(const Edge_system&, Level::Uv&);
 template Error_code solve_directly<false>(const Edge_system&, Level::Uv&);
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// CGAL's parameterizers as they are and in Hierarchical_parameterizer_3: on several mesh types and with all borders, the
-// seconds of both calls, in turn, and how far apart their maps are. CSV on stdout.
+// CGAL's parameterizers as they are and in Hierarchical_parameterizer_3: on several mesh types and with all borders,
+// the seconds of both calls, in turn, and how far apart their maps are. CSV on stdout.
 
 #include "benchmark_utilities.h"
 
@@ -26,8 +26,10 @@
 #include <utility>
 
 typedef CGAL::Polyhedron_3<Kernel>   Polyhedron;
-typedef CGAL::Seam_mesh<Mesh, Mesh::Property_map<Mesh::Edge_index, bool>, Mesh::Property_map<Mesh::Vertex_index, bool>>   Seam_mesh;
-typedef CGAL::Face_filtered_graph<Mesh>   Filtered_mesh;
+typedef Mesh::Property_map<Mesh::Edge_index, bool>                 Seam_edge_map;
+typedef Mesh::Property_map<Mesh::Vertex_index, bool>               Seam_vertex_map;
+typedef CGAL::Seam_mesh<Mesh, Seam_edge_map, Seam_vertex_map>      Seam_mesh;
+typedef CGAL::Face_filtered_graph<Mesh>                            Filtered_mesh;
 
 struct Choice
 {
@@ -106,11 +108,16 @@ template <class Border, class TriangleMesh>
 void compare_fixed_borders(const Named_mesh& input, TriangleMesh& mesh, const std::string& mesh_type,
                            const std::string& border, const Choice& choice)
 {
-  compare<SMP::Barycentric_mapping_parameterizer_3<TriangleMesh, Border>>(input, mesh, mesh_type, "barycentric", border, choice);
-  compare<SMP::Mean_value_coordinates_parameterizer_3<TriangleMesh, Border>>(input, mesh, mesh_type, "mean-value", border, choice);
-  compare<SMP::Discrete_conformal_map_parameterizer_3<TriangleMesh, Border>>(input, mesh, mesh_type, "conformal", border, choice);
-  compare<SMP::Discrete_authalic_parameterizer_3<TriangleMesh, Border>>(input, mesh, mesh_type, "authalic", border, choice);
-  compare<SMP::Iterative_authalic_parameterizer_3<TriangleMesh, Border>>(input, mesh, mesh_type, "iterative-authalic", border, choice);
+  compare<SMP::Barycentric_mapping_parameterizer_3<TriangleMesh, Border>>(
+      input, mesh, mesh_type, "barycentric", border, choice);
+  compare<SMP::Mean_value_coordinates_parameterizer_3<TriangleMesh, Border>>(
+      input, mesh, mesh_type, "mean-value", border, choice);
+  compare<SMP::Discrete_conformal_map_parameterizer_3<TriangleMesh, Border>>(
+      input, mesh, mesh_type, "conformal", border, choice);
+  compare<SMP::Discrete_authalic_parameterizer_3<TriangleMesh, Border>>(
+      input, mesh, mesh_type, "authalic", border, choice);
+  compare<SMP::Iterative_authalic_parameterizer_3<TriangleMesh, Border>>(
+      input, mesh, mesh_type, "iterative-authalic", border, choice);
 }
 
 // With CGAL's default borders.
@@ -125,9 +132,12 @@ void compare_on_surface_mesh(Named_mesh& input, const Choice& choice)
 {
   const std::string type = "Surface_mesh";
   compare_on(input, input.mesh, type, choice);
-  compare_fixed_borders<SMP::Circular_border_uniform_parameterizer_3<Mesh>>(input, input.mesh, type, "circle-uniform", choice);
-  compare_fixed_borders<SMP::Square_border_arc_length_parameterizer_3<Mesh>>(input, input.mesh, type, "square", choice);
-  compare_fixed_borders<SMP::Square_border_uniform_parameterizer_3<Mesh>>(input, input.mesh, type, "square-uniform", choice);
+  compare_fixed_borders<SMP::Circular_border_uniform_parameterizer_3<Mesh>>(
+      input, input.mesh, type, "circle-uniform", choice);
+  compare_fixed_borders<SMP::Square_border_arc_length_parameterizer_3<Mesh>>(
+      input, input.mesh, type, "square", choice);
+  compare_fixed_borders<SMP::Square_border_uniform_parameterizer_3<Mesh>>(
+      input, input.mesh, type, "square-uniform", choice);
 }
 
 void compare_on_polyhedron(Named_mesh& input, const Choice& choice)
@@ -187,8 +197,8 @@ void run(int argc, char* argv[])
   Named_mesh input = only_mesh(values);
   subdivide(input.mesh, count_of(values, "subdivide", 0, 12));
   input.mesh.collect_garbage();
-  std::cout << "mesh,triangles,mesh_type,parameterizer,border,error_of_cgal,error,seconds_of_cgal,seconds,ratio,difference,flips,"
-               "moved_vertices,iterations,direct_solutions"
+  std::cout << "mesh,triangles,mesh_type,parameterizer,border,error_of_cgal,error,seconds_of_cgal,seconds,ratio,"
+               "difference,flips,moved_vertices,iterations,direct_solutions"
             << std::endl;
   const std::pair<const char*, void (*)(Named_mesh&, const Choice&)> comparisons[] = {
     { "Surface_mesh", compare_on_surface_mesh }, { "Polyhedron_3", compare_on_polyhedron },

@@ -77,7 +77,7 @@ std::unique_ptr<Direct_solver> factorize_rows(const Sparse_rows<double>& a)
   return factorize<Real>(a.number_of_rows(), entries);
 }
 
-typedef decltype(&factorize_rows<double>)   Make_direct_solver;
+typedef std::unique_ptr<Direct_solver> (*Make_direct_solver)(const Sparse_rows<double>&);
 
 #ifdef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
 extern template std::unique_ptr<Direct_solver> factorize_symmetric<double>(Index, const std::vector<Matrix_entry>&);

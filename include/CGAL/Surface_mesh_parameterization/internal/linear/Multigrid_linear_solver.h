@@ -228,7 +228,8 @@ private:
   {
     result.is_direct = true;
     if (!m_direct_solver)
-      m_direct_solver = options.make_direct_solver(*m_system.rows());
+      m_direct_solver = options.make_direct_solver ? options.make_direct_solver(*m_system.rows())
+                                                   : factorize_rows(*m_system.rows());
     if (!m_direct_solver)
       return;
     m_direct_solver->solve_side_by_side([&](Index i) { return b[i]; }, x);

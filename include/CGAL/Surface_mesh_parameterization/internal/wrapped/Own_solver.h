@@ -80,9 +80,10 @@ std::unique_ptr<Direct_solver> make_own_solver(const Sparse_rows<double>& rows)
 
 #ifdef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
 // That of CGAL's parameterizers with a fixed border, by default.
-extern template std::unique_ptr<Direct_solver>
-make_own_solver<CGAL::Eigen_solver_traits<Eigen::BiCGSTAB<Eigen::SparseMatrix<double, 0, int>,
-                                                          Eigen::IncompleteLUT<double, int>>>>(const Sparse_rows<double>&);
+typedef Eigen_solver_traits<Eigen::BiCGSTAB<Eigen::SparseMatrix<double, 0, int>, Eigen::IncompleteLUT<double, int>>>
+    Default_solver_traits;
+
+extern template std::unique_ptr<Direct_solver> make_own_solver<Default_solver_traits>(const Sparse_rows<double>&);
 #endif
 
 // The traits of that solver; void if nobody knows them.

@@ -156,7 +156,8 @@ private:
     if (!Use::has_wild_weights && !run.interpolation())      // early, while no matrix takes memory
       return run.error();
     const auto session =
-        std::make_shared<Multigrid_session>([&run] { return run.interpolation(); }, run.solver_options(Use::part_of_solution),
+        std::make_shared<Multigrid_session>([&run] { return run.interpolation(); },
+                                            run.solver_options(Use::part_of_solution),
                                             &make_multigrid_linear_solver<Use::solves_in_pairs ? 2 : 1>,
                                             Use::solves_in_pairs);
     if (can_repeat)
