@@ -58,12 +58,12 @@ for method in uniform chordal harmonic shape-preserving; do
   # The same map but for the last digits.
   paste <(grep '^vt ' nested.obj) <(grep '^vt ' flat.obj) | awk '{ if (($2-$5)^2 + ($3-$6)^2 > 1e-12) exit 1 }' || fail "$method: flat and hierarchical maps differ"
 done
-# CGAL's parameterizers: the same map by multigrid and as they are shipped.
+# CGAL's parameterizers: the same map by multigrid, or by their own solver, and as they are shipped.
 for method in barycentric mean-value conformal authalic iterative-authalic lscm; do
   expect 0 --method $method --output multigrid.obj --report report.json
   is_field method "\"$method\"" $method
   is_field status '"ok"' $method
-  is_field direct_solutions 0 $method
+  case $method in barycentric | mean-value | conformal) is_field direct_solutions 0 $method ;; esac
   [ "$(wc -l <stdout)" -eq 1 ] || fail "$method printed $(wc -l <stdout) lines instead of one"
   expect 0 --method $method --flat --output shipped.obj --report report.json
   is_field status '"ok"' "$method --flat"
@@ -80,8 +80,8 @@ is_field status '"ok"' "arap --flat"
 expect 0 --method mean-value --iterations 0 --report report.json
 is_field direct_solutions 2 "mean-value --iterations 0"
 
-expect 3 --method uniform --iterations 2 --report report.json
-is_field status '"ERROR_NO_1_TO_1_MAPPING"' "uniform --iterations 2"
+expect 3 --method uniform --iterations 2 --flips fail --report report.json
+is_field status '"ERROR_NO_1_TO_1_MAPPING"' "uniform --iterations 2 --flips fail"
 expect 0 --method uniform --iterations 2 --flips keep --report report.json
 is_field status '"not_converged"' "uniform --iterations 2 --flips keep"
 expect 0 --method uniform --iterations 2 --report report.json
