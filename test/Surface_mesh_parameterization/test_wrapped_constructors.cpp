@@ -27,6 +27,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 
 // A user's own parameterizer, as small as can be: every vertex but those of the border goes to the mean of its
 // neighbors.
@@ -38,6 +39,7 @@ template <class Mesh, class Solver>
 struct Mean_parameterizer
 {
   typedef Mesh Triangle_mesh;
+  static inline double weight = 1;      // of an edge
 
   template <class Halfedge, class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   SMP::Error_code parameterize(Mesh& mesh, Halfedge bhd, VertexUVMap uvmap, VertexIndexMap vimap,
@@ -55,8 +57,8 @@ struct Mean_parameterizer
         right_side_v.set(i, get(uvmap, vertex).y());
       } else
         for (const auto neighbor : CGAL::vertices_around_target(vertex, mesh)) {
-          matrix.add_coef(i, i, 1);
-          matrix.add_coef(i, get(vimap, neighbor), -1);
+          matrix.add_coef(i, i, weight);
+          matrix.add_coef(i, get(vimap, neighbor), -weight);
         }
     }
     Solver solver;
@@ -70,6 +72,23 @@ struct Mean_parameterizer
   }
 };
 
+// Tries again whenever it fails.
+template <class Mesh, class Solver>
+struct Stubborn_parameterizer : Mean_parameterizer<Mesh, Solver>
+{
+  static constexpr int most_tries = 1000;
+  static inline int tries = 0;
+
+  template <class... Arguments>
+  SMP::Error_code parameterize(Mesh& mesh, const Arguments&... arguments)
+  {
+    for (tries = 1; tries < most_tries; ++tries)
+      if (Mean_parameterizer<Mesh, Solver>::parameterize(mesh, arguments...) == SMP::OK)
+        return SMP::OK;
+    return SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+  }
+};
+
 } // namespace archetype
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -78,6 +97,12 @@ template <class Mesh, class Solver, class NewSolver>
 struct Rebind_solver<archetype::Mean_parameterizer<Mesh, Solver>, NewSolver>
 {
   typedef archetype::Mean_parameterizer<Mesh, NewSolver>   type;
+};
+
+template <class Mesh, class Solver, class NewSolver>
+struct Rebind_solver<archetype::Stubborn_parameterizer<Mesh, Solver>, NewSolver>
+{
+  typedef archetype::Stubborn_parameterizer<Mesh, NewSolver>   type;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization
@@ -217,6 +242,33 @@ TEST(Rebind_solver, opens_the_adaptor_to_a_parameterizer_of_the_user)
   EXPECT_EQ(Mapped<Surface_mesh>(mesh).parameterize(parameterizer, longest_border(mesh)), OK);
   EXPECT_EQ(summary.linear_solver.setups, 1u);
   EXPECT_EQ(summary.linear_solver.right_sides, 2u);
+}
+
+// Stops a run in the linear solver, of which it is told the iterations.
+struct Visitor_that_stops_the_solver : Hierarchy_visitor_3
+{
+  bool progressed(const Parameterization_progress& progress) { return progress.iterations == 0; }
+};
+
+TEST(Rebind_solver, lets_a_stop_and_failures_end_a_parameterizer_that_would_go_on)
+{
+  typedef archetype::Stubborn_parameterizer<Surface_mesh, Multigrid_solver_traits>   Parameterizer;
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
+  const auto run = [&](const auto& np) {
+    Mapped<Surface_mesh> mapped(mesh);
+    const Error_code code =
+        mapped.parameterize(Hierarchical_parameterizer_3<Parameterizer>(np), longest_border(mesh));
+    EXPECT_TRUE(code == OK || mapped.is_untouched());
+    return code;
+  };
+  EXPECT_EQ(run(parameters::random_seed(1)), OK);
+  EXPECT_EQ(Parameterizer::tries, 1);
+  EXPECT_EQ(run(parameters::visitor(Visitor_that_stops_the_solver())), ERROR_STOPPED);
+  EXPECT_EQ(Parameterizer::tries, 1);
+  Parameterizer::weight = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(run(parameters::random_seed(1)), ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
+  EXPECT_LE(Parameterizer::tries, 10);
+  Parameterizer::weight = 1;
 }
 
 } // namespace

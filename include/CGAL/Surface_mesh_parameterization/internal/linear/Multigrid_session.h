@@ -21,6 +21,11 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+// Is thrown by the solver of a run, through the parameterizer that uses it, where the run is to end. Not each one
+// would end by itself: Iterative_authalic_parameterizer_3 tries again, and its counter of failures starts at any number.
+struct Solver_gives_up
+{ };
+
 // What the copies of a Multigrid_solver_traits share: the hierarchy, and the solver that was set up last.
 class Multigrid_session
   : private Deferring_solver
@@ -63,7 +68,7 @@ public:
   // multigrid, the solver solves directly.
   bool set_up(const Sparse_matrix& matrix, const std::vector<Index>& tied_vertices = {});
 
-  // Solves with a matrix for one right side.
+  // Solves with a matrix for one right side. In a run, it gives up if the run is stopped, or after some failures.
   CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE virtual bool solve(const Sparse_matrix& matrix, const Vector& right_side,
                                                                Vector& solution);
 
@@ -108,6 +113,7 @@ private:
   std::vector<double> m_waiting_right_side;
   std::shared_ptr<Vector::Numbers> m_waiting_solution;
   bool m_all_solved = true;       // of what was put off
+  int m_failures = 0;             // in a row
   Linear_solver_summary m_summary;
 };
 

@@ -158,9 +158,13 @@ bool Multigrid_session::make_solver(std::shared_ptr<const Sparse_rows<double>> r
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution)
 {
-  if (is_stopped(m_options) || !set_up(matrix))
-    return false;
-  return m_defers && m_solver ? put_off(right_side, solution) : solve(right_side, solution);
+  constexpr int most_failures = 5;
+  const bool is_solved =
+      set_up(matrix) && (m_defers && m_solver ? put_off(right_side, solution) : solve(right_side, solution));
+  m_failures = is_solved ? 0 : m_failures + 1;
+  if (is_stopped(m_options) || (m_options.progress && m_failures == most_failures))
+    throw Solver_gives_up();
+  return is_solved;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

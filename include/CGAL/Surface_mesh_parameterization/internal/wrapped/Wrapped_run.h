@@ -118,17 +118,11 @@ public:
   Error_code parameterize(const std::shared_ptr<Multigrid_session>& session, std::vector<Point>& uv,
                           const Function& parameterize, bool copies_solution = false)
   {
-    const Multigrid_solver_traits::Scope scope{ Multigrid_solver_traits(session) };
-    Error_code code = parameterize();
-    if (session->has_given_marks()) {
-      const bool are_clear = session->read_marks(flat_map(uv));
-      if (code == OK && are_clear && copies_solution)
-        code = replace_marks(*session, uv);
-      else
-        code = parameterize();
+    Error_code code = ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+    try {
+      code = solve_and_copy(session, uv, parameterize, copies_solution);
     }
-    if (code == OK && !session->finish())
-      code = ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+    catch (const Solver_gives_up&) { }
     if (m_progress.is_stopped())
       code = ERROR_STOPPED;
     summary().linear_solver = session->summary();
@@ -191,11 +185,25 @@ public:
       uv[i] = Point(map[i].x(), map[i].y());
     return code;
   }
+
   Run_progress& progress() { return m_progress; }
 
   Parameterization_summary& summary() { return m_options.summary ? *m_options.summary : m_own_summary; }
 
 private:
+  template <class Point, class Function>
+  static Error_code solve_and_copy(const std::shared_ptr<Multigrid_session>& session, std::vector<Point>& uv,
+                                   const Function& parameterize, bool copies_solution)
+  {
+    const Multigrid_solver_traits::Scope scope{ Multigrid_solver_traits(session) };
+    Error_code code = parameterize();
+    if (session->has_given_marks()) {
+      const bool are_clear = session->read_marks(flat_map(uv));
+      code = code == OK && are_clear && copies_solution ? replace_marks(*session, uv) : parameterize();
+    }
+    return code == OK && !session->finish() ? ERROR_CANNOT_SOLVE_LINEAR_SYSTEM : code;
+  }
+
   template <class Point>
   Error_code close(Error_code code, const std::vector<Point>& uv)
   {
