@@ -10,4 +10,4 @@ configure "$build" -DCMAKE_BUILD_TYPE=Release -DHIERARCHICAL_PARAMETERIZATION_BU
 cmake --build "$build" -j"$(nproc)"
 unlock
 cd "$build"
-exec ctest --output-on-failure -j2 "$@"
+exec ctest --output-on-failure --timeout 600 -j2 "$@"
