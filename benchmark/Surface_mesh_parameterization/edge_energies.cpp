@@ -44,22 +44,6 @@ public:
   const SMP::internal::Edge_system& system() const { return m_system; }
   const SMP::Level& level() const { return m_level; }
 
-  // Every vertex that is not on the border in the middle of the circle.
-  SMP::Level::Uv start() const
-  {
-    SMP::Level::Uv uv(m_level.number_of_vertices(), middle());
-    for (SMP::Level::Index v = 0; v < uv.size(); ++v)
-      if (m_level.is_fixed(v))
-        uv[v] = m_level.fixed_place(v);
-    return uv;
-  }
-
-  SMP::Level::Point_2 middle() const
-  {
-    const double half = std::ldexp(0.5, m_level.scale_exponent());
-    return SMP::Level::Point_2(half, half);
-  }
-
   // The map that a parameterizer has found.
   SMP::Level::Uv read(const Mesh& mesh) const
   {
@@ -89,81 +73,59 @@ private:
 
 // ---- solvers: each returns the number of its iterations ----
 
-template <bool is_symmetric>
-std::size_t sweep(const SMP::internal::Edge_system& system, const Limits& limits, bool is_over_relaxed,
-                  SMP::Level::Uv& uv)
+std::size_t solve_by_Gauss_Seidel(const SMP::internal::Edge_system& system, const Limits& limits, SMP::Level::Uv& uv)
 {
-  SMP::internal::Relaxation_factor factor(is_symmetric);
-  factor.start(system.size());
-  for (std::size_t sweeps = 1; sweeps < limits.iterations; ++sweeps) {
-    const double residual = system.sweep(uv, is_over_relaxed ? factor.value() : 1);
-    factor.learn(residual);
-    if (residual <= limits.tolerance)
-      return sweeps;
+  std::size_t sweeps = 0;
+  while (sweeps < limits.iterations && system.relative_residual(uv) > limits.tolerance) {
+    for (SMP::Level::Index v = 0; v < system.size(); ++v)
+      if (!system.level().is_fixed(v))
+        uv[v] = uv[v] + system.residual(v, uv);
+    ++sweeps;
   }
-  return limits.iterations;
+  return sweeps;
 }
 
-// The matrix of an edge system without its fixed vertices, its two right sides, and where its unknowns belong.
-struct Edge_matrix
+// The matrix of an edge system without its fixed vertices, by rows.
+Eigen::SparseMatrix<double, Eigen::RowMajor> matrix_of(const SMP::internal::Edge_system& system,
+                                                       const std::vector<SMP::Level::Index>& free_vertices)
 {
-  Eigen::SparseMatrix<double> matrix;
-  Eigen::MatrixX2d right_side;
-  std::vector<SMP::Level::Index> vertices;
-
-  explicit Edge_matrix(const SMP::internal::Edge_system& system)
-  {
-    const SMP::Level& level = system.level();
-    std::vector<Eigen::Index> unknown(system.size(), -1);
-    for (SMP::Level::Index i = 0; i < system.size(); ++i)
-      if (!level.is_fixed(i)) {
-        unknown[i] = Eigen::Index(vertices.size());
-        vertices.push_back(i);
-      }
-    const Eigen::Index n = Eigen::Index(vertices.size());
-    matrix.resize(n, n);
-    right_side.setZero(n, 2);
-    std::vector<Eigen::Triplet<double>> entries;
-    for (Eigen::Index row = 0; row < n; ++row) {
-      const SMP::Level::Index i = vertices[std::size_t(row)];
-      entries.emplace_back(row, row, system.sum_of_weights(i));
-      const SMP::Level::Ring ring = level.one_ring(i);
-      for (std::size_t k = 0; k < ring.size(); ++k)
-        if (const SMP::Level::Index j = ring[k]; unknown[j] >= 0)
-          entries.emplace_back(row, unknown[j], -system.weight(i, k));
-        else
-          right_side.row(row) +=
-              system.weight(i, k) * Eigen::RowVector2d(level.fixed_place(j).x(), level.fixed_place(j).y());
-    }
-    matrix.setFromTriplets(entries.begin(), entries.end());
-  }
-};
+  const SMP::internal::Sparse_rows<double> rows = system.matrix(free_vertices);
+  const Eigen::Index n = Eigen::Index(free_vertices.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (SMP::Level::Index i = 0; i < rows.number_of_rows(); ++i)
+    for (SMP::Level::Index k = rows.first[i]; k < rows.first[i + 1]; ++k)
+      entries.emplace_back(i, rows.columns[k], rows.values[k]);
+  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
 
 // Conjugate gradients, or BiCGSTAB where the matrix is not symmetric, with Jacobi's preconditioner, which is what Eigen
 // takes unless told otherwise.
 template <bool is_symmetric>
-std::size_t solve_by_Krylov_method(const SMP::internal::Edge_system& system, const Limits& limits,
-                                   const SMP::Level::Point_2& middle, SMP::Level::Uv& uv)
+std::size_t solve_by_Krylov_method(const SMP::internal::Edge_system& system, const Limits& limits, SMP::Level::Uv& uv)
 {
   typedef Eigen::SparseMatrix<double, Eigen::RowMajor>   Matrix;
   typedef std::conditional_t<is_symmetric, Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper>, Eigen::BiCGSTAB<Matrix>>   Solver;
-  const Edge_matrix a(system);
+  const std::vector<SMP::Level::Index> vertices = system.free_vertices();
+  Eigen::MatrixX2d right_side(Eigen::Index(vertices.size()), 2);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    const SMP::internal::Vector_2 b = system.right_side(vertices[k], uv);
+    right_side.row(Eigen::Index(k)) = Eigen::RowVector2d(b.x(), b.y());
+  }
   Solver solver;
   solver.setTolerance(limits.tolerance);
   solver.setMaxIterations(Eigen::Index(limits.iterations));
-  const Matrix by_rows = a.matrix;      // the solver keeps a reference
-  solver.compute(by_rows);
+  const Matrix matrix = matrix_of(system, vertices);      // the solver keeps a reference
+  solver.compute(matrix);
+  Eigen::MatrixX2d steps(right_side.rows(), 2);
   std::size_t iterations = 0;
   for (const int coordinate : { 0, 1 }) {
-    const Eigen::VectorXd guess = Eigen::VectorXd::Constant(a.right_side.rows(), middle[coordinate]);
-    const Eigen::VectorXd solution = solver.solveWithGuess(a.right_side.col(coordinate), guess);
+    steps.col(coordinate) = solver.solve(right_side.col(coordinate));
     iterations = (std::max)(iterations, std::size_t(solver.iterations()));
-    for (std::size_t row = 0; row < a.vertices.size(); ++row) {
-      const SMP::Level::Point_2 p = uv[a.vertices[row]];
-      uv[a.vertices[row]] = coordinate == 0 ? SMP::Level::Point_2(solution[Eigen::Index(row)], p.y())
-                                            : SMP::Level::Point_2(p.x(), solution[Eigen::Index(row)]);
-    }
   }
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+    uv[vertices[k]] = uv[vertices[k]] + SMP::internal::Vector_2(steps(Eigen::Index(k), 0), steps(Eigen::Index(k), 1));
   return iterations;
 }
 
@@ -204,19 +166,13 @@ public:
       m_solution = uv;
       return 0;
     });
-    measure("gauss-seidel", [&](SMP::Level::Uv& uv) {
-      return sweep<EdgeWeights::is_symmetric>(m_problem.system(), m_limits, false, uv);
-    });
-    measure("over-relaxation", [&](SMP::Level::Uv& uv) {
-      return sweep<EdgeWeights::is_symmetric>(m_problem.system(), m_limits, true, uv);
-    });
+    measure("gauss-seidel",
+            [&](SMP::Level::Uv& uv) { return solve_by_Gauss_Seidel(m_problem.system(), m_limits, uv); });
     measure(EdgeWeights::is_symmetric ? "conjugate-gradients" : "bicgstab", [&](SMP::Level::Uv& uv) {
-      return solve_by_Krylov_method<EdgeWeights::is_symmetric>(m_problem.system(), m_limits, m_problem.middle(), uv);
+      return solve_by_Krylov_method<EdgeWeights::is_symmetric>(m_problem.system(), m_limits, uv);
     });
-    constexpr std::size_t few_sweeps = 10;
-    measure_nested("nested-10-sweeps", few_sweeps);
-    measure_nested("nested", m_limits.iterations);
-    measure_multigrid();
+    measure_nested();
+    measure_wrapped();
   }
 
 private:
@@ -224,33 +180,32 @@ private:
   template <class Solve>
   void measure(const std::string& solver, const Solve& solve)
   {
-    SMP::Level::Uv uv = m_problem.start();
+    SMP::Level::Uv uv;
+    m_problem.system().put_in_one_point(uv);
     std::size_t iterations = 0;
     const double seconds = seconds_of([&] { iterations = solve(uv); });
     print(solver, iterations, uv, seconds);
   }
 
   // All of it: reading the mesh, the hierarchy, and solving on every level.
-  void measure_nested(const std::string& solver, std::size_t sweeps)
+  void measure_nested()
   {
     SMP::Parameterization_summary summary;
-    const Method method({}, {}, CGAL::parameters::tolerance(m_limits.tolerance).number_of_iterations(sweeps));
+    const Method method({}, {}, CGAL::parameters::tolerance(m_limits.tolerance));
     parameterize(m_mesh,
                  SMP::Hierarchical_parameterizer_3<Method>(method, CGAL::parameters::summary(std::ref(summary))));
-    print(solver, summary.levels.back().iterations, m_problem.read(m_mesh),
+    print("nested", summary.levels.back().iterations, m_problem.read(m_mesh),
           summary.seconds_hierarchy + summary.seconds_parameterize);
   }
 
   // All of it, too: also the assembly of the system by CGAL's parameterizer.
-  void measure_multigrid()
+  void measure_wrapped()
   {
     typedef typename CGAL_parameterizer<EdgeWeights>::type   CGAL_method;
     SMP::Parameterization_summary summary;
-    const auto np = CGAL::parameters::tolerance(m_limits.tolerance)
-                        .summary(std::ref(summary))
-                        .number_of_iterations(m_limits.iterations);
+    const auto np = CGAL::parameters::tolerance(m_limits.tolerance).summary(std::ref(summary));
     parameterize(m_mesh, SMP::Hierarchical_parameterizer_3<CGAL_method>(np));
-    print("multigrid", summary.linear_solver.iterations, m_problem.read(m_mesh),
+    print("wrapped", summary.linear_solver.iterations, m_problem.read(m_mesh),
           summary.seconds_hierarchy + summary.seconds_parameterize);
   }
 

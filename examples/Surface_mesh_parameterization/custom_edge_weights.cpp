@@ -71,7 +71,7 @@ bool run(const std::string& name, Mesh& mesh)
   }
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(mesh, uvmap);
   std::cout << name << ": distortion of angles " << quality.angle << ", of areas " << quality.area << ", "
-            << result.levels.back().iterations << " sweeps on the finest level\n";
+            << result.levels.back().iterations << " iterations on the finest level\n";
   return true;
 }
 

@@ -35,38 +35,40 @@ bool read_options(int argc, char** argv, Options& options)
   namespace po = boost::program_options;
   std::string method, weights, flips;
   po::options_description described("Options");
-  described.add_options()("help,h", "print this text")("version", "print the version")(
-      "method", po::value(&method)->default_value("mips"),
-      "one of those above")("output", po::value(&options.output),
-                            "write the mesh with its map as OBJ, or as PLY with the vertex properties u and v; as "
-                            "OBJ if the name has no ending")(
-      "picture", po::value(&options.picture), "draw the map as SVG, colored by distortion")(
-      "report", po::value(&options.report),
-      "write figures as JSON, one line per input")("levels", po::value(&options.levels),
-                                                   "write every level of the hierarchy as OBJ into this folder")(
-      "triangulate", po::bool_switch(&options.triangulate), "cut faces of more than three corners into triangles")(
-      "flat", po::bool_switch(&options.flat),
-      "run the method without the hierarchy; those of CGAL as they are shipped")(
-      "tolerance", po::value(&options.tolerance),
+  auto add = described.add_options();
+  add("help,h", "print this text");
+  add("version", "print the version");
+  add("method", po::value(&method)->default_value("mips"), "one of those above");
+  add("output", po::value(&options.output),
+      "write the mesh with its map as OBJ, or as PLY with the vertex properties u and v; as OBJ if the name has no "
+      "ending");
+  add("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion");
+  add("report", po::value(&options.report), "write figures as JSON, one line per input");
+  add("levels", po::value(&options.levels), "write every level of the hierarchy as OBJ into this folder");
+  add("triangulate", po::bool_switch(&options.triangulate), "cut faces of more than three corners into triangles");
+  add("flat", po::bool_switch(&options.flat),
+      "run the method without the hierarchy; those of CGAL as they are shipped");
+  add("tolerance", po::value(&options.tolerance),
       "mips, symmetric-dirichlet, arap: converged when a step lowers the energy by less than this part of its excess "
-      "over the minimum "
-      "(default 1e-6); others: when the relative residual is not greater (default 1e-8, of CGAL's 1e-10)")(
-      "iterations", po::value(&options.iterations),
-      "the most steps on a level: of Newton's method (default 200), or sweeps (default 10000); of CGAL's methods: the "
-      "most steps of the linear solver (default 300)")(
-      "weights", po::value(&weights),
-      "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)")(
-      "flips", po::value(&flips)->default_value("repair"),
-      "of methods that can flip triangles: repair, fail (an error) or keep")(
-      "globally-injective", po::bool_switch(&options.is_globally_injective),
-      "mips, symmetric-dirichlet: keep the free border from running over itself")(
-      "fill-holes", po::bool_switch(&options.fills_holes),
+      "over the minimum (default 1e-6); others: when the relative residual is not greater (default 1e-8, of CGAL's "
+      "1e-10)");
+  add("iterations", po::value(&options.iterations),
+      "mips, symmetric-dirichlet, arap: the most steps of Newton's method on a level (default 200); others: of the "
+      "linear solver, before a direct one takes over (default 300)");
+  add("weights", po::value(&weights),
+      "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)");
+  add("flips", po::value(&flips)->default_value("repair"),
+      "of methods that can flip triangles: repair, fail (an error) or keep");
+  add("globally-injective", po::bool_switch(&options.is_globally_injective),
+      "mips, symmetric-dirichlet: keep the free border from running over itself");
+  add("fill-holes", po::bool_switch(&options.fills_holes),
       "close every border but the longest one by a virtual vertex, so that a hole is laid out as a part of the "
-      "surface")("seed", po::value(&options.seed)->default_value(0),
-                 "of the random choices: the same seed gives the same result")(
-      "threads", po::value(&options.threads)->default_value(0),
-      "the most threads to use, if built with TBB; 0: as many as there are. The result is the same")(
-      "quiet", po::bool_switch(&options.quiet), "print errors only");
+      "surface");
+  add("seed", po::value(&options.seed)->default_value(0),
+      "of the random choices: the same seed gives the same result");
+  add("threads", po::value(&options.threads)->default_value(0),
+      "the most threads to use, if built with TBB; 0: as many as there are. The result is the same");
+  add("quiet", po::bool_switch(&options.quiet), "print errors only");
   po::options_description all;
   all.add(described).add_options()("input", po::value(&options.inputs));
   po::variables_map values;

@@ -11,7 +11,6 @@
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/Edge_system.h>
-#include <CGAL/Surface_mesh_parameterization/internal/edge_energy/Relaxation_factor.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/solve_edge_system.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -33,9 +32,9 @@ namespace CGAL::Surface_mesh_parameterization {
 /// are free. An ear, a vertex with one triangle, on the border of a hole then lies on the line between its neighbors.
 /// The same can happen to an ear on a straight side of the outer border.
 ///
-/// With `Hierarchical_parameterizer_3`, a direct solver computes the coarsest level, and Gauss-Seidel sweeps with
-/// over-relaxation the others, each from the map of the level before. In a flat run a direct solver computes the whole
-/// map.
+/// With `Hierarchical_parameterizer_3`, a direct solver computes the coarsest level, and the multigrid method of
+/// `Multigrid_solver_traits` the others, each from the map of the level before. In a flat run a direct solver computes
+/// the whole map.
 ///
 /// Source: equation (1) of Hormann, Greiner, Campagna, *Hierarchical Parametrization of Triangulated Surfaces*, 1999.
 ///
@@ -46,8 +45,9 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \tparam EdgeWeights a model of `EdgeWeights_3`
 /// \tparam BorderParameterizer one of CGAL's border parameterizers, a model of `Parameterizer_3` that places the border
 /// only
-/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result
-/// is the same for every number of threads
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has for the hierarchy and for weights and
+/// residuals, while the multigrid method runs in one; it needs `CGAL::TBB_support`. The result is the same for every
+/// number of threads
 template <class TriangleMesh_, class EdgeWeights,
           class BorderParameterizer = Circular_border_arc_length_parameterizer_3<TriangleMesh_>,
           class ConcurrencyTag = Sequential_tag>
@@ -80,10 +80,11 @@ public:
   /// \param border_parameterizer places the outer border
   /// \param weights the weights of the edges
   /// \param np
-  /// - `tolerance`: greatest *relative residual* of a converged finest level; default 1e-8. The residual is the root of
+  /// - `tolerance`: greatest *relative residual* of the finest level; default 1e-8. The residual is the root of
   ///   the sum of the squared distances of the vertices from the weighted means of their neighbors. It is relative to
   ///   the residual of the map with all vertices, except those of the border, at one point
-  /// - `number_of_iterations`: the most sweeps on a level; default 10000
+  /// - `number_of_iterations`: the most iterations of the multigrid method on a level; default 300. After these, a
+  ///   direct solver takes over on the finest level
   /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `REPAIR`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -122,20 +123,19 @@ public:
     return internal::solve_directly<Edge_weights::is_symmetric>(internal::Edge_system(level, m_weights), uv);
   }
 
-  /// improves a map of a level until it has converged or has got the greatest number of sweeps.
-  /// \return `OK`, `ERROR_STOPPED`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the sweeps diverged
+  /// solves a level, the finest one to the tolerance and the others to 1e-2, starting from a map of it.
+  /// \return `OK`, `ERROR_STOPPED`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the finest level has no map
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary)
   {
-    return internal::solve_by_sweeps(internal::Edge_system(level, m_weights), m_factor, m_tolerance,
-                                     m_number_of_iterations, uv, summary);
+    return internal::solve_by_multigrid(internal::Edge_system(level, m_weights), m_tolerance, m_number_of_iterations,
+                                        uv, summary);
   }
 
 private:
   Border_parameterizer m_border_parameterizer;
   Edge_weights m_weights;
-  internal::Relaxation_factor m_factor{ Edge_weights::is_symmetric };
   double m_tolerance = 1e-8;
-  std::size_t m_number_of_iterations = 10000;
+  std::size_t m_number_of_iterations = 300;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

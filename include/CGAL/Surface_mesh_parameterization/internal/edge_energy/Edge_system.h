@@ -6,10 +6,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Function_ref.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -37,12 +37,16 @@ public:
   const Level& level() const { return m_level; }
   Index size() const { return Index(m_row_sums.size()); }
 
-  // c_ij of the neighbor at a position in the ring of i; the diagonal.
-  double weight(Index i, std::size_t position) const
-  {
-    return m_row_sums[i] * m_weights[m_level.rings().first_slot(i) + position];
-  }
-  double sum_of_weights(Index i) const { return m_row_sums[i]; }
+  // The vertices that are not fixed, in the order of the hierarchy's input, which suits the cache: the unknowns of
+  // matrix().
+  std::vector<Index> free_vertices() const;
+
+  // Row i holds the sum of its weights on the diagonal, and -c_ij; columns ascend. The solution for right_side() is by
+  // how much the vertices are to move.
+  Sparse_rows<double> matrix(const std::vector<Index>& free_vertices) const;
+
+  // sum_j c_ij (p_j - p_i)
+  Vector_2 right_side(Index i, const Level::Uv& uv) const { return m_row_sums[i] * residual(i, uv); }
 
   Vector_2 residual(Index i, const Level::Uv& uv) const
   {
@@ -56,13 +60,11 @@ public:
     return Vector_2(x, y);
   }
 
-  // The norm of all residuals, relative to those of the map that has every vertex that is not fixed in one point.
-  double relative_residual(const Level::Uv& uv) const;
+  // Puts every vertex that is not fixed into the middle of the others.
+  void put_in_one_point(Level::Uv& uv) const;
 
-  // One Gauss-Seidel sweep, group by group, with steps of `relaxation_factor` times the residual, as in successive
-  // over-relaxation. The vertices of a group share no edge, but those of level 0 may. Returns the relative norm of the
-  // residuals as they were found.
-  double sweep(Level::Uv& uv, double relaxation_factor) const;
+  // The norm of all residuals, relative to those of that map.
+  double relative_residual(const Level::Uv& uv) const;
 
   // 1/2 sum c_ij |p_i - p_j|^2 over the edges, in the user's units in the plane; c_ij is the mean of both directions.
   double energy(const Level::Uv& uv) const;
@@ -76,17 +78,12 @@ private:
   // A row that has no mean is taken for one of uniform weights.
   void set_row(Index i, const std::vector<double>& row);
 
-  double squared_residual_in_one_point() const;
-
-  double relative(double squared_residual) const
-  {
-    return squared_residual > 0 ? std::sqrt(squared_residual / m_unit) : 0;
-  }
+  double squared_residual(const Level::Uv& uv) const;
 
   const Level& m_level;
   std::vector<double> m_weights;      // of every slot of the rings, scaled
   std::vector<double> m_row_sums;     // before they were scaled
-  double m_unit;
+  double m_squared_residual_in_one_point;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -9,8 +9,10 @@
 
 #include <CGAL/Bbox_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -34,35 +36,77 @@ Edge_system::Edge_system(const Level& level, const Make_weight_function& make_we
           set_row(i, scratch.row);
         }
       });
-  m_unit = squared_residual_in_one_point();
+  Level::Uv one_point;
+  put_in_one_point(one_point);
+  m_squared_residual_in_one_point = squared_residual(one_point);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::vector<Index> Edge_system::free_vertices() const
+{
+  std::vector<Index> result;
+  for (Index i = 0; i < size(); ++i)
+    if (!m_level.is_fixed(i))
+      result.push_back(i);
+  const Collapse_hierarchy_3& hierarchy = m_level.hierarchy();
+  std::sort(result.begin(), result.end(),
+            [&](Index i, Index j) { return hierarchy.input_vertex(i) < hierarchy.input_vertex(j); });
+  return result;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Sparse_rows<double> Edge_system::matrix(const std::vector<Index>& free_vertices) const
+{
+  std::vector<Index> number(size(), no_index);
+  for (std::size_t k = 0; k < free_vertices.size(); ++k)
+    number[free_vertices[k]] = Index(k);
+  Sparse_rows<double> result;
+  result.first.push_back(0);
+  std::vector<std::pair<Index, double>> row;
+  for (const Index i : free_vertices) {
+    row.assign(1, { number[i], m_row_sums[i] });
+    const double* weight = m_weights.data() + m_level.rings().first_slot(i);
+    for (const Index j : m_level.one_ring(i)) {
+      if (number[j] != no_index)
+        row.push_back({ number[j], -m_row_sums[i] * *weight });
+      ++weight;
+    }
+    std::sort(row.begin(), row.end());
+    for (const auto& [column, value] : row) {
+      result.columns.push_back(column);
+      result.values.push_back(value);
+    }
+    result.first.push_back(Index(result.columns.size()));
+  }
+  return result;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void Edge_system::put_in_one_point(Level::Uv& uv) const
+{
+  Bbox_2 box;
+  for (Index i = 0; i < size(); ++i)
+    if (m_level.is_fixed(i))
+      box += m_level.fixed_place(i).bbox();
+  uv.assign(size(), Point_2(0.5 * (box.xmin() + box.xmax()), 0.5 * (box.ymin() + box.ymax())));
+  for (Index i = 0; i < size(); ++i)
+    if (m_level.is_fixed(i))
+      uv[i] = m_level.fixed_place(i);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+double Edge_system::squared_residual(const Level::Uv& uv) const
+{
+  return m_level.loops().sum(0, size(), 0., [&](Index i) {
+    return m_level.is_fixed(i) ? 0 : residual(i, uv).squared_length();
+  });
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 double Edge_system::relative_residual(const Level::Uv& uv) const
 {
-  return relative(m_level.loops().sum(0, size(), 0., [&](Index i) {
-    return m_level.is_fixed(i) ? 0 : residual(i, uv).squared_length();
-  }));
-}
-
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-double Edge_system::sweep(Level::Uv& uv, double relaxation_factor) const
-{
-  double sum = 0;
-  Index first = 0;
-  for (std::size_t group = 0; group <= m_level.index(); ++group) {
-    const Index last = Index(m_level.hierarchy().number_of_vertices(group));
-    const Loops loops = group == 0 ? Loops() : m_level.loops();
-    sum += loops.sum(first, last, 0., [&](Index i) {
-      if (m_level.is_fixed(i))
-        return 0.;
-      const Vector_2 r = residual(i, uv);
-      uv[i] = uv[i] + relaxation_factor * r;
-      return r.squared_length();
-    });
-    first = last;
-  }
-  return relative(sum);
+  const double squared = squared_residual(uv);
+  return squared > 0 ? std::sqrt(squared / m_squared_residual_in_one_point) : 0;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -89,26 +133,6 @@ void Edge_system::set_row(Index i, const std::vector<double>& row)
   double* const weights = m_weights.data() + m_level.rings().first_slot(i);
   for (std::size_t k = 0; k < row.size(); ++k)
     weights[k] = is_usable ? row[k] / sum : 1 / double(row.size());
-}
-
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-double Edge_system::squared_residual_in_one_point() const
-{
-  Bbox_2 box;
-  for (Index i = 0; i < size(); ++i)
-    if (m_level.is_fixed(i))
-      box += m_level.fixed_place(i).bbox();
-  const Point_2 middle(0.5 * (box.xmin() + box.xmax()), 0.5 * (box.ymin() + box.ymax()));
-  return m_level.loops().sum(0, size(), 0., [&](Index i) {
-    Vector_2 r(0, 0);
-    const double* weight = m_weights.data() + m_level.rings().first_slot(i);
-    for (Index j : m_level.one_ring(i)) {
-      if (m_level.is_fixed(j))
-        r = r + *weight * (m_level.fixed_place(j) - middle);
-      ++weight;
-    }
-    return m_level.is_fixed(i) ? 0 : r.squared_length();
-  });
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

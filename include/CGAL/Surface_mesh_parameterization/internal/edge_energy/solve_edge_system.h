@@ -9,7 +9,6 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/Edge_system.h>
-#include <CGAL/Surface_mesh_parameterization/internal/edge_energy/Relaxation_factor.h>
 
 #include <cstddef>
 
@@ -22,11 +21,11 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 template <bool is_symmetric>
 Error_code solve_directly(const Edge_system& system, Level::Uv& uv);
 
-// Solves it by Gauss-Seidel sweeps with over-relaxation until the relative residual is small enough, or after
-// `most_sweeps`, and tells of them. Returns `OK`, `ERROR_STOPPED`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the sweeps
-// diverged.
-Error_code solve_by_sweeps(const Edge_system& system, Relaxation_factor& factor, double tolerance,
-                           std::size_t most_sweeps, Level::Uv& uv, Level_summary& summary);
+// Improves a map by a multigrid method until the relative residual is small enough, with the most iterations; after
+// these a direct solver takes over on the finest level, while on the others the map stays as it was. Tells of the
+// iterations. Returns `OK`, `ERROR_STOPPED`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if there is no map of the finest level.
+Error_code solve_by_multigrid(const Edge_system& system, double tolerance, std::size_t most_iterations, Level::Uv& uv,
+                              Level_summary& summary);
 
 #ifdef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
 extern template Error_code solve_directly<true>(const Edge_system&, Level::Uv&);

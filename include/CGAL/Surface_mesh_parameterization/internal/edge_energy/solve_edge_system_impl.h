@@ -4,98 +4,152 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_EDGE_ENERGY_SOLVE_EDGE_SYSTEM_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_EDGE_ENERGY_SOLVE_EDGE_SYSTEM_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/Parameterization_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/solve_edge_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+// How the vertices of a map have to move for the residuals of their edge system to vanish.
+class Map_correction
+{
+public:
+  Map_correction(const Edge_system& system, std::vector<Index> free_vertices, const Level::Uv& uv)
+    : m_vertices(std::move(free_vertices)), m_right_side(2 * m_vertices.size()), m_solution(2 * m_vertices.size())
+  {
+    const std::size_t n = m_vertices.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vector_2 b = system.right_side(m_vertices[k], uv);
+      m_right_side[k] = b.x();
+      m_right_side[n + k] = b.y();
+    }
+  }
+
+  // Those of x, and then those of y.
+  const double* right_side() const { return m_right_side.data(); }
+  double* solution() { return m_solution.data(); }
+
+  // Returns whether the map is finite.
+  bool apply(Level::Uv& uv) const
+  {
+    const std::size_t n = m_vertices.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      Point_2& p = uv[m_vertices[k]];
+      p = p + Vector_2(m_solution[k], m_solution[n + k]);
+      if (!is_finite(p))
+        return false;
+    }
+    return true;
+  }
+
+private:
+  std::vector<Index> m_vertices;
+  std::vector<double> m_right_side, m_solution;
+};
+
 template <bool is_symmetric>
 Error_code solve_directly(const Edge_system& system, Level::Uv& uv)
 {
-  const Level& level = system.level();
-  uv.assign(system.size(), Point_2(0, 0));
-  std::vector<Index> unknown(system.size(), no_index);
-  Index n = 0;
-  for (Index i = 0; i < system.size(); ++i)
-    if (level.is_fixed(i))
-      uv[i] = level.fixed_place(i);
-    else
-      unknown[i] = n++;
-  if (n == 0)
-    return OK;
-  if (n == system.size())
+  const std::vector<Index> vertices = system.free_vertices();
+  if (vertices.size() == system.size())
     return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-
-  std::vector<Matrix_entry> entries;
-  entries.reserve(n + level.rings().number_of_slots());
-  std::vector<double> right_sides(2 * std::size_t(n), 0.), solutions(2 * std::size_t(n));
-  for (Index i = 0; i < system.size(); ++i) {
-    const Index row = unknown[i];
-    if (row == no_index)
-      continue;
-    entries.push_back({ row, row, system.sum_of_weights(i) });
-    const Level::Ring ring = level.one_ring(i);
-    for (std::size_t k = 0; k < ring.size(); ++k)
-      if (const Index column = unknown[ring[k]]; column != no_index)
-        entries.push_back({ row, column, -system.weight(i, k) });
-      else {
-        right_sides[row] += system.weight(i, k) * uv[ring[k]].x();
-        right_sides[n + row] += system.weight(i, k) * uv[ring[k]].y();
-      }
-  }
+  system.put_in_one_point(uv);
+  if (vertices.empty())
+    return OK;
+  const Sparse_rows<double> matrix = system.matrix(vertices);
   std::unique_ptr<Direct_solver> solver;
   if constexpr (is_symmetric)
-    solver = factorize_symmetric(n, entries);
+    solver = factorize_symmetric_rows(matrix);
   else
-    solver = factorize(n, entries);
+    solver = factorize_rows(matrix);
   if (!solver)
     return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-  solver->solve(right_sides.data(), solutions.data(), 2);
-  for (Index i = 0; i < system.size(); ++i)
-    if (const Index row = unknown[i]; row != no_index) {
-      uv[i] = Point_2(solutions[row], solutions[n + row]);
-      if (!is_finite(uv[i]))
-        return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-    }
-  return OK;
+  Map_correction correction(system, vertices, uv);
+  solver->solve(correction.right_side(), correction.solution(), 2);
+  return correction.apply(uv) ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
 }
 
-// The residuals that a sweep meets are about those that it leaves; only when they are small enough the true ones are
-// computed.
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code solve_by_sweeps(const Edge_system& system, Relaxation_factor& factor, double tolerance,
-                           std::size_t most_sweeps, Level::Uv& uv, Level_summary& summary)
+// Hands on what a linear solver tells, as iterations on a level.
+class Iterations_on_level final
+  : public Progress_listener
 {
-  constexpr double coarse_residual = 1e-3;      // the levels below the finest only have to hand on a good start
-  constexpr std::size_t sweeps_for_an_energy = 16;      // for a visitor: it takes as long as a sweep
+public:
+  Iterations_on_level(const Level& level, Level_summary& summary) : m_level(level), m_summary(summary) { }
+
+  bool progressed(const Parameterization_progress& progress) override
+  {
+    m_summary.iterations = progress.iterations;
+    return m_level.progressed(m_summary, progress.part_done);
+  }
+
+private:
+  const Level& m_level;
+  Level_summary& m_summary;
+};
+
+inline Linear_solver_result correct_by_multigrid(const Edge_system& system, const Linear_solver_options& options,
+                                                 Level::Uv& uv)
+{
+  const Level& level = system.level();
+  const std::vector<Index> vertices = system.free_vertices();
+  std::vector<Mesh_unknown> unknowns;
+  for (const Index v : vertices)
+    unknowns.push_back({ v, 0 });
+  Map_correction correction(system, vertices, uv);
+  const Hierarchy_interpolation interpolation(level.hierarchy().vertices(), level.index());
+  const auto solver =
+      make_multigrid_linear_solver<2>(&interpolation, std::make_shared<Sparse_rows<double>>(system.matrix(vertices)),
+                                      std::move(unknowns), {});
+  const std::size_t n = vertices.size();
+  Linear_solver_result result = solver->solve({ correction.right_side(), correction.right_side() + n },
+                                              { correction.solution(), correction.solution() + n }, options);
+  if (result.is_solved)
+    result.is_solved = correction.apply(uv);
+  return result;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code solve_by_multigrid(const Edge_system& system, double tolerance, std::size_t most_iterations, Level::Uv& uv,
+                              Level_summary& summary)
+{
+  constexpr double coarse_residual = 1e-2;      // the levels below the finest only have to hand on a good start
+  constexpr double safety = 0.99;               // for rounding
   const Level& level = system.level();
   const double wanted_residual = level.is_finest() ? tolerance : (std::max)(tolerance, coarse_residual);
+  const double residual = system.relative_residual(uv);
   summary.energy_start = summary.energy_end = system.energy(uv);
-  summary.converged = system.relative_residual(uv) <= wanted_residual;
-  factor.start(system.size());
-  bool may_go_on = level.progressed(summary, 0);
-  while (may_go_on && !summary.converged && summary.iterations < most_sweeps) {
-    const double residual = system.sweep(uv, factor.value());
-    factor.learn(residual);
-    ++summary.iterations;
-    summary.converged = residual <= wanted_residual && system.relative_residual(uv) <= wanted_residual;
-    if (level.is_watched() && summary.iterations % sweeps_for_an_energy == 0)
-      summary.energy_end = system.energy(uv);
-    may_go_on =
-        level.progressed(summary, part_of_iteration(residual, wanted_residual, summary.iterations, most_sweeps));
-  }
-  if (!may_go_on)
+  summary.converged = residual <= wanted_residual;
+  if (!level.progressed(summary, 0))
     return ERROR_STOPPED;
+  if (summary.converged)
+    return OK;
+
+  Iterations_on_level listener(level, summary);
+  Run_progress progress(level.is_watched() ? &listener : nullptr);
+  Linear_solver_options options;
+  options.tolerance = safety * wanted_residual / residual;
+  options.most_iterations = most_iterations;
+  options.progress = &progress;
+  if (!level.is_finest())
+    options.make_direct_solver = [](const Sparse_rows<double>&) { return std::unique_ptr<Direct_solver>(); };
+  const Linear_solver_result result = correct_by_multigrid(system, options, uv);
+  summary.iterations = result.iterations;
+  summary.converged = result.is_solved;
   summary.energy_end = system.energy(uv);
-  summary.vertex_visits = summary.iterations * system.size();
-  return std::isfinite(summary.energy_end) ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+  if (progress.is_stopped() || !level.progressed(summary, 1))
+    return ERROR_STOPPED;
+  return result.is_solved || !level.is_finest() ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -23,9 +23,12 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Hierarchy_interpolation
 {
 public:
-  Hierarchy_interpolation(const Collapse_hierarchy_3& hierarchy) : Hierarchy_interpolation(hierarchy.vertices()) { }
+  // From the coarsest level to the given one.
+  Hierarchy_interpolation(const Vertex_hierarchy& vertices, std::size_t finest_level);
 
-  explicit Hierarchy_interpolation(Vertex_hierarchy vertices);
+  Hierarchy_interpolation(const Collapse_hierarchy_3& hierarchy)
+    : Hierarchy_interpolation(hierarchy.vertices(), hierarchy.number_of_levels() - 1)
+  { }
 
   // Builds the hierarchy of a surface.
   Hierarchy_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options);
@@ -45,6 +48,10 @@ public:
   }
 
 private:
+  explicit Hierarchy_interpolation(const Vertex_hierarchy& vertices)
+    : Hierarchy_interpolation(vertices, vertices.level_vertices.size() - 1)
+  { }
+
   struct Parent
   {
     Index_triangle triangle;

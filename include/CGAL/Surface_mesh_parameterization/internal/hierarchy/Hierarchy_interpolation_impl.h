@@ -15,12 +15,15 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Hierarchy_interpolation::Hierarchy_interpolation(Vertex_hierarchy vertices)
-  : m_level_vertices(std::move(vertices.level_vertices)), m_input_vertex(std::move(vertices.input_vertex))
+Hierarchy_interpolation::Hierarchy_interpolation(const Vertex_hierarchy& vertices, std::size_t finest_level)
+  : m_level_vertices(vertices.level_vertices.begin(), vertices.level_vertices.begin() + finest_level + 1),
+    m_input_vertex(vertices.input_vertex.begin(), vertices.input_vertex.begin() + m_level_vertices.back())
 {
-  m_parents.reserve(vertices.splits.size());
-  for (const Vertex_split& split : vertices.splits)
+  m_parents.reserve(number_of_vertices() - m_level_vertices.front());
+  for (Index v = Index(m_level_vertices.front()); v < number_of_vertices(); ++v) {
+    const Vertex_split& split = vertices.split(v);
     m_parents.push_back({ split.parent, { float(split.coordinates[0]), float(split.coordinates[1]) } });
+  }
 }
 
 inline Vertex_hierarchy build_vertex_hierarchy(Triangulated_surface_3 surface, const Hierarchy_options& options)

@@ -65,16 +65,27 @@ std::unique_ptr<Direct_solver> factorize_symmetric(Index n, const std::vector<Ma
 template <class Real = double>
 std::unique_ptr<Direct_solver> factorize(Index n, const std::vector<Matrix_entry>& entries);
 
-// The same of a square matrix that is given by its rows.
-template <class Real = double>
-std::unique_ptr<Direct_solver> factorize_rows(const Sparse_rows<double>& a)
+inline std::vector<Matrix_entry> entries_of(const Sparse_rows<double>& a)
 {
   std::vector<Matrix_entry> entries;
   entries.reserve(a.values.size());
   for (Index i = 0; i < a.number_of_rows(); ++i)
     for (Index k = a.first[i]; k < a.first[i + 1]; ++k)
       entries.push_back({ i, a.columns[k], a.values[k] });
-  return factorize<Real>(a.number_of_rows(), entries);
+  return entries;
+}
+
+// The same of square matrices that are given by their rows.
+template <class Real = double>
+std::unique_ptr<Direct_solver> factorize_symmetric_rows(const Sparse_rows<double>& a)
+{
+  return factorize_symmetric<Real>(a.number_of_rows(), entries_of(a));
+}
+
+template <class Real = double>
+std::unique_ptr<Direct_solver> factorize_rows(const Sparse_rows<double>& a)
+{
+  return factorize<Real>(a.number_of_rows(), entries_of(a));
 }
 
 typedef std::unique_ptr<Direct_solver> (*Make_direct_solver)(const Sparse_rows<double>&);
