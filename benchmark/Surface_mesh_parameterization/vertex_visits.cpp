@@ -6,6 +6,10 @@
 
 #include "benchmark_utilities.h"
 
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Vertex_relaxation.h>
+
 #include <iomanip>
 #include <random>
 
