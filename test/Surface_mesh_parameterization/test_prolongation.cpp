@@ -169,4 +169,37 @@ TEST(Pruned_prolongation, rows_are_weights)
   }
 }
 
+// In a plane, rows that are pruned to triangles put every vertex where the whole prolongation does; a border vertex,
+// whose row has border vertices only, may have none that make a triangle.
+TEST(Pruned_prolongation, in_triangles_keeps_linear_functions)
+{
+  const Finest_level f(delaunay_patch(2000, 3, flat), parameters::coarsest_size(20));
+  const std::size_t finest = f.hierarchy.number_of_levels() - 1;
+  const Hierarchy_interpolation interpolation(f.hierarchy);
+  for (std::size_t groups = 2; groups <= 6; ++groups) {
+    const Pruned_prolongation greatest(f.hierarchy, finest - groups, finest, Loops()),
+        triangles(f.hierarchy, finest - groups, finest, Loops(), Pruning::TRIANGLE),
+        rounded(interpolation, finest - groups, finest, Loops(), Pruning::TRIANGLE);
+    const auto squared_error = [&](const Pruned_prolongation& p, Index v) {
+      const Point_3& q = f.hierarchy.point(v);
+      Vector_3 error(0, 0, 0);
+      for (int k = 0; k < Pruned_prolongation::row_size; ++k)
+        error = error + double(p.row(v).weights[k]) * (f.hierarchy.point(p.row(v).columns[k]) - q);
+      return error.squared_length();
+    };
+    std::size_t kept = 0, interior = 0;
+    double error_of_greatest = 0, error_of_triangles = 0;
+    for (Index v = 0; v < triangles.fine_size(); ++v) {
+      if (f.level.is_border(v))
+        continue;
+      ++interior;
+      kept += squared_error(triangles, v) < 1e-12 && squared_error(rounded, v) < 1e-12;
+      error_of_greatest += squared_error(greatest, v);
+      error_of_triangles += squared_error(triangles, v);
+    }
+    EXPECT_GT(double(kept), 0.9 * double(interior));
+    EXPECT_LT(error_of_triangles, 0.1 * error_of_greatest);
+  }
+}
+
 } // namespace

@@ -23,12 +23,10 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Hierarchy_interpolation
 {
 public:
-  // From the coarsest level to the given one.
+  // From the coarsest level to the given one; without points.
   Hierarchy_interpolation(const Vertex_hierarchy& vertices, std::size_t finest_level);
 
-  Hierarchy_interpolation(const Collapse_hierarchy_3& hierarchy)
-    : Hierarchy_interpolation(hierarchy.vertices(), hierarchy.number_of_levels() - 1)
-  { }
+  Hierarchy_interpolation(const Collapse_hierarchy_3& hierarchy);
 
   // Builds the hierarchy of a surface.
   Hierarchy_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options);
@@ -47,10 +45,14 @@ public:
     return { (std::max)(0., 1. - c[0] - c[1]), c[0], c[1] };
   }
 
+  // Whether it knows where the vertices are in space.
+  bool has_points() const { return !m_points.empty(); }
+
+  // The point of a vertex, seen from that of the input's first one, in single precision.
+  Point_3 point(Index v) const { return Point_3(m_points[v][0], m_points[v][1], m_points[v][2]); }
+
 private:
-  explicit Hierarchy_interpolation(const Vertex_hierarchy& vertices)
-    : Hierarchy_interpolation(vertices, vertices.level_vertices.size() - 1)
-  { }
+  typedef std::array<float, 3>   Rounded_point;
 
   struct Parent
   {
@@ -62,7 +64,10 @@ private:
 
   std::vector<std::size_t> m_level_vertices;
   std::vector<Index> m_input_vertex;
+  static std::vector<Rounded_point> rounded(const std::vector<Point_3>& points, const Point_3& origin);
+
   std::vector<Parent> m_parents;      // of the vertices that are not on level 0
+  std::vector<Rounded_point> m_points;      // empty if the hierarchy has another metric than that of space
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -26,6 +26,14 @@ Hierarchy_interpolation::Hierarchy_interpolation(const Vertex_hierarchy& vertice
   }
 }
 
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Hierarchy_interpolation::Hierarchy_interpolation(const Collapse_hierarchy_3& hierarchy)
+  : Hierarchy_interpolation(hierarchy.vertices(), hierarchy.number_of_levels() - 1)
+{
+  const Index first_of_input = ranks()[0];
+  m_points = rounded(hierarchy.points(), hierarchy.point(first_of_input));
+}
+
 inline Vertex_hierarchy build_vertex_hierarchy(Triangulated_surface_3 surface, const Hierarchy_options& options)
 {
   std::vector<bool> is_pinned = pinned_vertices(surface, options.is_constrained);
@@ -35,8 +43,30 @@ inline Vertex_hierarchy build_vertex_hierarchy(Triangulated_surface_3 surface, c
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Hierarchy_interpolation::Hierarchy_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options)
-  : Hierarchy_interpolation(build_vertex_hierarchy(std::move(surface), options))
-{ }
+{
+  const std::vector<Rounded_point> points =
+      options.has_unit_edges ? std::vector<Rounded_point>() : rounded(surface.points, surface.points.front());
+  const Vertex_hierarchy vertices = build_vertex_hierarchy(std::move(surface), options);
+  *this = Hierarchy_interpolation(vertices, vertices.level_vertices.size() - 1);
+  if (points.empty())
+    return;
+  m_points.reserve(points.size());
+  for (const Index v : m_input_vertex)
+    m_points.push_back(points[v]);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::vector<Hierarchy_interpolation::Rounded_point>
+Hierarchy_interpolation::rounded(const std::vector<Point_3>& points, const Point_3& origin)
+{
+  std::vector<Rounded_point> result;
+  result.reserve(points.size());
+  for (const Point_3& p : points) {
+    const Vector_3 from_origin = p - origin;
+    result.push_back({ float(from_origin.x()), float(from_origin.y()), float(from_origin.z()) });
+  }
+  return result;
+}
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 std::vector<Index> Hierarchy_interpolation::ranks() const

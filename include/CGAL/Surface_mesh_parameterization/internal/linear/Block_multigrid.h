@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Galerkin_product.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/k_cycle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/v_cycle.h>
 
 #include <algorithm>
@@ -44,7 +45,8 @@ public:
       m_group_ends.push_back(Index(m_hierarchy.number_of_vertices(l)));
     for (std::size_t fine = level.index(); fine > 0 && m_hierarchy.number_of_vertices(fine) > options.coarsest_size;) {
       const std::size_t coarse = fine > options.groups_per_grid ? fine - options.groups_per_grid : 0;
-      m_grids.back().prolongation = std::make_unique<Pruned_prolongation>(m_hierarchy, coarse, fine, m_loops);
+      m_grids.back().prolongation =
+          std::make_unique<Pruned_prolongation>(m_hierarchy, coarse, fine, m_loops, Pruning::TRIANGLE);
       m_grids.emplace_back();
       fine = coarse;
     }
@@ -98,7 +100,7 @@ public:
   // Whether the direct solver at the bottom could factorize its matrix.
   bool is_ready() const { return m_direct_solver != nullptr; }
 
-  // From now on, cycles take two steps of conjugate gradients on each coarse grid, see solve_coarse().
+  // From now on, cycles take two steps of conjugate gradients on each coarse grid, see take_second_step().
   void use_k_cycles() { m_has_k_cycles = true; }
 
   // One cycle from 0 for A x = b, in scaled variables; the result is valid until the next one, and may be overwritten.
@@ -128,14 +130,16 @@ public:
       relax_backward(m_grids[g], b, x);
   }
 
-  // One cycle, or two steps of conjugate gradients, each with a cycle, as in the K-cycle of Notay and Vassilevski (2008).
-  // These are for energies that conformal motions hardly change: coarse grids resist such motions more than the finest
-  // one, and with one cycle the error of a grid would add to those of all coarser ones.
   void solve_coarse(std::size_t g)
   {
-    v_cycle(*this, g, m_grids[g].right_side, m_grids[g].solution);
+    Grid& grid = m_grids[g];
+    v_cycle(*this, g, grid.right_side, grid.solution);
     if (m_has_k_cycles && !is_coarsest(g))
-      take_second_step(g);
+      take_second_step<double>(
+          m_loops, [&](Index i, const Block_vectors& x) { return grid.matrix.row_times(i, x); },
+          [](const Block_vector& a, const Block_vector& b) { return inner_product(a, b); },
+          [&](const Block_vectors& r, Block_vectors& z) { v_cycle(*this, g, r, z); }, grid.solution, grid.right_side,
+          grid.second_solution, grid.product);
   }
 
   // The right side of the coarse grid: S_c P^T S^-1 (b - A x).
@@ -177,43 +181,6 @@ private:
     Block_vectors right_side, solution, residual;
     Block_vectors second_solution, product;     // see take_second_step()
   };
-
-  // Makes the solution of a cycle that of two steps of conjugate gradients; changes the right side.
-  void take_second_step(std::size_t g)
-  {
-    Grid& grid = m_grids[g];
-    Block_vectors &x = grid.solution, &r = grid.right_side, &z = grid.second_solution, &ax = grid.product;
-    for (Block_vectors* vectors : { &z, &ax })
-      vectors->resize(x.size());
-    typedef Values<double, 2>   Products;     // b x, x A x
-    const Products first = sum_over_rows<Products>(grid, [&](Index i) {
-      ax[i] = grid.matrix.row_times(i, x);
-      return Products{ { inner_product(r[i], x[i]), inner_product(x[i], ax[i]) } };
-    });
-    if (!(first[1] > 0))
-      return;
-    const double length = first[0] / first[1];
-    m_loops.for_each(0, grid.matrix.number_of_rows(), [&](Index i) { r[i] -= length * ax[i]; });
-    v_cycle(*this, g, r, z);
-
-    typedef Values<double, 4>   More_products;      // x A z, r z, r x, z A z
-    const More_products second = sum_over_rows<More_products>(grid, [&](Index i) {
-      const Block_vector az = grid.matrix.row_times(i, z);
-      return More_products{ { inner_product(ax[i], z[i]), inner_product(r[i], z[i]), inner_product(r[i], x[i]),
-                              inner_product(z[i], az) } };
-    });
-    // The direction z - factor x is conjugate to x.
-    const double factor = second[0] / first[1], curvature = second[3] - factor * second[0];
-    const double second_length = curvature > 0 ? (second[1] - factor * second[2]) / curvature : 0;
-    m_loops.for_each(0, grid.matrix.number_of_rows(),
-                     [&](Index i) { x[i] = (length - second_length * factor) * x[i] + second_length * z[i]; });
-  }
-
-  template <class Products, class Function>
-  Products sum_over_rows(const Grid& grid, const Function& f) const
-  {
-    return m_loops.sum(0, grid.matrix.number_of_rows(), Products::zero(), f);
-  }
 
   // The ranks of the vertices in the order of the input.
   std::vector<Index> input_order() const

@@ -40,11 +40,18 @@ public:
       f(m_matrix.columns[k], m_matrix.values[k]);
   }
 
+  // Row i of A x
+  template <class Vector>
+  typename Vector::value_type row_times(Index i, const Vector& x) const
+  {
+    return m_diagonal[i] * x[i] + m_matrix.row_times(i, x);
+  }
+
   // Row i of b - A x
   template <class Vector>
   typename Vector::value_type residual(Index i, const Vector& b, const Vector& x) const
   {
-    return b[i] - m_diagonal[i] * x[i] - m_matrix.row_times(i, x);
+    return b[i] - row_times(i, x);
   }
 
   // x := (L U)^-1 b

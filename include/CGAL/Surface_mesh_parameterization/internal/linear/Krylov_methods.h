@@ -20,11 +20,11 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // system has
 //   number_of_rows(), loops(),
 //   row_times(i, x)             row i of A x
-//   precondition(r)             M^-1 r, in a vector that the caller may overwrite; it is valid until the next call
+//   precondition(r)             M^-1 r, in a vector that is valid until the next call
 //   squared_size(i, r)          what the residual r of row i contributes to the squared norm
 //   direction_factor(a, b)      for conjugate gradients: how much of the last direction the next one keeps, a / b where
-//                               M is definite, 0 where b is; a and b are the products of residual and M^-1 residual, now
-//                               and before, 0 at the start
+//                               M is definite, 0 where b is; b is the product of the last residual and its M^-1, 0 at
+//                               the start, and a that of M^-1 residual and the residual's change
 //   is_finished(squared_norm)   whether to stop: the residual is small enough for each right side, or there is no
 //                               progress any more
 // Products are numbers, or one number for each right side. The methods start from `x` and its residual `r`, change
@@ -87,7 +87,8 @@ Product_of<Vector> go_along(const System& system, const Product_of<Vector>& alph
   });
 }
 
-// Conjugate gradients; A and M must be symmetric and positive definite. `p` is scratch of the size of x.
+// Conjugate gradients; A and M must be symmetric and positive definite. M may change a little from one iteration to the
+// next, as a K-cycle does: then the next direction is still conjugate to the last one. `p` is scratch of the size of x.
 template <class System, class Vector>
 std::size_t conjugate_gradients(System& system, Vector& x, Vector& r, Vector& p, std::size_t most_iterations)
 {
@@ -95,18 +96,20 @@ std::size_t conjugate_gradients(System& system, Vector& x, Vector& r, Vector& p,
   const Product zero = zero_product<Product>();
   const Loops& loops = system.loops();
   loops.for_each(0, system.number_of_rows(), [&](Index i) { p[i] = Vector::value_type::zero(); });
-  Product norm2 = squared_norm(system, r), rz = zero;
+  Product norm2 = squared_norm(system, r), rz = zero, alpha = zero;
+  Vector q(p.size(), Vector::value_type::zero());     // A p
   std::size_t iterations = 0;
   while (iterations < most_iterations && !system.is_finished(norm2)) {
-    Vector& z = system.precondition(r);
+    const Vector& z = system.precondition(r);
     ++iterations;
     const Product rz_before = std::exchange(rz, inner_product(loops, r, z)),
-                  beta = system.direction_factor(rz, rz_before);
+                  beta = system.direction_factor(zero - alpha * inner_product(loops, q, z), rz_before);
     loops.for_each(0, system.number_of_rows(), [&](Index i) { p[i] = z[i] + beta * p[i]; });
-    const Product curvature = multiply(system, p, z, p), alpha = quotient(rz, curvature);
+    const Product curvature = multiply(system, p, q, p);
+    alpha = quotient(rz, curvature);
     if (!is_less_or_equal(zero, curvature) || !is_finite(alpha))
       break;
-    norm2 = go_along(system, alpha, p, z, x, r);
+    norm2 = go_along(system, alpha, p, q, x, r);
   }
   return iterations;
 }

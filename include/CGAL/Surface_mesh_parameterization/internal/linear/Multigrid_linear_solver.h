@@ -137,7 +137,8 @@ private:
     Vector& precondition(const Vector& r)
     {
       const Value scale = give_to_grid(r);
-      ++m_cycles;
+      if (++m_cycles > m_options.most_v_cycles && columns == 1 && m_system.is_symmetric())
+        m_space.use_k_cycles();
       m_multigrid.cycle(m_space);
       m_correction.assign(m_correction.size(), Value::zero());
       add_from_grid(scale, m_correction);

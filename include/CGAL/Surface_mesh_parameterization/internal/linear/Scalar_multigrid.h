@@ -13,8 +13,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Grid_transfer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Incomplete_LU.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/k_cycle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/v_cycle.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -22,19 +24,23 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+// `in_plane` are those for a matrix whose unknowns are both coordinates of vertices in the plane.
 struct Scalar_multigrid_options
 {
-  std::size_t groups_per_grid = 4;        // collapse groups from one grid to the next
+  std::size_t groups_per_grid = 4, groups_per_grid_in_plane = 5;        // collapse groups from one grid to the next
   std::size_t coarsest_size = 500;        // a grid of so many unknowns is solved directly
   // Where angles are obtuse, cotangent weights are negative, and incomplete factors need not exist: a diagonal that is
   // a little greater helps. Much more costs cycles, 10 % a third. Where all entries beside the diagonal are negative,
   // as those of uniform or mean value weights are, it would cost some for nothing.
   double enlargement_of_diagonal = 1.02;
+  double enlargement_in_plane = 1.03;
 };
 
-// V-cycles for a matrix whose unknowns sit at the vertices of a hierarchy: Galerkin operators over every fourth
-// collapse group, incomplete LU as the smoother before and after, a direct solution at the bottom. With a symmetric
-// matrix the cycle is symmetric, too.
+// Cycles for a matrix whose unknowns sit at the vertices of a hierarchy: Galerkin operators over every fourth collapse
+// group, incomplete LU as the smoother before and after, a direct solution at the bottom. With a symmetric matrix the
+// cycle is symmetric, too.
+//
+// They are V-cycles, or K-cycles on request.
 template <class Real>
 class Scalar_multigrid
 {
@@ -46,12 +52,19 @@ public:
                    const Scalar_multigrid_options& options = Scalar_multigrid_options())
   {
     std::size_t fine = hierarchy.number_of_levels() - 1;
-    const Real enlargement = has_positive_entries(matrix) ? Real(options.enlargement_of_diagonal) : Real(1);
+    const bool is_of_plane =
+        std::any_of(unknowns.begin(), unknowns.end(), [](const Mesh_unknown& u) { return u.component > 0; });
+    const Pruning pruning = is_of_plane && hierarchy.has_points() ? Pruning::TRIANGLE : Pruning::GREATEST_WEIGHTS;
+    const std::size_t groups_per_grid = is_of_plane ? options.groups_per_grid_in_plane : options.groups_per_grid;
+    const double enlargement_if_positive =
+        is_of_plane ? options.enlargement_in_plane : options.enlargement_of_diagonal;
+    const Real enlargement = has_positive_entries(matrix) ? Real(enlargement_if_positive) : Real(1);
     m_grids.emplace_back(std::move(matrix), enlargement);
     for (const std::vector<Mesh_unknown>* fine_unknowns = &unknowns;
          fine > 0 && fine_unknowns->size() > options.coarsest_size;) {
-      const std::size_t coarse = fine > options.groups_per_grid ? fine - options.groups_per_grid : 0;
-      m_transfers.emplace_back(Pruned_prolongation(hierarchy, coarse, fine, Loops()), *fine_unknowns, tied_vertices);
+      const std::size_t coarse = fine > groups_per_grid ? fine - groups_per_grid : 0;
+      m_transfers.emplace_back(Pruned_prolongation(hierarchy, coarse, fine, Loops(), pruning), *fine_unknowns,
+                               tied_vertices);
       m_grids.emplace_back(m_transfers.back().template galerkin_product<Real>(m_grids.back()), enlargement);
       fine_unknowns = &m_transfers.back().coarse_unknowns();
       fine = coarse;
@@ -67,6 +80,7 @@ public:
   template <int columns>
   class Space
   {
+    typedef Values<Real, columns>         Value;
     typedef Value_vector<Real, columns>   Vector;
 
   public:
@@ -75,7 +89,13 @@ public:
       for (const Incomplete_LU<Real>& grid : multigrid.m_grids)
         for (auto* vectors : { &m_right_side, &m_solution, &m_scratch })
           vectors->emplace_back(grid.size());
+      m_second_solution.resize(m_solution.size());
+      m_product.resize(m_solution.size());
     }
+
+    // From now on, cycles take two steps of conjugate gradients on each coarse grid, see take_second_step(). The matrix
+    // must be symmetric, with one right side.
+    void use_k_cycles() { m_has_k_cycles = true; }
 
     bool is_coarsest(std::size_t g) const { return g + 1 == m_multigrid.m_grids.size(); }
     Vector& right_side(std::size_t g) { return m_right_side[g]; }
@@ -91,7 +111,17 @@ public:
                                           m_right_side[g + 1]);
     }
 
-    void solve_coarse(std::size_t g) { v_cycle(*this, g, m_right_side[g], m_solution[g]); }
+    void solve_coarse(std::size_t g)
+    {
+      v_cycle(*this, g, m_right_side[g], m_solution[g]);
+      if constexpr (columns == 1)
+        if (m_has_k_cycles && !is_coarsest(g))
+          take_second_step<Real>(
+              Loops(), [&](Index i, const Vector& x) { return m_multigrid.m_grids[g].row_times(i, x); },
+              [](const Value& a, const Value& b) { return double(a[0]) * b[0]; },
+              [&](const Vector& r, Vector& z) { v_cycle(*this, g, r, z); }, m_solution[g], m_right_side[g],
+              m_second_solution[g], m_product[g]);
+    }
 
     void add_correction(std::size_t g, Vector& x) const
     {
@@ -101,6 +131,8 @@ public:
   private:
     const Scalar_multigrid& m_multigrid;
     std::vector<Vector> m_right_side, m_solution, m_scratch;
+    std::vector<Vector> m_second_solution, m_product;     // see take_second_step()
+    bool m_has_k_cycles = false;
   };
 
   // One cycle from 0: `space.solution(0)` for `space.right_side(0)`.
