@@ -80,12 +80,17 @@ is_field status '"ok"' "arap --flat"
 expect 0 --method mean-value --iterations 0 --report report.json
 is_field direct_solutions 2 "mean-value --iterations 0"
 
-expect 3 --method uniform --iterations 2 --flips fail --report report.json
-is_field status '"ERROR_NO_1_TO_1_MAPPING"' "uniform --iterations 2 --flips fail"
-expect 0 --method uniform --iterations 2 --flips keep --report report.json
-is_field status '"not_converged"' "uniform --iterations 2 --flips keep"
-expect 0 --method uniform --iterations 2 --report report.json
-is_field flips 0 "uniform --iterations 2"
+make_tube 5 >tube.obj
+expect 3 tube.obj --method lscm --flips fail --report report.json
+is_field status '"ERROR_NO_1_TO_1_MAPPING"' "lscm --flips fail"
+expect 0 tube.obj --method lscm --flips keep --report report.json
+[ "$(field flips)" -gt 0 ] || fail "lscm --flips keep has kept no flips"
+expect 0 tube.obj --method lscm --report report.json
+is_field flips 0 "lscm"
+expect 0 --method mips --iterations 1 --report report.json
+is_field status '"not_converged"' "mips --iterations 1"
+expect 0 --method uniform --iterations 0 --report report.json
+is_field status '"ok"' "uniform --iterations 0"
 expect 0 --weights area --tolerance 1e-3 --iterations 5 --quiet
 [ ! -s stdout ] && [ ! -s stderr ] || fail "--quiet printed something"
 

@@ -15,3 +15,16 @@ expect() {
   [ "$status" -eq "$wanted" ] || fail "'$*' ended with $status instead of $wanted: $(cat stderr)"
   [ "$wanted" -eq 0 ] || [ "$(wc -l <stderr)" -eq 1 ] || fail "'$*' printed $(wc -l <stderr) lines on stderr instead of one"
 }
+
+# make_tube N: a tube of N storeys of three squares, closed at one end. A conformal map shrinks along it.
+make_tube() {
+  awk -v n=3 -v m="$1" 'BEGIN {
+    turn = 8 * atan2(1, 1) / n
+    for (j = 0; j <= m; ++j) for (i = 0; i < n; ++i) print "v", cos(i * turn), sin(i * turn), 2 * j
+    for (j = 0; j < m; ++j) for (i = 0; i < n; ++i) {
+      a = j * n + i + 1; b = j * n + (i + 1) % n + 1
+      print "f", a, b, b + n; print "f", a, b + n, a + n
+    }
+    print "f", m * n + 1, m * n + 2, m * n + 3
+  }'
+}

@@ -23,7 +23,7 @@ Error_code solve_directly(const Edge_system& system, Level::Uv& uv);
 
 // Improves a map by a multigrid method until the relative residual is small enough, with the most iterations; after
 // these a direct solver takes over on the finest level, while on the others the map stays as it was. Tells of the
-// iterations. Returns `OK`, `ERROR_STOPPED`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if there is no map of the finest level.
+// iterations. Returns `OK`, `ERROR_STOPPED`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the finest level has no map.
 Error_code solve_by_multigrid(const Edge_system& system, double tolerance, std::size_t most_iterations, Level::Uv& uv,
                               Level_summary& summary);
 

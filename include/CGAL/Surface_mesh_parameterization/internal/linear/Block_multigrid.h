@@ -7,7 +7,6 @@
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
-#include <CGAL/Surface_mesh_parameterization/internal/core/Values.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Pruned_prolongation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>

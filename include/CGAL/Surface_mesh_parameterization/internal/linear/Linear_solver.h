@@ -21,16 +21,16 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 struct Linear_solver_options
 {
-  double tolerance =
-      1e-10;      // of the residual, relative to that of the free unknowns at 0; rows scaled to unit diagonal
+  // Of the residual, relative to that of the free unknowns at 0; rows scaled to unit diagonal.
+  double tolerance = 1e-10;
   std::size_t most_iterations = 300;
   // Rounding lets the residual that an iteration carries along drift away from the true one: then it starts again from
   // there, at most so often.
   int most_starts = 3;
-  int patience =
-      60;      // the most iterations in which the residual is not halved: of an indefinite matrix it may wander about for ever
-  double worst_backward_error =
-      1e-10;      // of a solution without iteration: of a nearly singular matrix, no solution has a small residual
+  // The most iterations in which the residual is not halved: of an indefinite matrix it may wander about for ever.
+  int patience = 60;
+  // Of a solution without iteration: of a nearly singular matrix, no solution has a small residual.
+  double worst_backward_error = 1e-10;
   // From then on one right side has K-cycles: they take about three times as long, but where an energy hardly changes
   // with conformal motions, as that of least squares conformal maps, they save more than that in the end.
   std::size_t most_v_cycles = 100;

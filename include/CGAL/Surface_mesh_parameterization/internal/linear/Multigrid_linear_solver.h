@@ -50,8 +50,11 @@ public:
     for (const Index i : free_unknowns)
       grid_unknowns.push_back(unknowns[i]);
     std::vector<Mesh_unknown>().swap(unknowns);
-    m_multigrid =
-        std::make_unique<Multigrid>(*hierarchy, grid_unknowns, m_system.template free_part<Real>(), tied_vertices);
+    const bool is_in_plane = std::any_of(grid_unknowns.begin(), grid_unknowns.end(),
+                                         [](const Mesh_unknown& u) { return u.component > 0; });
+    m_multigrid = std::make_unique<Multigrid>(
+        *hierarchy, grid_unknowns, m_system.template free_part<Real>(), tied_vertices,
+        is_in_plane ? scalar_multigrid_options_in_plane() : Scalar_multigrid_options());
   }
 
   const std::shared_ptr<const Sparse_rows<double>>& rows() const override { return m_system.rows(); }

@@ -22,7 +22,7 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Is thrown by the solver of a run, through the parameterizer that uses it, where the run is to end. Not each one
-// would end by itself: Iterative_authalic_parameterizer_3 tries again, and its counter of failures starts at any number.
+// would end by itself: Iterative_authalic_parameterizer_3 tries again, and its count of failures starts at any number.
 struct Solver_gives_up
 { };
 

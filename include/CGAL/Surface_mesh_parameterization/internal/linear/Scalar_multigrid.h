@@ -16,7 +16,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/k_cycle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/v_cycle.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -24,23 +23,31 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// `in_plane` are those for a matrix whose unknowns are both coordinates of vertices in the plane.
 struct Scalar_multigrid_options
 {
-  std::size_t groups_per_grid = 4, groups_per_grid_in_plane = 5;        // collapse groups from one grid to the next
+  std::size_t groups_per_grid = 4;        // collapse groups from one grid to the next
   std::size_t coarsest_size = 500;        // a grid of so many unknowns is solved directly
   // Where angles are obtuse, cotangent weights are negative, and incomplete factors need not exist: a diagonal that is
   // a little greater helps. Much more costs cycles, 10 % a third. Where all entries beside the diagonal are negative,
   // as those of uniform or mean value weights are, it would cost some for nothing.
   double enlargement_of_diagonal = 1.02;
-  double enlargement_in_plane = 1.03;
+  Pruning pruning = Pruning::GREATEST_WEIGHTS;      // where the hierarchy has no points, there is no other one
 };
 
-// Cycles for a matrix whose unknowns sit at the vertices of a hierarchy: Galerkin operators over every fourth collapse
-// group, incomplete LU as the smoother before and after, a direct solution at the bottom. With a symmetric matrix the
-// cycle is symmetric, too.
-//
-// They are V-cycles, or K-cycles on request.
+// Those for a matrix of both coordinates of vertices in the plane, as that of least squares conformal maps, whose
+// energy conformal motions hardly change.
+inline Scalar_multigrid_options scalar_multigrid_options_in_plane()
+{
+  Scalar_multigrid_options options;
+  options.groups_per_grid = 5;
+  options.enlargement_of_diagonal = 1.03;
+  options.pruning = Pruning::TRIANGLE;
+  return options;
+}
+
+// V-cycles, or K-cycles on request, for a matrix whose unknowns sit at the vertices of a hierarchy: Galerkin operators
+// over every fourth collapse group, incomplete LU as the smoother before and after, a direct solution at the bottom.
+// With a symmetric matrix the V-cycle is symmetric, too.
 template <class Real>
 class Scalar_multigrid
 {
@@ -52,17 +59,12 @@ public:
                    const Scalar_multigrid_options& options = Scalar_multigrid_options())
   {
     std::size_t fine = hierarchy.number_of_levels() - 1;
-    const bool is_of_plane =
-        std::any_of(unknowns.begin(), unknowns.end(), [](const Mesh_unknown& u) { return u.component > 0; });
-    const Pruning pruning = is_of_plane && hierarchy.has_points() ? Pruning::TRIANGLE : Pruning::GREATEST_WEIGHTS;
-    const std::size_t groups_per_grid = is_of_plane ? options.groups_per_grid_in_plane : options.groups_per_grid;
-    const double enlargement_if_positive =
-        is_of_plane ? options.enlargement_in_plane : options.enlargement_of_diagonal;
-    const Real enlargement = has_positive_entries(matrix) ? Real(enlargement_if_positive) : Real(1);
+    const Pruning pruning = hierarchy.has_points() ? options.pruning : Pruning::GREATEST_WEIGHTS;
+    const Real enlargement = has_positive_entries(matrix) ? Real(options.enlargement_of_diagonal) : Real(1);
     m_grids.emplace_back(std::move(matrix), enlargement);
     for (const std::vector<Mesh_unknown>* fine_unknowns = &unknowns;
          fine > 0 && fine_unknowns->size() > options.coarsest_size;) {
-      const std::size_t coarse = fine > groups_per_grid ? fine - groups_per_grid : 0;
+      const std::size_t coarse = fine > options.groups_per_grid ? fine - options.groups_per_grid : 0;
       m_transfers.emplace_back(Pruned_prolongation(hierarchy, coarse, fine, Loops(), pruning), *fine_unknowns,
                                tied_vertices);
       m_grids.emplace_back(m_transfers.back().template galerkin_product<Real>(m_grids.back()), enlargement);
