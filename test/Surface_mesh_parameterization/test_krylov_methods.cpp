@@ -145,4 +145,30 @@ TYPED_TEST(Krylov_method, stops_in_time)
   EXPECT_LE(TypeParam()(system, x, r, 100), 100u);
 }
 
+// The quadratic function x A x / 2 - b x falls by what the method tells, and the iteration ends when that does not pay.
+TEST(Conjugate_gradients, tell_what_they_lower)
+{
+  typedef Dense_system::Value_2    Value_2;
+  typedef Dense_system::Vector_2   Vector_2;
+  Dense_system system{ laplacian(4, true) };
+  Random random(3);
+  Vector_2 b(16);
+  for (Value_2& value : b)
+    value = { random(-1, 1), random(-1, 1) };
+  Vector_2 x(16, Value_2::zero()), r = b, scratch(16);
+  Value_2 sum = Value_2::zero();
+  std::size_t calls = 0;
+  const std::size_t iterations = SMP::internal::conjugate_gradients(system, x, r, scratch, 100, [&](const Value_2& d) {
+    EXPECT_TRUE(is_less_or_equal(Value_2::zero(), d));
+    sum += d;
+    return ++calls < 4;
+  });
+  EXPECT_EQ(iterations, 4u);
+  const Vector_2 ax = system.times(x);
+  Value_2 value = Value_2::zero();
+  for (std::size_t i = 0; i < x.size(); ++i)
+    value += x[i] * (0.5 * ax[i] - b[i]);
+  EXPECT_TRUE(is_less_or_equal(abs(value + sum), Value_2::all(1e-12)));
+}
+
 } // namespace

@@ -177,9 +177,7 @@ TYPED_TEST(Newton_of, steps_lower_the_energy_by_exactly_what_they_return)
        { grid(12, 9, wavy), grid_with_holes(20), delaunay_patch(400, 2, wavy), deep_cap(), folded_fan(), strip(20) }) {
     const Finest_level f(m);
     const Level_energy_of<TypeParam> energy(f.level, Triangle_weight::AREA);
-    Newton_options newton_options;
-    newton_options.residual_reduction = 0.1;
-    Newton_method newton(energy, nullptr, newton_options);
+    Newton_method newton(energy);
     Level::Uv uv = first_map(f.level);
     for (int i = 0; i < 10; ++i) {
       const double before = energy(uv);
@@ -235,10 +233,35 @@ TEST(Newton_multigrid, keeps_the_length_of_steps_at_the_bound_of_the_angles_at_t
   EXPECT_LT(excess(uv), 1.2 * excess(best));
 }
 
-// ---- negative twist that is kept ----
+// ---- what makes the Hessian indefinite, and is kept ----
+
+TEST(Corner_hessian, of_a_scale_invariant_energy_is_the_derivative_of_the_gradient_if_all_is_kept)
+{
+  Random random(5);
+  for (int k = 0; k < 300; ++k) {
+    const Random_triangle t(k % 3, random);
+    if (!t.is_fat())
+      continue;
+    const Rest_corner corner = SMP::internal::rest_corner(t.p[0], t.p[1], t.p[2]);
+    const Vector_2 a = t.q[1] - t.q[0], b = t.q[2] - t.q[0];
+    const auto at = [&](const Vector_2& move_of_v, const Vector_2& move_of_b) {
+      return corner_hessian(MIPS_energy_2(), corner, 1, a - move_of_v, b - move_of_v + move_of_b, 1);
+    };
+    const Corner_hessian h = at(Vector_2(0, 0), Vector_2(0, 0));
+    const double step = 1e-5, tolerance = 1e-6 * (dense_of(h.to_v).norm() + dense_of(h.to_b).norm());
+    for (int i = 0; i < 2; ++i) {
+      const Vector_2 zero(0, 0), move(i == 0 ? step : 0, i == 1 ? step : 0);
+      const auto derivative = [&](const Corner_hessian& before, const Corner_hessian& after) -> Eigen::Vector2d {
+        return Eigen::Vector2d(after.gradient.x - before.gradient.x, after.gradient.y - before.gradient.y) / (2 * step);
+      };
+      EXPECT_NEAR((derivative(at(-move, zero), at(move, zero)) - dense_of(h.to_v).col(i)).norm(), 0, tolerance);
+      EXPECT_NEAR((derivative(at(zero, -move), at(zero, move)) - dense_of(h.to_b).col(i)).norm(), 0, tolerance);
+    }
+  }
+}
 
 // The rows and columns of all vertices but those on the border, of the Hessian at a map that scales a planar grid.
-Eigen::MatrixXd inner_hessian(double scale, double negative_twist)
+Eigen::MatrixXd inner_hessian(double scale, double indefinite_part)
 {
   const Flat_mesh m = grid(8, 8, flat);
   const One_rings rings(m.points.size(), m.triangles);
@@ -251,7 +274,7 @@ Eigen::MatrixXd inner_hessian(double scale, double negative_twist)
       const Index a = rings[v][i], b = rings[v][(i + 1) % rings[v].size()];
       const auto h = SMP::internal::corner_hessian(Energy(infinity),
                                                    SMP::internal::rest_corner(m.points[v], m.points[a], m.points[b]), 1,
-                                                   in_plane(v, a), in_plane(v, b), negative_twist);
+                                                   in_plane(v, a), in_plane(v, b), indefinite_part);
       result.block<2, 2>(2 * v, 2 * v) += dense_of(h.to_v);
       if (!rings.is_border(b))
         result.block<2, 2>(2 * v, 2 * b) += dense_of(h.to_b);

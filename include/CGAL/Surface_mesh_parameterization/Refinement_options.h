@@ -38,8 +38,9 @@ struct Refinement_options
   Optimizer optimizer = Optimizer::NEWTON;
 
   /// named parameter `tolerance`: a level has converged when an iteration lowers the energy by less than this part of
-  /// its excess over the minimum, which counts as 1e-4 of the minimum at least. With Newton's method, levels below the
-  /// finest use 5e-3 instead: they only need to give a good first guess
+  /// its excess over the minimum, which counts as 1e-4 of the minimum at least. With Newton's method it has converged,
+  /// too, when the last three steps show that the remaining ones would lower the energy by less than that; and levels
+  /// below the finest use 5e-3 instead: they only need to give a good first guess
   double tolerance = 1e-6;
 
   /// named parameter `number_of_iterations`: the most iterations on a level: Newton steps, or sweeps (of as many visits

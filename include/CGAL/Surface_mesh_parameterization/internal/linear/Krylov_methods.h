@@ -87,10 +87,18 @@ Product_of<Vector> go_along(const System& system, const Product_of<Vector>& alph
   });
 }
 
+struct Always
+{
+  template <class T>
+  bool operator()(const T&) const { return true; }
+};
+
 // Conjugate gradients; A and M must be symmetric and positive definite. M may change a little from one iteration to the
 // next, as a K-cycle does: then the next direction is still conjugate to the last one. `p` is scratch of the size of x.
-template <class System, class Vector>
-std::size_t conjugate_gradients(System& system, Vector& x, Vector& r, Vector& p, std::size_t most_iterations)
+// The iteration goes on while pays(d) for what the last step lowered x A x / 2 - b x by.
+template <class System, class Vector, class Pays = Always>
+std::size_t conjugate_gradients(System& system, Vector& x, Vector& r, Vector& p, std::size_t most_iterations,
+                                Pays pays = Pays())
 {
   typedef Product_of<Vector>   Product;
   const Product zero = zero_product<Product>();
@@ -110,6 +118,8 @@ std::size_t conjugate_gradients(System& system, Vector& x, Vector& r, Vector& p,
     if (!is_less_or_equal(zero, curvature) || !is_finite(alpha))
       break;
     norm2 = go_along(system, alpha, p, q, x, r);
+    if (!pays(0.5 * alpha * rz))
+      break;
   }
   return iterations;
 }

@@ -30,9 +30,9 @@ public:
   // Returns false if a visitor stopped the run.
   bool run()
   {
+    // The energy is quadratic: what the linear system finds, no second step has to find.
     Newton_options newton_options;
-    newton_options.residual_reduction =
-        1e-3;      // the energy is quadratic: what the linear system lacks, no second step has to find
+    newton_options.least_forcing = newton_options.greatest_forcing = 1e-6;
     Newton_method newton(m_energy, nullptr, newton_options);
     const Index a = farthest_border_vertex(0), b = farthest_border_vertex(a);
     newton.fix_vertices({ a, b });

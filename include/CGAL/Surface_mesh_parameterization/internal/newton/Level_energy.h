@@ -52,9 +52,9 @@ public:
   // Infinite if a triangle is not positive and the energy keeps them so.
   double operator()(const Level::Uv& uv) const;
 
-  // Writes the gradient, and the rows of a Hessian that is made positive semidefinite but for a part `negative_twist`,
+  // Writes the gradient, and the rows of a Hessian that is made positive semidefinite but for a part `indefinite_part`,
   // see Jacobian_hessian.
-  void assemble(const Level::Uv& uv, double negative_twist, Block_vectors& gradient, Block_matrix& hessian) const;
+  void assemble(const Level::Uv& uv, double indefinite_part, Block_vectors& gradient, Block_matrix& hessian) const;
 
   virtual std::unique_ptr<Vertex_relaxer> make_vertex_relaxer() const = 0;
 
@@ -70,7 +70,7 @@ private:
   // The energy of the triangles whose least vertex is in a range.
   virtual double sum(Index begin, Index end, const Level::Uv& uv) const = 0;
 
-  virtual void assemble_rows(Index begin, Index end, const Level::Uv& uv, double negative_twist,
+  virtual void assemble_rows(Index begin, Index end, const Level::Uv& uv, double indefinite_part,
                              Block_vectors& gradient, Block_matrix& hessian) const = 0;
 
   const Level& m_level;

@@ -27,12 +27,12 @@ double Level_energy::operator()(const Level::Uv& uv) const
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void Level_energy::assemble(const Level::Uv& uv, double negative_twist, Block_vectors& gradient,
+void Level_energy::assemble(const Level::Uv& uv, double indefinite_part, Block_vectors& gradient,
                             Block_matrix& hessian) const
 {
   // Row by row, so that no two rows write to one place.
   m_level.loops().for_each_block(0, Index(m_level.number_of_vertices()), [&](Index begin, Index end) {
-    assemble_rows(begin, end, uv, negative_twist, gradient, hessian);
+    assemble_rows(begin, end, uv, indefinite_part, gradient, hessian);
   });
 }
 

@@ -81,16 +81,16 @@ private:
                                     scale * doubled_area);
   }
 
-  void assemble_rows(Index begin, Index end, const Level::Uv& uv, double negative_twist, Block_vectors& gradient,
+  void assemble_rows(Index begin, Index end, const Level::Uv& uv, double indefinite_part, Block_vectors& gradient,
                      Block_matrix& hessian) const override
   {
     for (Index v = begin; v < end; ++v) {
       level().rings().prefetch_neighbors_after(v, uv);
-      assemble_row(v, uv, negative_twist, gradient[v], hessian);
+      assemble_row(v, uv, indefinite_part, gradient[v], hessian);
     }
   }
 
-  void assemble_row(Index v, const Level::Uv& uv, double negative_twist, Block_vector& gradient,
+  void assemble_row(Index v, const Level::Uv& uv, double indefinite_part, Block_vector& gradient,
                     Block_matrix& hessian) const
   {
     const Level::Ring ring = level().one_ring(v);
@@ -102,7 +102,7 @@ private:
     for (std::size_t i = 0; i < level().rings().number_of_triangles(v); ++i) {
       const std::size_t j = i + 1 == ring.size() ? 0 : i + 1;
       const Corner_hessian h = corner_hessian(triangle_energy(corners[i]), corners[i], weight(corners[i]),
-                                              uv[ring[i]] - uv[v], uv[ring[j]] - uv[v], negative_twist);
+                                              uv[ring[i]] - uv[v], uv[ring[j]] - uv[v], indefinite_part);
       gradient += h.gradient;
       diagonal += h.to_v;
       row[j] += h.to_b;

@@ -15,10 +15,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Vertex_relaxation.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
 #include <random>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -41,10 +43,14 @@ struct Level_refiner_options
   // fails: these are for a sweep, after steps that are shorter than that, or lower the excess energy by more than that
   // part.
   double short_step = 0.3, great_decrease = 0.01;
+  double long_step = 0.7;               // steps of this length tell how Newton's method converges
   double barrier_stiffness = 0.1;       // relative to the mean weight of a triangle
   // On a surface that can be laid in the plane without distortion the excess has no bound from below. Less of it than
   // this part of the energy is not looked at closer.
   double least_excess = 1e-4;
+  // What is not worth a cycle, relative to the tolerance, where energies keep triangles positive: others fall in small
+  // steps towards the end.
+  double negligible_part = 0.1;
   double rounding = 1e-12;      // of the energy, relative to the weight
   Newton_options newton;
 };
@@ -200,8 +206,11 @@ private:
     const double least_decrease = m_level.is_finest() ? m_refinement.tolerance : m_options.decrease_on_coarse_levels;
     Newton_method newton(m_energy, m_barrier.get(), m_options.newton);
     relaxation.set_turn_barrier(newton.turn_barrier());
+    std::vector<double> decreases;      // by the last steps that were long
     while (!m_is_stopped && m_summary.iterations < m_refinement.number_of_iterations && !m_summary.converged) {
-      const auto step = newton.step(m_uv, m_current);
+      const double negligible =
+          m_energy.is_flip_free() ? m_options.negligible_part * m_refinement.tolerance * excess() : 0;
+      const auto step = newton.step(m_uv, m_current, negligible);
       if (m_barrier || newton.turn_barrier().stiffness() > 0)     // the step may have paid for room with energy
         m_current = m_energy(m_uv);
       else
@@ -212,9 +221,21 @@ private:
       if (step.length < m_options.short_step || !is_little(step.decrease, m_options.great_decrease))
         sweep(relaxation);
       const double decrease = step.decrease + step.slack + (before_sweep - m_current);
-      m_summary.converged = is_little(decrease, least_decrease);
+      if (!(step.length >= m_options.long_step && step.slack == 0 && m_energy.is_flip_free()))
+        decreases.clear();
+      decreases.push_back(decrease);
+      m_summary.converged = is_little(decrease, least_decrease) || remainder_of(decreases) <= least_decrease * excess();
       tell(part_done(decrease, least_decrease));
     }
+  }
+
+  // What the energy will fall yet if the last three decreases are the start of a geometric series.
+  static double remainder_of(const std::vector<double>& decreases)
+  {
+    if (decreases.size() < 3)
+      return (std::numeric_limits<double>::infinity)();
+    const double last = decreases.back(), ratio = std::sqrt(last / decreases[decreases.size() - 3]);
+    return ratio < 1 ? last * ratio / (1 - ratio) : (std::numeric_limits<double>::infinity)();
   }
 
   // A part of the excess energy.

@@ -40,9 +40,11 @@ public:
   explicit Newton_method(const Level_energy& energy, Border_barrier* barrier = nullptr,
                          const Newton_options& options = Newton_options())
     : m_energy(energy), m_level(energy.level()), m_options(options), m_barrier(barrier), m_turn_barrier(energy.level()),
-      m_system(energy, m_options)
+      m_system(energy, m_options),
+      m_accuracy{ energy.is_flip_free() ? m_options.greatest_forcing : m_options.forcing_with_flips, 0,
+                  m_options.most_cycles_after_short_step }
   {
-    m_system.set_negative_twist(m_energy.is_flip_free() ? 0 : first_negative_twist());
+    m_system.set_indefinite_part(m_energy.is_flip_free() ? 0 : first_indefinite_part());
     m_direction.resize(m_level.number_of_vertices());
   }
 
@@ -51,42 +53,53 @@ public:
   // Lets no step move the given vertices, see Newton_system.
   void fix_vertices(std::vector<Index> vertices) { m_system.fix_vertices(std::move(vertices)); }
 
-  // One step from `uv`, whose energy is given.
-  Step step(Level::Uv& uv, double energy)
+  // One step from `uv`, whose energy is given. A cycle that would lower it by no more than `negligible` is not made.
+  Step step(Level::Uv& uv, double energy, double negligible = 0)
   {
+    m_accuracy.negligible = negligible;
     Step result = try_step(uv, energy);
     if (result.length == 0 && m_lost_gaps > 0 && lets_gaps_close()) {
       m_turn_barrier.set_stiffness(m_options.first_slack * result.predicted / double(m_lost_gaps));
       result = try_step(uv, energy);
     }
-    if (result.length == 0 && m_system.negative_twist() > 0) {
-      m_system.set_negative_twist(0);
+    if (result.length == 0 && m_system.indefinite_part() > 0) {
+      m_system.set_indefinite_part(0);
       result = try_step(uv, energy);
     }
-    adapt_negative_twist(result);
+    adapt_accuracy(result);
+    adapt_indefinite_part(result);
     lower_turn_barrier(result);
     return result;
   }
 
 private:
-  double first_negative_twist() const
+  double first_indefinite_part() const
   {
-    return m_energy.is_scale_invariant() ? 0
-           : m_energy.is_flip_free()     ? m_options.negative_twist
-                                         : m_options.negative_twist_with_flips;
+    return m_energy.is_flip_free() ? m_options.indefinite_part : m_options.indefinite_part_with_flips;
+  }
+
+  // Where the model is good, its minimum is worth more cycles.
+  void adapt_accuracy(const Step& step)
+  {
+    m_accuracy.most_cycles = step.length == 1 ? m_options.most_cycles : m_options.most_cycles_after_short_step;
+    if (step.length > 0 && m_energy.is_flip_free()) {
+      const double error = std::abs(step.decrease / step.predicted - 1);
+      m_accuracy.forcing = (std::max)(m_options.least_forcing, (std::min)(m_options.part_of_prediction_error * error,
+                                                                          m_options.greatest_forcing));
+    }
   }
 
   // Where a step cannot be taken in full length, or gains little, the model is indefinite, or no good. Where it gains
-  // much more than predicted, the model has too little negative curvature.
-  void adapt_negative_twist(const Step& step)
+  // more than predicted, the model has too little negative curvature.
+  void adapt_indefinite_part(const Step& step)
   {
-    const double part = m_system.negative_twist(), relative_decrease = step.decrease / step.predicted;
+    const double part = m_system.indefinite_part(), relative_decrease = step.decrease / step.predicted;
     if (!(step.length == 1 && relative_decrease > m_options.least_part_of_prediction))
-      m_system.set_negative_twist(0);
+      m_system.set_indefinite_part(0);
     else if (part > 0 && relative_decrease > m_options.great_part_of_prediction)
-      m_system.set_negative_twist(0.5 * (part + 1));
+      m_system.set_indefinite_part(0.5 * (part + 1));
     else
-      m_system.set_negative_twist(first_negative_twist());
+      m_system.set_indefinite_part(first_indefinite_part());
   }
 
   // Whether nothing holds back a step that turns too far. Borders that are kept apart do.
@@ -117,7 +130,7 @@ private:
     }
     if (!m_system.assemble(uv, m_contacts))
       return result;
-    result.cycles = m_system.solve();
+    result.cycles = m_system.solve(m_accuracy);
     if (m_trial.size() == uv.size())
       m_system.add_previous_step(m_trial, uv);      // the line search left the map before that step in m_trial
     for_each_vertex([&](Index v) { m_direction[v] = m_system.move(v); });
@@ -213,6 +226,7 @@ private:
   Contacts m_contacts;
   std::size_t m_lost_gaps = 0;      // by the last trial
   Newton_system m_system;
+  Newton_system::Accuracy m_accuracy;
   Block_vectors m_direction;
   Level::Uv m_trial;
 };

@@ -11,20 +11,26 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // What Newton's method takes for granted unless it is told otherwise.
 struct Newton_options
 {
-  // The linear system. Conjugate gradients stop when the residual has fallen by the factor `residual_reduction`, or
-  // after so many V-cycles.
-  double residual_reduction = 0.07;
-  std::size_t most_cycles = 10;
+  // The linear system. Conjugate gradients stop when the residual has fallen by the factor `residual_reduction`, or a
+  // cycle lowers the quadratic model by less than a part of what all have lowered it by, or after so many cycles: few
+  // unless the last step was in full length. The part is that factor of the error of the model's prediction in the last
+  // step, within the bounds, where energies keep triangles positive.
+  double part_of_prediction_error = 0.3, least_forcing = 0.01, greatest_forcing = 0.05, forcing_with_flips = 1e-3;
+  double residual_reduction = 1e-4;
+  std::size_t most_cycles = 60, most_cycles_after_short_step = 10;
+  // A K-cycle costs 1.4 times as much as a V-cycle. For scale-invariant energies it pays from a system that takes more
+  // V-cycles than these: almost conformal motions are all that is left then.
+  std::size_t most_v_cycles = 9;
   // The coarse grids of an earlier map serve as long as they need no more cycles than these: to make them costs as much
   // as three.
   std::size_t most_cycles_without_setup = 8;
-  // The part of the flip's curvature up to which a negative twist is kept at first, where it is kept: of energies that
-  // keep triangles positive, and of others.
-  double negative_twist = 0.5, negative_twist_with_flips = 0.95;
+  // The part of what makes the Hessian indefinite that is kept at first, where it is kept: of energies that keep
+  // triangles positive, and of others.
+  double indefinite_part = 0.5, indefinite_part_with_flips = 0.95;
   // It is kept after a step in full length that lowered the energy by this part at least of what the model said.
   double least_part_of_prediction = 0.5;
   // After a step that lowered it by more than this part, half of the rest is kept, too.
-  double great_part_of_prediction = 1.3;
+  double great_part_of_prediction = 1.05;
   // Of a spring that holds a fixed vertex, relative to its triangles.
   double stiffness_of_fixed_vertex = 1e12;
   // Where the step and the one before span less of the plane than this, relative to their lengths, they are not

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_options.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -20,8 +21,8 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The quadratic model of a level's energy at a map: the exact gradient, and a Hessian that is made positive
-// semidefinite. Its linear systems are solved by conjugate gradients that are preconditioned by a V-cycle. Patterns are
-// made once, for all maps.
+// semidefinite. Its linear systems are solved by conjugate gradients that are preconditioned by a multigrid cycle.
+// Patterns are made once, for all maps.
 class Newton_system
 {
 public:
@@ -38,15 +39,15 @@ public:
   // them.
   void fix_vertices(std::vector<Index> vertices) { m_fixed = std::move(vertices); }
 
-  // The part of their negative twist that the next Hessians keep, see Jacobian_hessian. Energies that depend on scale
-  // have one wherever triangles are compressed, and without it Newton's method creeps: on a camel's head it takes six
-  // times as many steps. But the Hessian may be indefinite then.
-  double negative_twist() const { return m_negative_twist; }
+  // The part of what makes them indefinite that the next Hessians keep, see Jacobian_hessian. Without it Newton's method
+  // converges slowly: for energies that depend on scale it takes six times as many steps on a camel's head. With too
+  // much of it, its steps may lead away from the minimum.
+  double indefinite_part() const { return m_indefinite_part; }
 
-  void set_negative_twist(double part)
+  void set_indefinite_part(double part)
   {
-    m_needs_setup = m_needs_setup || part != m_negative_twist;
-    m_negative_twist = part;
+    m_needs_setup = m_needs_setup || part != m_indefinite_part;
+    m_indefinite_part = part;
   }
 
   // Makes the model at `uv`, with the energies of the contacts; returns whether its systems can be solved.
@@ -58,7 +59,7 @@ public:
       m_multigrid.forget_pattern();
       m_needs_setup = true;
     }
-    m_energy.assemble(uv, m_negative_twist, m_gradient, matrix);
+    m_energy.assemble(uv, m_indefinite_part, m_gradient, matrix);
     for (const Index v : m_fixed) {
       m_gradient[v] = Block_vector(0, 0);
       matrix.set_diagonal(v, m_options.stiffness_of_fixed_vertex * matrix.unscaled_diagonal_block(v));
@@ -76,15 +77,22 @@ public:
 
   const Block_vectors& gradient() const { return m_gradient; }
 
+  // When to end before the minimum of the model: where a cycle lowers it by less than the part `forcing` of what all
+  // have lowered it by, or by `negligible`, or after so many cycles.
+  struct Accuracy
+  {
+    double forcing, negligible;
+    std::size_t most_cycles;
+  };
+
   // Finds the moves that lead to the minimum; returns the number of cycles.
-  std::size_t solve()
+  std::size_t solve(const Accuracy& accuracy)
   {
     const std::vector<double>& scale = m_multigrid.matrix().scale;
     for_each_vertex([&](Index v) { m_residual[v] = -scale[v] * m_gradient[v]; });
-    const std::size_t cycles = solve_for_residual();
+    const std::size_t cycles = solve_for_residual(accuracy);
     m_needs_setup = cycles > m_options.most_cycles_without_setup;
-    // A K-cycle costs 1.4 times as much as a V-cycle, and pays where conformal motions are all that is left.
-    if (cycles == m_options.most_cycles && m_energy.is_scale_invariant())
+    if (cycles > m_options.most_v_cycles && m_energy.is_scale_invariant())
       m_multigrid.use_k_cycles();
     return cycles;
   }
@@ -154,12 +162,14 @@ private:
   void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, Index(m_gradient.size()), f); }
 
   // Solves for m_solution; the right side stands in m_residual.
-  std::size_t solve_for_residual()
+  std::size_t solve_for_residual(const Accuracy& accuracy)
   {
     for_each_vertex([&](Index v) { m_solution[v] = Block_vector(0, 0); });
     Iteration iteration(m_multigrid, m_level, m_options.residual_reduction);
-    const std::size_t cycles =
-        conjugate_gradients(iteration, m_solution, m_residual, m_direction, m_options.most_cycles);
+    double sum = 0;
+    const std::size_t cycles = conjugate_gradients(
+        iteration, m_solution, m_residual, m_direction, accuracy.most_cycles,
+        [&](double d) { return d > (std::max)(accuracy.forcing * (sum += d), accuracy.negligible); });
     for (const Index v : m_fixed)
       m_solution[v] = Block_vector(0, 0);
     return cycles;
@@ -171,7 +181,7 @@ private:
   Block_multigrid m_multigrid;
   Contact_pattern m_pattern;
   bool m_needs_setup = true;
-  double m_negative_twist = 0;
+  double m_indefinite_part = 0;
   std::vector<Index> m_fixed;
   Block_vectors m_gradient;
   Block_vectors m_solution, m_residual, m_direction;      // of the linear system, in scaled variables
