@@ -39,9 +39,9 @@ public:
   // them.
   void fix_vertices(std::vector<Index> vertices) { m_fixed = std::move(vertices); }
 
-  // The part of what makes them indefinite that the next Hessians keep, see Jacobian_hessian. Without it Newton's method
-  // converges slowly: for energies that depend on scale it takes six times as many steps on a camel's head. With too
-  // much of it, its steps may lead away from the minimum.
+  // The part of what makes them indefinite that the next Hessians keep, see Jacobian_hessian. Without it Newton's
+  // method converges slowly: for energies that depend on scale it takes six times as many steps on a camel's head. With
+  // too much of it, its steps may lead away from the minimum.
   double indefinite_part() const { return m_indefinite_part; }
 
   void set_indefinite_part(double part)
