@@ -124,7 +124,7 @@ TYPED_TEST(RefinableParameterizer_3, similar_surfaces_have_similar_maps)
   // The quality as a map of `m`.
   const auto run = [&](const Flat_mesh& similar, double scale) {
     Mapped_mesh mapped(similar), measured(m);
-    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(TypeParam(parameters::tolerance(1e-10)),
+    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(TypeParam(parameters::tolerance(1e-13)),
                                                                           parameters::coarsest_size(30))),
               OK);
     for (const auto v : vertices(measured.mesh))
@@ -137,9 +137,9 @@ TYPED_TEST(RefinableParameterizer_3, similar_surfaces_have_similar_maps)
     for (Point_3& p : moved.points)
       p = Point_3(scale * (0.6 * p.x() - 0.8 * p.z() + 3), scale * (0.8 * p.x() + 0.6 * p.z()), scale * (5 - p.y()));
     const Parameterization_quality found = run(moved, scale);
-    // What a method does not minimize is off by the root of what the minimum is off by.
+    // What a method does not minimize is less exact.
     constexpr bool is_MIPS = std::is_same<TypeParam, MIPS>::value;
-    EXPECT_NEAR(found.mips_excess / expected.mips_excess, 1, is_MIPS ? 1e-6 : 1e-3) << "scale " << scale;
+    EXPECT_NEAR(found.mips_excess / expected.mips_excess, 1, is_MIPS ? 1e-6 : 1e-4) << "scale " << scale;
     EXPECT_NEAR((found.symmetric_dirichlet - 4) / (expected.symmetric_dirichlet - 4), 1, is_MIPS ? 1e-5 : 1e-6)
         << "scale " << scale;
   }
