@@ -81,6 +81,27 @@ TEST(Level_refiner, slides_along_the_bound_of_the_angles_at_the_border)
   EXPECT_LT(energy[int(Optimizer::NEWTON)], 1.001 * energy[int(Optimizer::SWEEPS)]);
 }
 
+// Where Newton's method converges slowly, small steps are no sign that nothing is left.
+TEST(Level_refiner, leaves_no_more_than_twice_the_tolerance)
+{
+  for (const Flat_mesh& m : { grid(12, 9, wavy), deep_cap(), hemisphere(), delaunay_patch(300, 5, wavy) }) {
+    const Finest_level f(m);
+    const double minimum = 2 * double(m.triangles.size());
+    const auto excess = [&](double tolerance) {
+      Refinement_options options;
+      options.number_of_iterations = 200;
+      options.tolerance = tolerance;
+      Level::Uv uv = first_map(f.level);
+      Level_summary summary;
+      refine<MIPS_energy_2>(f.level, uv, options, summary);
+      return summary.energy_end - minimum;
+    };
+    const double best = excess(1e-13);
+    for (const double tolerance : { 1e-3, 1e-4, 1e-5, 1e-6, 1e-7 })
+      EXPECT_LE(excess(tolerance), best * (1 + 2 * tolerance)) << m.triangles.size() << " triangles, " << tolerance;
+  }
+}
+
 TEST(Level_refiner, tells_what_it_did)
 {
   const Finest_level f(grid(12, 9, wavy));

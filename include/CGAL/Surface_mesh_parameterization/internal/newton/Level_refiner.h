@@ -43,7 +43,7 @@ struct Level_refiner_options
   // fails: these are for a sweep, after steps that are shorter than that, or lower the excess energy by more than that
   // part.
   double short_step = 0.3, great_decrease = 0.01;
-  double long_step = 0.7;               // steps of this length tell how Newton's method converges
+  double long_step = 0.7;               // shorter steps do not tell how Newton's method converges
   double barrier_stiffness = 0.1;       // relative to the mean weight of a triangle
   // On a surface that can be laid in the plane without distortion the excess has no bound from below. Less of it than
   // this part of the energy is not looked at closer.
@@ -206,7 +206,7 @@ private:
     const double least_decrease = m_level.is_finest() ? m_refinement.tolerance : m_options.decrease_on_coarse_levels;
     Newton_method newton(m_energy, m_barrier.get(), m_options.newton);
     relaxation.set_turn_barrier(newton.turn_barrier());
-    std::vector<double> decreases;      // by the last steps that were long
+    std::vector<double> decreases;      // by the last steps, all but the first of them regular
     while (!m_is_stopped && m_summary.iterations < m_refinement.number_of_iterations && !m_summary.converged) {
       const double negligible =
           m_energy.is_flip_free() ? m_options.negligible_part * m_refinement.tolerance * excess() : 0;
@@ -221,12 +221,19 @@ private:
       if (step.length < m_options.short_step || !is_little(step.decrease, m_options.great_decrease))
         sweep(relaxation);
       const double decrease = step.decrease + step.slack + (before_sweep - m_current);
-      if (!(step.length >= m_options.long_step && step.slack == 0 && m_energy.is_flip_free()))
+      if (!is_regular(step))
         decreases.clear();
       decreases.push_back(decrease);
       m_summary.converged = is_little(decrease, least_decrease) || remainder_of(decreases) <= least_decrease * excess();
       tell(part_done(decrease, least_decrease));
     }
+  }
+
+  // Whether a step tells how Newton's method converges: long, and lowering the energy as the model predicts.
+  bool is_regular(const Newton_method::Step& step) const
+  {
+    return m_energy.is_flip_free() && step.slack == 0 && step.length >= m_options.long_step &&
+           step.decrease > m_options.newton.least_part_of_prediction * step.predicted;
   }
 
   // What the energy will fall yet if the last three decreases are the start of a geometric series.
