@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Rest_corners.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 
 #include <cstddef>
@@ -46,6 +47,9 @@ public:
   /// length `height` and meets AB at `foot` (0 at A, 1 at B), both relative to the length of AB. `inverse_area` is 1
   /// divided by the area, in the units of `point()`
   typedef internal::Rest_corner              Rest_corner;
+
+  /// the shapes of the triangles around a vertex: `corners[i]` is computed when it is asked for
+  typedef internal::Rest_corners             Rest_corners;
 
   /// makes the level with the given index. The hierarchy is kept by reference.
   /// \pre `index < hierarchy.number_of_levels()`
@@ -123,9 +127,9 @@ public:
   /// number of triangles around `v`
   std::size_t number_of_triangles(Index v) const { return m_rings.number_of_triangles(v); }
 
-  /// the shapes in space of the triangles around `v`, seen from `v`: an array of `number_of_triangles(v)`, in the order
-  /// of `one_ring(v)`
-  const Rest_corner* rest_corners(Index v) const { return m_rest_corners.data() + m_rings.first_slot(v); }
+  /// the shapes in space of the triangles around `v`, seen from `v`: `number_of_triangles(v)` of them, in the order of
+  /// `one_ring(v)`
+  Rest_corners rest_corners(Index v) const { return Rest_corners(hierarchy().points(), m_rings, v); }
 
   /// calls `f(v)` for every vertex `v`, in the threads that the run may use. No call may read or write what another
   /// call writes.
@@ -145,6 +149,13 @@ public:
   const internal::One_rings& rings() const { return m_rings; }
   const internal::Loops& loops() const { return m_loops; }
 
+  // In a loop over vertices, at v: asks for the places of the neighbors of the next vertices, here and in space.
+  void prefetch_neighbors_after(Index v, const Uv& uv) const
+  {
+    m_rings.prefetch_neighbors_after(v, uv);
+    m_rings.prefetch_neighbors_after(v, hierarchy().points());
+  }
+
   // Whether anybody sees what progressed() is told.
   bool is_watched() const;
 
@@ -158,7 +169,6 @@ private:
   internal::Loops m_loops;
   internal::Run_progress* m_progress;
   internal::One_rings m_rings;
-  std::vector<internal::Rest_corner> m_rest_corners;    // of every slot of the rings
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

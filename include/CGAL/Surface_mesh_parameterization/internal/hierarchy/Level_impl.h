@@ -8,7 +8,6 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 
 #include <cstddef>
 
@@ -22,18 +21,9 @@ void Level::go_to(std::size_t index)
   // On the way up the arrays grow into memory that is reserved but not yet used: where they were allocated anew for
   // every level, the system would have to clear that memory again and again.
   m_rings.reserve(hierarchy().number_of_vertices(), hierarchy().number_of_faces(), m_loops);
-  m_rest_corners.reserve(3 * hierarchy().number_of_faces() + hierarchy().number_of_vertices());
   m_rings.build(m_mesh.number_of_vertices(), m_mesh.triangles(), m_loops);
   if (is_finest())
     m_rings.release_scratch();
-  m_rest_corners.resize(m_rings.number_of_slots());
-  m_loops.for_each(0, Index(number_of_vertices()), [&](Index v) {
-    const Ring ring = one_ring(v);
-    m_rings.prefetch_neighbors_after(v, hierarchy().points());
-    for (std::size_t i = 0; i < m_rings.number_of_triangles(v); ++i)
-      m_rest_corners[m_rings.first_slot(v) + i] =
-          internal::rest_corner(point(v), point(ring[i]), point(ring[i + 1 == ring.size() ? 0 : i + 1]));
-  });
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -35,6 +35,7 @@ Error_code Nested_iteration::run(Triangulated_surface_3 surface, CGAL::Real_time
     m_summary.seconds_hierarchy = timer.time();
 
     Level::Uv uv_by_rank;
+    uv_by_rank.reserve(hierarchy.number_of_vertices());
     const Error_code status = m_summary.error.code = parameterize(hierarchy, uv_by_rank);
     m_summary.seconds_parameterize = timer.time() - m_summary.seconds_hierarchy;
     if (status == OK) {

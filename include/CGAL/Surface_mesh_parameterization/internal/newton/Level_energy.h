@@ -42,7 +42,7 @@ public:
   bool is_scale_invariant() const { return m_is_scale_invariant; }
 
   double weight(const Rest_corner& c) const { return m_weight == Triangle_weight::AREA ? 1 / c.inverse_area : 1; }
-  double total_weight() const;
+  double total_weight() const { return m_total_weight; }
 
   // What energies are reported in: the sum, or the mean over the area if triangles are weighted by it, unless another
   // unit is set.
@@ -61,12 +61,14 @@ public:
 protected:
   Level_energy(const Level& level, Triangle_weight weight, double minimum, bool is_flip_free, bool is_scale_invariant)
     : m_level(level), m_weight(weight), m_minimum(minimum), m_is_flip_free(is_flip_free),
-      m_is_scale_invariant(is_scale_invariant)
+      m_is_scale_invariant(is_scale_invariant), m_total_weight(sum_of_weights())
   { }
 
   Triangle_weight triangle_weight() const { return m_weight; }
 
 private:
+  double sum_of_weights() const;
+
   // The energy of the triangles whose least vertex is in a range.
   virtual double sum(Index begin, Index end, const Level::Uv& uv) const = 0;
 
@@ -77,6 +79,7 @@ private:
   Triangle_weight m_weight;
   double m_minimum, m_unit = 0;
   bool m_is_flip_free, m_is_scale_invariant;
+  double m_total_weight;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -10,11 +10,14 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-double Level_energy::total_weight() const
+double Level_energy::sum_of_weights() const
 {
+  if (m_weight == Triangle_weight::ONE)
+    return double(m_level.number_of_faces());
   return m_level.loops().sum(0, Index(m_level.number_of_vertices()), 0., [&](Index v) {
     double sum = 0;
-    for_each_triangle_of_least_vertex(m_level, v, [&](Index, Index, const Rest_corner& c) { sum += weight(c); });
+    const Rest_corners corners = m_level.rest_corners(v);
+    for_each_triangle_of_least_vertex(m_level, v, [&](Index, Index, std::size_t i) { sum += weight(corners[i]); });
     return sum;
   });
 }

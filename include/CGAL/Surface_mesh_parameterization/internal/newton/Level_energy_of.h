@@ -61,9 +61,11 @@ private:
   {
     double result = 0;
     for (Index v = begin; v < end; ++v) {
-      level().rings().prefetch_neighbors_after(v, uv);
+      level().prefetch_neighbors_after(v, uv);
+      const Rest_corners corners = level().rest_corners(v);
       double sum = 0;
-      for_each_triangle_of_least_vertex(level(), v, [&](Index a, Index b, const Rest_corner& c) {
+      for_each_triangle_of_least_vertex(level(), v, [&](Index a, Index b, std::size_t i) {
+        const Rest_corner c = corners[i];
         sum += weight(c) * value(c, uv[v], uv[a], uv[b]);
       });
       result += sum;
@@ -85,7 +87,7 @@ private:
                      Block_matrix& hessian) const override
   {
     for (Index v = begin; v < end; ++v) {
-      level().rings().prefetch_neighbors_after(v, uv);
+      level().prefetch_neighbors_after(v, uv);
       assemble_row(v, uv, indefinite_part, gradient[v], hessian);
     }
   }
@@ -94,15 +96,16 @@ private:
                     Block_matrix& hessian) const
   {
     const Level::Ring ring = level().one_ring(v);
-    const Rest_corner* const corners = level().rest_corners(v);
+    const Rest_corners corners = level().rest_corners(v);
     Block* const row = hessian.blocks.data() + hessian.first[v];
     std::fill(row, row + ring.size(), Block::zero());
     Block diagonal = Block::zero();
     gradient = Block_vector(0, 0);
     for (std::size_t i = 0; i < level().rings().number_of_triangles(v); ++i) {
       const std::size_t j = i + 1 == ring.size() ? 0 : i + 1;
-      const Corner_hessian h = corner_hessian(triangle_energy(corners[i]), corners[i], weight(corners[i]),
-                                              uv[ring[i]] - uv[v], uv[ring[j]] - uv[v], indefinite_part);
+      const Rest_corner c = corners[i];
+      const Corner_hessian h = corner_hessian(triangle_energy(c), c, weight(c), uv[ring[i]] - uv[v],
+                                              uv[ring[j]] - uv[v], indefinite_part);
       gradient += h.gradient;
       diagonal += h.to_v;
       row[j] += h.to_b;

@@ -62,10 +62,10 @@ public:
   Level_refiner(const Level_energy& energy, Level::Uv& uv, const Refinement_options& refinement, Level_summary& summary,
                 const Level_refiner_options& options = Level_refiner_options())
     : m_energy(energy), m_level(energy.level()), m_uv(uv), m_refinement(refinement), m_options(options),
-      m_summary(summary), m_total_weight(m_energy.total_weight()), m_unit(m_energy.unit()), m_current(m_energy(uv))
+      m_summary(summary), m_unit(m_energy.unit()), m_current(m_energy(uv))
   {
     if (refinement.is_globally_injective)
-      m_barrier = std::make_unique<Border_barrier>(m_level, m_options.barrier_stiffness * m_total_weight /
+      m_barrier = std::make_unique<Border_barrier>(m_level, m_options.barrier_stiffness * m_energy.total_weight() /
                                                                 double(m_level.number_of_faces()));
   }
 
@@ -110,7 +110,7 @@ private:
   std::size_t size() const { return m_level.number_of_vertices(); }
   double excess() const
   {
-    const double minimum = m_energy.minimum() * m_total_weight;
+    const double minimum = m_energy.minimum() * m_energy.total_weight();
     return (std::max)(m_current - minimum, m_options.least_excess * minimum);
   }
 
@@ -248,7 +248,7 @@ private:
   // A part of the excess energy.
   double little(double part) const
   {
-    return (std::max)(part * excess(), m_options.rounding * m_total_weight);
+    return (std::max)(part * excess(), m_options.rounding * m_energy.total_weight());
   }
 
   // Whether a decrease that led to the current energy is next to nothing.
@@ -261,7 +261,7 @@ private:
   Level_refiner_options m_options;
   Level_summary& m_summary;
   std::unique_ptr<Border_barrier> m_barrier;      // none unless the map has to be globally injective
-  const double m_total_weight, m_unit;
+  const double m_unit;
   double m_current;       // the energy of m_uv
   bool m_is_stopped = false;
 };

@@ -45,7 +45,6 @@ public:
                   m_options.most_cycles_after_short_step }
   {
     m_system.set_indefinite_part(m_energy.is_flip_free() ? 0 : first_indefinite_part());
-    m_direction.resize(m_level.number_of_vertices());
   }
 
   const Turn_barrier& turn_barrier() const { return m_turn_barrier; }
@@ -133,12 +132,11 @@ private:
     result.cycles = m_system.solve(m_accuracy);
     if (m_trial.size() == uv.size())
       m_system.add_previous_step(m_trial, uv);      // the line search left the map before that step in m_trial
-    for_each_vertex([&](Index v) { m_direction[v] = m_system.move(v); });
-
-    const double slope = inner_product(m_level.loops(), m_system.gradient(), m_direction);
+    const Block_vectors& direction = m_system.moves();
+    const double slope = inner_product(m_level.loops(), m_system.gradient(), direction);
     result.predicted = -0.5 * slope;
     if (slope < 0)
-      search_line(uv, energy, slope, result);
+      search_line(uv, direction, energy, slope, result);
     return result;
   }
 
@@ -148,31 +146,28 @@ private:
     return m_energy(uv) + m_turn_barrier(uv) + (m_barrier ? (*m_barrier)(uv) : 0);
   }
 
-  template <class Function>
-  void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, Index(m_direction.size()), f); }
-
   // The least t > 0 at which a triangle, a gap or a distance that is kept vanishes on the way to uv + t direction.
-  double longest_step(const Level::Uv& uv) const
+  double longest_step(const Level::Uv& uv, const Block_vectors& direction) const
   {
     double result = (std::numeric_limits<double>::infinity)();
     if (m_energy.is_flip_free())
-      result = longest_step_of_triangles(uv);
+      result = longest_step_of_triangles(uv, direction);
     if (m_turn_barrier.stiffness() > 0)
-      result = (std::min)(result, m_turn_barrier.longest_step(uv, m_direction));
+      result = (std::min)(result, m_turn_barrier.longest_step(uv, direction));
     if (m_barrier)
-      result = (std::min)(result, m_barrier->longest_step(uv, m_direction));
+      result = (std::min)(result, m_barrier->longest_step(uv, direction));
     return result;
   }
 
-  double longest_step_of_triangles(const Level::Uv& uv) const
+  double longest_step_of_triangles(const Level::Uv& uv, const Block_vectors& direction) const
   {
     constexpr double infinity = (std::numeric_limits<double>::infinity)();
     return m_level.loops().min(0, Index(uv.size()), infinity, [&](Index v) {
       m_level.rings().prefetch_neighbors_after(v, uv);
       double least = infinity;
-      for_each_triangle_of_least_vertex(m_level, v, [&](Index a, Index b, const Rest_corner&) {
+      for_each_triangle_of_least_vertex(m_level, v, [&](Index a, Index b, std::size_t) {
         const Vector_2 p = uv[a] - uv[v], q = uv[b] - uv[v];
-        const Block_vector d = m_direction[a] - m_direction[v], e = m_direction[b] - m_direction[v];
+        const Block_vector d = direction[a] - direction[v], e = direction[b] - direction[v];
         const Vector_2 dp(d.x, d.y), dq(e.x, e.y);
         const double c0 = cross(p, q), c1 = cross(p, dq) + cross(dp, q), c2 = cross(dp, dq);
         // The least positive root of c0 + c1 t + c2 t^2, c0 > 0, in the form that does not cancel.
@@ -187,13 +182,13 @@ private:
 
   // Halves the step until the energy falls and the map is valid. Ends early at a trial that fails only by the angles at
   // the border, while no barrier holds them.
-  void search_line(Level::Uv& uv, double energy, double slope, Step& result)
+  void search_line(Level::Uv& uv, const Block_vectors& direction, double energy, double slope, Step& result)
   {
-    double length = (std::min)(1., m_options.part_of_longest_step * longest_step(uv));
+    double length = (std::min)(1., m_options.part_of_longest_step * longest_step(uv, direction));
     m_trial.resize(uv.size());
     for (int i = 0; i < m_options.most_halvings; ++i, length *= 0.5) {
-      for_each_vertex(
-          [&](Index v) { m_trial[v] = uv[v] + Vector_2(length * m_direction[v].x, length * m_direction[v].y); });
+      m_level.for_each_vertex(
+          [&](Index v) { m_trial[v] = uv[v] + Vector_2(length * direction[v].x, length * direction[v].y); });
       const double decrease = energy - objective(m_trial);
       if (!(decrease > -m_options.sufficient_decrease * length * slope))
         continue;
@@ -227,7 +222,6 @@ private:
   std::size_t m_lost_gaps = 0;      // by the last trial
   Newton_system m_system;
   Newton_system::Accuracy m_accuracy;
-  Block_vectors m_direction;
   Level::Uv m_trial;
 };
 

@@ -97,9 +97,6 @@ public:
     return cycles;
   }
 
-  // Where the last solution moves a vertex.
-  Block_vector move(Index v) const { return m_multigrid.matrix().scale[v] * m_solution[v]; }
-
   // Makes the last solution that of solve() the best for the model among all combinations of it and the step that led
   // from `previous` to `uv`, as nonlinear conjugate gradients do: where the V-cycle is weak, in almost conformal
   // changes of an almost conformal map, this saves more than half of the steps.
@@ -121,6 +118,14 @@ public:
     const double factor_x = (p[3] * p[2] - p[4] * p[1]) / determinant,
                  factor_s = (p[4] * p[0] - p[3] * p[1]) / determinant;
     for_each_vertex([&](Index v) { x[v] = factor_x * x[v] + factor_s * s[v]; });
+  }
+
+  // Where the last solution moves the vertices. It is overwritten by the next one.
+  const Block_vectors& moves()
+  {
+    const std::vector<double>& scale = m_multigrid.matrix().scale;
+    for_each_vertex([&](Index v) { m_direction[v] = scale[v] * m_solution[v]; });
+    return m_direction;
   }
 
 private:

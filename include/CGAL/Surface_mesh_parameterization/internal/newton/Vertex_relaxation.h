@@ -62,7 +62,7 @@ public:
       Effect effect;
       for (Index v = begin; v < end; ++v)
         if (m_level.is_border(v) == at_border) {
-          m_level.rings().prefetch_neighbors_after(v, uv);
+          m_level.prefetch_neighbors_after(v, uv);
           const double decrease = relax(v, uv, relaxer);
           effect.decrease += decrease;
           if (decrease > least_decrease)

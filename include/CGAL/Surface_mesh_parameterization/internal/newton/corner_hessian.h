@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -47,8 +46,9 @@ struct Jacobian_hessian
     Jacobian_hessian result;
     result.gradient = { 2 * e_a * zx, 2 * e_a * zy, 2 * e_b * wx, 2 * e_b * wy };
     if constexpr (Energy::is_scale_invariant) {
-      result.set_gauss_newton(a * e_b, a * a * (4 * e.ff - 4 * e.fd + e.dd), zx, zy, wx, wy);
-      result.add_second_order_term(indefinite_part * a * e_b, zx, zy, wx, wy);
+      const Beltrami_coefficient mu(zx, zy, wx, wy);
+      result.set_gauss_newton(a * e_b, a * a * (4 * e.ff - 4 * e.fd + e.dd), mu);
+      result.add_second_order_term(indefinite_part * a * e_b, mu);
     } else
       result.set_projected(e, a, b, zx, zy, wx, wy, indefinite_part);
     return result;
@@ -71,18 +71,31 @@ struct Jacobian_hessian
   }
 
 private:
-  // The Gauss-Newton Hessian in the Beltrami coefficient mu = w / z, of which every scale-invariant energy is a
-  // function f(|mu|^2), with the derivatives f1 and f2. A conformal map of the plane moves z at random but hardly
-  // changes mu, and costs hardly any energy; the projected Hessian makes such moves twice as stiff as they are on
-  // average, this one does not, and Newton's method needs a fraction of the steps.
-  void set_gauss_newton(double f1, double f2, double zx, double zy, double wx, double wy)
+  // mu = w / z, and d mu = p dw + q dz with p = 1 / z and q = -mu / z.
+  struct Beltrami_coefficient
   {
-    const double inverse = 1 / (zx * zx + zy * zy);
-    const double mx = (wx * zx + wy * zy) * inverse, my = (wy * zx - wx * zy) * inverse;
-    const double kxx = 2 * f1 + 4 * f2 * mx * mx, kxy = 4 * f2 * mx * my, kyy = 2 * f1 + 4 * f2 * my * my;
+    double mx, my, px, py, qx, qy;
 
-    // d mu = p dw + q dz with p = 1 / z and q = -mu / z
-    const double px = zx * inverse, py = -zy * inverse, qx = my * py - mx * px, qy = -mx * py - my * px;
+    Beltrami_coefficient(double zx, double zy, double wx, double wy)
+    {
+      const double inverse = 1 / (zx * zx + zy * zy);
+      px = zx * inverse;
+      py = -zy * inverse;
+      mx = wx * px - wy * py;
+      my = wx * py + wy * px;
+      qx = my * py - mx * px;
+      qy = -mx * py - my * px;
+    }
+  };
+
+  // The Gauss-Newton Hessian in the Beltrami coefficient mu, of which every scale-invariant energy is a function
+  // f(|mu|^2), with the derivatives f1 and f2. A conformal map of the plane moves z at random but hardly changes mu,
+  // and costs hardly any energy; the projected Hessian makes such moves twice as stiff as they are on average, this one
+  // does not, and Newton's method needs a fraction of the steps.
+  void set_gauss_newton(double f1, double f2, const Beltrami_coefficient& mu)
+  {
+    const auto& [mx, my, px, py, qx, qy] = mu;
+    const double kxx = 2 * f1 + 4 * f2 * mx * mx, kxy = 4 * f2 * mx * my, kyy = 2 * f1 + 4 * f2 * my * my;
     const std::array<double, 4> dx = { qx, -qy, px, -py }, dy = { qy, qx, py, px };
     for (int i = 0; i < 4; ++i) {
       const double kx = kxx * dx[i] + kxy * dy[i], ky = kxy * dx[i] + kyy * dy[i];
@@ -97,17 +110,19 @@ private:
   //
   // Without it, Newton's method converges by a factor of 5 to 10 a step, with half of it by 30 to 40. The sum is
   // indefinite; with all of it, the Hessian is the true one.
-  void add_second_order_term(double f1, double zx, double zy, double wx, double wy)
+  void add_second_order_term(double f1, const Beltrami_coefficient& mu)
   {
-    const std::complex<double> z(zx, zy), mu = std::complex<double>(wx, wy) / z;
-    const std::complex<double> zw = 4 * f1 * std::conj(mu) / (z * z), zz = zw * mu;
-    add_symmetric(0, 0, zz.real());
-    add_symmetric(1, 1, -zz.real());
-    add_symmetric(0, 1, -zz.imag());
-    add_symmetric(0, 2, -0.5 * zw.real());
-    add_symmetric(1, 3, 0.5 * zw.real());
-    add_symmetric(0, 3, 0.5 * zw.imag());
-    add_symmetric(1, 2, 0.5 * zw.imag());
+    const double factor = 4 * f1, x = factor * (mu.px * mu.px - mu.py * mu.py), y = 2 * factor * mu.px * mu.py,
+                 squared_mu = mu.mx * mu.mx + mu.my * mu.my;
+    const double zz_x = squared_mu * x, zz_y = squared_mu * y, zw_x = mu.mx * x + mu.my * y,
+                 zw_y = mu.mx * y - mu.my * x;
+    add_symmetric(0, 0, zz_x);
+    add_symmetric(1, 1, -zz_x);
+    add_symmetric(0, 1, -zz_y);
+    add_symmetric(0, 2, -0.5 * zw_x);
+    add_symmetric(1, 3, 0.5 * zw_x);
+    add_symmetric(0, 3, 0.5 * zw_y);
+    add_symmetric(1, 2, 0.5 * zw_y);
   }
 
   void add_symmetric(int i, int j, double value)

@@ -90,7 +90,8 @@ inline Rest_corner rest_corner(const Point_3& v, const Point_3& a, const Point_3
   const double longest2 = (std::max)({ base2, side2, base2 + side2 - 2 * along });
   if (!(doubled_area > lowest_rest_height * longest2))
     return rest_corners(v, a, b)[0];
-  return { along / base2, doubled_area / base2, 2 / doubled_area };
+  const double inverse = 1 / base2;
+  return { along * inverse, doubled_area * inverse, 2 / doubled_area };
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

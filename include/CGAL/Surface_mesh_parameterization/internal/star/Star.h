@@ -31,7 +31,8 @@ public:
   };
 
   // Gathers the star of v. `corners` are the rest shapes of its triangles, in the order of its ring.
-  void gather(const One_rings& rings, const std::vector<Point_2>& uv, Index v, const Rest_corner* corners,
+  template <class Corners>
+  void gather(const One_rings& rings, const std::vector<Point_2>& uv, Index v, const Corners& corners,
               Triangle_weight weight, const Energy& energy = Energy())
   {
     const One_rings::Ring ring = rings[v];
@@ -41,7 +42,7 @@ public:
     for (std::size_t i = 0; i < m_triangles.size(); ++i) {
       const Point_2 b = i + 1 == ring.size() ? first : uv[ring[i + 1]];
       const Vector_2 ab = b - a;
-      const Rest_corner& c = corners[i];
+      const Rest_corner c = corners[i];
       const double determinant_scale = 0.5 * c.inverse_area;
       m_triangles[i] = { energy.of_area(1 / c.inverse_area),
                          a,

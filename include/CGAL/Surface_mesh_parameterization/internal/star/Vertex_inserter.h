@@ -58,7 +58,8 @@ public:
   }
 
   // Puts the best place into uv[v]. Returns whether one was found. `corners` are the rest shapes around v.
-  bool insert(Index v, const Rest_corner* corners, const Index_triangle& parent,
+  template <class Corners>
+  bool insert(Index v, const Corners& corners, const Index_triangle& parent,
               const std::array<double, 3>& coordinates)
   {
     m_star.gather(m_rings, m_uv, v, corners, Triangle_weight::ONE);
