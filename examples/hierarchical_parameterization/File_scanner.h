@@ -75,6 +75,15 @@ public:
     return error == std::errc() && accept(end);
   }
 
+  // The number behind a slash, as the second index at a corner of an OBJ file. Returns whether there was one.
+  bool read_behind_slash(long long& number)
+  {
+    if (m_at == m_end || *m_at != '/')
+      return false;
+    const auto [end, error] = std::from_chars(m_at + 1, m_end, number);
+    return error == std::errc() && accept(end);
+  }
+
   // ---- binary ----
 
   // Returns whether there were as many bytes left.

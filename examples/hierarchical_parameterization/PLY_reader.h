@@ -22,7 +22,8 @@
 class PLY_reader
 {
 public:
-  explicit PLY_reader(File_scanner& file) : m_file(file) { }
+  // `has_uv`: whether the vertex properties u and v, or s and t, are read, too.
+  explicit PLY_reader(File_scanner& file, bool has_uv = false) : m_file(file), m_has_uv(has_uv) { }
 
   Polygon_soup read()
   {
@@ -35,7 +36,7 @@ public:
 private:
   enum Format { TEXT, LITTLE_ENDIAN_FORMAT, BIG_ENDIAN_FORMAT };
   enum Type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64, NONE };
-  enum Role { X, Y, Z, CORNERS, UNUSED };          // what a property is read for
+  enum Role { X, Y, Z, U, V, CORNERS, UNUSED };    // what a property is read for
 
   struct Property
   {
@@ -117,11 +118,13 @@ private:
     const std::string_view name = m_file.word();
     property.role = is_list
                         ? (element.is_face() && (name == "vertex_indices" || name == "vertex_index") ? CORNERS : UNUSED)
-                    : !element.is_vertex() ? UNUSED
-                    : name == "x"          ? X
-                    : name == "y"          ? Y
-                    : name == "z"          ? Z
-                                           : UNUSED;
+                    : !element.is_vertex()         ? UNUSED
+                    : name == "x"                  ? X
+                    : name == "y"                  ? Y
+                    : name == "z"                  ? Z
+                    : name == "u" || name == "s"   ? U
+                    : name == "v" || name == "t"   ? V
+                                                   : UNUSED;
     element.properties.push_back(property);
   }
 
@@ -138,8 +141,9 @@ private:
 
   void read_element(const Element& element)
   {
+    const bool has_uv = m_has_uv && element.is_vertex() && element.has(U) && element.has(V);
     for (std::size_t i = 0; i < element.count; ++i) {
-      double coordinates[3] = { 0, 0, 0 };
+      double coordinates[V + 1] = {};
       Polygon_soup::Polygon corners;
       for (const Property& property : element.properties) {
         double value = 1;
@@ -152,13 +156,15 @@ private:
         }
         if (!is_read)
           throw Input_error{ "ends within, or has no number in, " + word_text(element.name) + " " + std::to_string(i) };
-        if (property.role <= Z)
+        if (property.role <= V)
           coordinates[property.role] = value;
       }
       if (element.is_vertex())
-        m_soup.points.push_back({ coordinates[0], coordinates[1], coordinates[2] });
+        m_soup.points.push_back({ coordinates[X], coordinates[Y], coordinates[Z] });
       else if (element.is_face())
         m_soup.polygons.push_back(corners);
+      if (has_uv)
+        m_soup.uv.push_back({ coordinates[U], coordinates[V] });
     }
   }
 
@@ -195,6 +201,7 @@ private:
   }
 
   File_scanner& m_file;
+  bool m_has_uv;
   Format m_format = TEXT;
   std::vector<Element> m_elements;
   Polygon_soup m_soup;

@@ -20,6 +20,7 @@ struct Polygon_soup
 
   std::vector<Point> points;
   std::vector<Polygon> polygons;
+  std::vector<std::array<double, 2>> uv;     // the points' places in the plane, if they were asked for and are there
 };
 
 inline std::string face_text(std::size_t f) { return "face " + std::to_string(f); }
@@ -32,6 +33,6 @@ void check_corners(const Polygon_soup& soup, bool may_have_polygons);
 void check_manifold(const Polygon_soup& soup);     // precondition: the indices and corners have been checked
 
 // Reads what a file of that name holds.
-Polygon_soup read_soup(const std::string& name, const std::string& content);
+Polygon_soup read_soup(const std::string& name, const std::string& content, bool has_uv = false);
 
 #endif // POLYGON_SOUP_H

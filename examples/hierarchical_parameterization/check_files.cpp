@@ -76,7 +76,9 @@ void check_files(const Options& options)
   check_suffix("--picture", options.picture, { ".svg" });
 
   const std::vector<Named_place> outputs = output_places(options);
-  for (const std::string& input : options.inputs) {
+  std::vector<std::string> inputs = options.inputs;
+  inputs.push_back(options.start);
+  for (const std::string& input : inputs) {
     const File_place place = input_place(input);
     for (const Named_place& output : outputs)
       if (!input.empty() && is_same_file(output.place, place))

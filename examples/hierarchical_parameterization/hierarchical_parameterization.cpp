@@ -96,6 +96,8 @@ void run_input(const std::string& file, const Options& options, Input& input, Ru
   if (!options.levels.empty())
     std::filesystem::create_directories(options.levels);
   input.uvmap = input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+  if (!options.start.empty())
+    read_start(options.start, input);
   run.summary = options.method->run(input, options);
   if (run.summary.error.code == SMP::ERROR_NO_1_TO_1_MAPPING && run.summary.flips > 0)
     throw Method_error{ flips_message(run.summary.flips, options.flip_policy), SMP::ERROR_NO_1_TO_1_MAPPING };

@@ -193,3 +193,17 @@ void read_input(const std::string& file, bool is_triangulated, Input& input)
     input.mesh = read_mesh(file, is_triangulated);
   choose_component(input);
 }
+
+void read_start(const std::string& file, Input& input)
+try {
+  const Polygon_soup soup = read_soup(file, read_content(file), true);
+  if (soup.uv.empty())
+    throw Input_error{ "has no map: PLY with the vertex properties u and v, or OBJ with texture coordinates expected" };
+  if (soup.uv.size() != input.mesh.number_of_vertices())
+    throw Input_error{ "has " + std::to_string(soup.uv.size()) + " vertices instead of " +
+                       std::to_string(input.mesh.number_of_vertices()) };
+  for (const Mesh::Vertex_index v : input.mesh.vertices())
+    input.uvmap[v] = Kernel::Point_2(soup.uv[v][0], soup.uv[v][1]);
+} catch (const Input_error& error) {
+  throw Input_error{ "--start: '" + file + "' " + error.message, SMP::ERROR_WRONG_PARAMETER };
+}

@@ -43,4 +43,8 @@ void choose_component(Input& input);
 // The named file, the standard input, or the built-in face if there is no name. Throws an Input_error.
 void read_input(const std::string& file, bool is_triangulated, Input& input);
 
+// Reads the places of the input's vertices into its uvmap: from PLY with the vertex properties u and v, or s and t, or
+// from OBJ with texture coordinates that do not differ at the corners of a vertex.
+void read_start(const std::string& file, Input& input);
+
 #endif // INPUT_H

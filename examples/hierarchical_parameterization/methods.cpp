@@ -18,9 +18,10 @@ const std::vector<Method>& methods()
   static const std::size_t newton_steps = SMP::Refinement_options().number_of_iterations;
   constexpr std::size_t linear_steps = 300;
   static const std::vector<Method> all = {
-    { "mips", "least distortion of angles, free border", run_mips, true, 1e-6, newton_steps, one },
+    { "mips", "least distortion of angles, free border", run_mips, true, 1e-6, newton_steps, one, true,
+      true },
     { "symmetric-dirichlet", "least distortion of lengths, free border", run_symmetric_dirichlet, true, 1e-6,
-      newton_steps, area },
+      newton_steps, area, true, true },
     { "uniform", "every vertex the mean of its neighbors, border on a circle", run_uniform, false, 1e-8, linear_steps, one },
     { "chordal", "the same, weighted by the inverse lengths of the edges", run_chordal, false, 1e-8, linear_steps, one },
     { "harmonic", "the same, weighted by cotangents", run_harmonic, false, 1e-8, linear_steps, one },
@@ -33,7 +34,7 @@ const std::vector<Method>& methods()
     { "iterative-authalic", "CGAL's iterative authalic map, border on a circle", run_iterative_authalic, false, 1e-10,
       linear_steps, one, false },
     { "lscm", "CGAL's least squares conformal map, free border", run_lscm, false, 1e-10, linear_steps, one, false },
-    { "arap", "as rigid as possible, free border", run_arap, false, 1e-6, newton_steps, area }
+    { "arap", "as rigid as possible, free border", run_arap, false, 1e-6, newton_steps, area, true, true }
   };
   return all;
 }

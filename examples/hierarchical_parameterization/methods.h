@@ -26,6 +26,7 @@ struct Method_options
   SMP::Triangle_weight triangle_weight;
   unsigned int seed;
   std::string levels;       // a folder, or empty
+  std::string start;        // a file with a map to start from, or empty
   bool flat, quiet, is_globally_injective, fills_holes;
   SMP::Flip_policy flip_policy;
 };
@@ -43,6 +44,7 @@ struct Method
   std::size_t iterations;
   SMP::Triangle_weight triangle_weight;
   bool has_levels = true;                     // whether every level is parameterized
+  bool takes_start = false;                   // whether a run may start from a map
 };
 
 const std::vector<Method>& methods();

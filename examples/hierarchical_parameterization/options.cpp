@@ -42,6 +42,9 @@ bool read_options(int argc, char** argv, Options& options)
   add("output", po::value(&options.output),
       "write the mesh with its map as OBJ, or as PLY with the vertex properties u and v; as OBJ if the name has no "
       "ending");
+  add("start", po::value(&options.start),
+      "mips, symmetric-dirichlet, arap: start from the map that this file has for the vertices of INPUT: PLY with u and "
+      "v, or OBJ, as --output writes them");
   add("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion");
   add("report", po::value(&options.report), "write figures as JSON, one line per input");
   add("levels", po::value(&options.levels), "write every level of the hierarchy as OBJ into this folder");
@@ -131,12 +134,20 @@ bool read_options(int argc, char** argv, Options& options)
     throw Usage_error{ "the tolerance must not be negative" };
   if (options.is_globally_injective && !options.method->is_flip_free)
     throw Usage_error{ "--globally-injective: " + method + " does not promise maps without flips" };
+  if (!options.start.empty() && !options.method->takes_start)
+    throw Usage_error{ "--start: " + method + " does not improve a map" };
+  if (!options.start.empty() && options.flat)
+    throw Usage_error{ "--start: not with --flat" };
+  if (!options.start.empty() && !options.levels.empty())
+    throw Usage_error{ "--start: the levels below the finest, which --levels writes, have no maps then" };
   if (options.threads < 0)
     throw Usage_error{ "the number of threads must not be negative" };
   if (!options.levels.empty() && !options.method->has_levels)
     throw Usage_error{ "--levels: " + method + " parameterizes the finest level only" };
-  if (options.inputs.size() > 1 && !(options.output.empty() && options.picture.empty() && options.levels.empty()))
-    throw Usage_error{ "--output, --picture and --levels take one input" };
+  const bool has_files_of_one_input =
+    !(options.output.empty() && options.start.empty() && options.picture.empty() && options.levels.empty());
+  if (options.inputs.size() > 1 && has_files_of_one_input)
+    throw Usage_error{ "--output, --start, --picture and --levels take one input" };
   if (std::find(options.inputs.begin(), options.inputs.end(), "") != options.inputs.end())
     throw Usage_error{ "the name of an input is empty" };
   if (options.inputs.empty())

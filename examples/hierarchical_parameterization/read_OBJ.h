@@ -9,16 +9,68 @@
 #include "File_scanner.h"
 #include "Polygon_soup.h"
 
+#include <array>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
-// Reads the `v` and `f` lines of Wavefront OBJ; what else a line may say is skipped. Indices count from 1, or, if
-// negative, back from the last vertex so far.
-inline Polygon_soup read_OBJ(File_scanner& file)
+// The places that the corners of an OBJ file give its vertices in the plane.
+class OBJ_map
+{
+public:
+  typedef std::array<double, 2>   Place;
+
+  void read_place(File_scanner& file)
+  {
+    Place place;
+    if (!file.read(place[0]) || !file.read(place[1]))
+      file.fail("the texture coordinates " + std::to_string(m_places.size()) + " cannot be read");
+    m_places.push_back(place);
+  }
+
+  // Reads the second index at a corner, if there is one.
+  void read_corner(File_scanner& file, std::size_t vertex)
+  {
+    long long index;
+    if (!file.read_behind_slash(index))
+      return;
+    const std::size_t place = index < 0 ? m_places.size() + std::size_t(index) : std::size_t(index) - 1;
+    if (place >= m_places.size())
+      file.fail("there are no texture coordinates " + std::to_string(index) + " as yet");
+    if (vertex >= m_vertex_places.size())
+      m_vertex_places.resize(vertex + 1, nowhere());
+    if (std::isfinite(m_vertex_places[vertex][0]) && m_vertex_places[vertex] != m_places[place])
+      file.fail(vertex_text(vertex) + " has two places in the plane");
+    m_vertex_places[vertex] = m_places[place];
+  }
+
+  // Of so many vertices; empty if no corner has a place.
+  std::vector<Place> vertex_places(std::size_t number_of_vertices)
+  {
+    if (!m_vertex_places.empty())
+      m_vertex_places.resize(number_of_vertices, nowhere());
+    return m_vertex_places;
+  }
+
+private:
+  static Place nowhere()
+  {
+    return { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN() };
+  }
+
+  std::vector<Place> m_places, m_vertex_places;
+};
+
+// Reads the `v` and `f` lines of Wavefront OBJ, and `vt` if `has_uv`; what else a line may say is skipped. Indices
+// count from 1, or, if negative, back from the last vertex so far.
+inline Polygon_soup read_OBJ(File_scanner& file, bool has_uv = false)
 {
   Polygon_soup soup;
+  OBJ_map map;
   for (file.skip_comments(); !file.is_at_end(); file.skip_line(), file.skip_comments()) {
     const std::string_view keyword = file.word();
     if (keyword == "v") {
@@ -26,12 +78,16 @@ inline Polygon_soup read_OBJ(File_scanner& file)
       if (!file.read(x) || !file.read(y) || !file.read(z))
         file.fail("the coordinates of " + vertex_text(soup.points.size()) + " cannot be read");
       soup.points.push_back({ x, y, z });
-    } else if (keyword == "f") {
+    } else if (keyword == "vt" && has_uv)
+      map.read_place(file);
+    else if (keyword == "f") {
       Polygon_soup::Polygon polygon;
       long long index;
       while (file.read(index)) {
         polygon.push_back(index < 0 ? soup.points.size() + std::size_t(index) : std::size_t(index) - 1);
-        file.skip_word();                // the indices of texture coordinates and normal
+        if (has_uv && polygon.back() < soup.points.size())
+          map.read_corner(file, polygon.back());
+        file.skip_word();                // the other indices of the corner
       }
       const std::string_view rest = file.word();
       if (!rest.empty() && rest.front() != '#')
@@ -40,6 +96,7 @@ inline Polygon_soup read_OBJ(File_scanner& file)
     } else if (!std::isalpha(static_cast<unsigned char>(keyword.front())))
       file.fail("a keyword of OBJ expected");
   }
+  soup.uv = map.vertex_places(soup.points.size());
   return soup;
 }
 

@@ -15,15 +15,15 @@
 
 // Not by CGAL::IO::read_polygon_soup(): its readers believe the counts and types that a file states, which costs all
 // memory or a crash, and cannot tell which face or vertex is wrong.
-Polygon_soup read_soup(const std::string& name, const std::string& content)
+Polygon_soup read_soup(const std::string& name, const std::string& content, bool has_uv)
 {
   File_scanner scanner(content);
   if (has_suffix(name, ".off"))
     return OFF_reader(scanner).read();
   if (has_suffix(name, ".obj"))
-    return read_OBJ(scanner);
+    return read_OBJ(scanner, has_uv);
   if (has_suffix(name, ".ply"))
-    return PLY_reader(scanner).read();
+    return PLY_reader(scanner, has_uv).read();
   if (has_suffix(name, ".stl"))
     return STL_reader(scanner).read();
   throw Input_error{ "is not named .off, .obj, .ply or .stl" };

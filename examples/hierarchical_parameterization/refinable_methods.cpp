@@ -40,12 +40,16 @@ void run_refinable(Input& input, const Method_options& options, Method method, S
 {
   if (options.flat)
     return parameterize(input, method);
-  SMP::Nested_iteration_parameterizer_3<Method> hierarchical(method, CGAL::parameters::flip_policy(options.flip_policy)
-                                                                         .fill_holes(options.fills_holes)
-                                                                         .summary(std::ref(summary))
-                                                                         .random_seed(options.seed)
-                                                                         .visitor(Level_visitor(input, options)));
-  parameterize(input, hierarchical);
+  const auto np = CGAL::parameters::flip_policy(options.flip_policy).fill_holes(options.fills_holes)
+                    .summary(std::ref(summary)).random_seed(options.seed).visitor(Level_visitor(input, options));
+  typedef SMP::Nested_iteration_parameterizer_3<Method>   Hierarchical;
+  if constexpr (Method::is_flip_free) {
+    Hierarchical hierarchical(method, np.initial_map(!options.start.empty()));
+    parameterize(input, hierarchical);
+  } else {
+    Hierarchical hierarchical(method, np);
+    parameterize(input, hierarchical);
+  }
 }
 
 // Free borders, by energies of triangles.

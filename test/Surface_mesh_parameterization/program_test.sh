@@ -125,6 +125,36 @@ END
 expect 0 components.off --output components.obj --report report.json
 [ "$(grep -c '^v ' components.obj)/$(grep -c '^vt ' components.obj)/$(grep -c '^f ' components.obj)" = 8/4/3 ] || fail "components.obj is wrong"
 
+# A run may start from a map that another one wrote, if it is one of the same vertices.
+for map in map.obj map.ply; do
+  for method in mips symmetric-dirichlet; do
+    expect 0 --method $method --output $map
+    expect 0 --method $method --start $map --report report.json
+    is_field status '"ok"' "$method --start $map"
+    [ "$(grep -o '"iterations":[0-9]*' report.json)" = '"iterations":1' ] || fail "$method --start $map did not go on"
+  done
+  expect 0 --method arap --start $map
+done
+expect 0 tube.obj --method lscm --flips keep --output folded.obj
+expect 0 tube.obj --start folded.obj --report report.json
+is_field flips 0 "--start folded.obj"
+is_field status '"ok"' "--start folded.obj"
+expect 1 --method lscm --start map.obj
+expect 1 --flat --start map.obj
+expect 1 --levels levels --start map.obj
+expect 1 --start map.obj --output map.obj
+expect 1 face.obj tube.obj --start map.obj
+expect 2 --start missing.obj
+expect 2 --start components.obj
+expect 2 tube.obj --start tube.obj
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 2 2\nf 1/1 2/2 3/3\nf 1/5 3/3 4/4\n' >seam.obj
+expect 0 seam.obj
+expect 2 seam.obj --start seam.obj
+grep -q 'line 11: vertex 0 has two places' stderr || fail "the seam is told as: $(cat stderr)"
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1\nf 1/1 2/2 3/9\n' >half.obj
+expect 0 half.obj
+expect 2 half.obj --start half.obj
+
 # Wrong usage.
 expect 1 --no-such-option
 expect 1 --method no-such-method

@@ -367,6 +367,13 @@ auto wrong(Mesh& m, UV_map uv)
 }
 #endif
 
+#ifdef OPTION_OF_A_START_FOR_CGAL // the named parameter 'initial_map' has no effect here
+auto wrong(Mesh& m, UV_map uv)
+{
+  return SMP::hierarchical_parameterization<SMP::Mean_value_coordinates_parameterizer_3>(m, uv, np::initial_map(true));
+}
+#endif
+
 #ifdef OPTION_OF_FLIPS_FOR_AN_ORBIFOLD // the named parameter 'flip_policy' has no effect here
 typedef Mesh::Property_map<Mesh::Edge_index, bool> Is_seam_edge;
 typedef Mesh::Property_map<Mesh::Vertex_index, bool> Is_seam_vertex;

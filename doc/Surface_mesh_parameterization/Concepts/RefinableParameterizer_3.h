@@ -77,7 +77,8 @@ public:
   parameterize_coarsest(const CGAL::Surface_mesh_parameterization::Level& level,
                         CGAL::Surface_mesh_parameterization::Level::Uv& uv);
 
-  /// improves a map. It is called for every level, including the coarsest one.
+  /// improves a map. It is called for every level, including the coarsest one. If the run starts from a map of the
+  /// user's, it is called for the finest level only, and `parameterize_coarsest()` is not.
   ///
   /// After each iteration, the method may call `level.progressed(summary, part)` with what `summary` holds so far and
   /// an estimate of the part of its work on this level that is done. If the result is `false`, a visitor has stopped
@@ -89,7 +90,8 @@ public:
   /// \param uv a map of the level. If the method is flip-free, the map is flip-free and must stay so
   /// \param summary receives what was done. The caller fills in the numbers of vertices and faces and the time
   ///
-  /// \return `OK`, or an error that ends the run
+  /// \return `OK`, or an error that ends the run. After `ERROR_NO_1_TO_1_MAPPING` from a map of the user's, nested
+  ///         iteration starts from the coarsest level
   CGAL::Surface_mesh_parameterization::Error_code
   refine(const CGAL::Surface_mesh_parameterization::Level& level,
          CGAL::Surface_mesh_parameterization::Level::Uv& uv,

@@ -58,7 +58,8 @@ public:
   /// \cond SKIP_IN_MANUAL
   typedef internal::Joined_names<
       internal::Names<internal_np::optimizer_t, internal_np::tolerance_t, internal_np::number_of_iterations_t,
-                      internal_np::number_of_local_steps_t, internal_np::random_seed_t, internal_np::lambda_t>,
+                      internal_np::number_of_local_steps_t, internal_np::random_seed_t, internal_np::lambda_t,
+                      internal_np::initial_map_t>,
       typename Base::Flat_option_names>   Option_names;
   /// \endcond
 
@@ -67,6 +68,7 @@ public:
   /// - `tolerance`, `number_of_iterations` and the other named parameters of `Refinement_options`, except
   ///   `triangle_weight` and `globally_injective`
   /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `REPAIR`
+  /// - `initial_map`: whether a flat run starts from the map that `uvmap` holds; default `false`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit As_rigid_as_possible_parameterizer_3(const NamedParameters& np = parameters::default_values())

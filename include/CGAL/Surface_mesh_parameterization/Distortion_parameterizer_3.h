@@ -67,11 +67,14 @@ public:
   static constexpr bool is_result_flip_free = true;
 
   /// \cond SKIP_IN_MANUAL
-  typedef internal::Joined_names<Refinement_options::Option_names, typename Base::Flat_option_names>   Option_names;
+  typedef internal::Joined_names<internal::Joined_names<Refinement_options::Option_names,
+                                                        typename Base::Flat_option_names>,
+                                 internal::Names<internal_np::initial_map_t>>   Option_names;
   /// \endcond
 
   /// \param np
   /// - the named parameters of `Refinement_options`
+  /// - `initial_map`: whether a flat run starts from the map that `uvmap` holds; default `false`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Distortion_parameterizer_3(const NamedParameters& np = parameters::default_values())

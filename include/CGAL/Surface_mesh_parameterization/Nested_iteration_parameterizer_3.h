@@ -39,9 +39,12 @@ template <class Method_>
 class Nested_iteration_parameterizer_3
 {
   typedef internal::Checked<internal::Method_check<Method_>, Method_>   Method;
-  typedef internal::Names<internal_np::coarsest_size_t, internal_np::random_seed_t, internal_np::unit_edges_t,
-                          internal_np::visitor_t, internal_np::fill_holes_t, internal_np::flip_policy_t,
-                          internal_np::summary_t>   Option_names;
+  typedef internal::Joined_names<
+      internal::Names<internal_np::coarsest_size_t, internal_np::random_seed_t, internal_np::unit_edges_t,
+                      internal_np::visitor_t, internal_np::fill_holes_t, internal_np::flip_policy_t,
+                      internal_np::summary_t>,
+      std::conditional_t<Method::is_flip_free, internal::Names<internal_np::initial_map_t>, internal::Names<>>>
+      Option_names;
 
 public:
   typedef typename Method::Triangle_mesh                                      Triangle_mesh;          ///< the mesh type
@@ -65,6 +68,11 @@ public:
   /// - `fill_holes`: whether every border except the outer one is closed by a virtual vertex in its middle, so that a
   ///   hole is mapped like a part of the surface; default `false`
   /// - `flip_policy`: a `Flip_policy`: the treatment of flips; default `REPAIR`
+  /// - `initial_map`: of flip-free methods; whether `uvmap`, which must be readable then, holds a map to start from;
+  ///   default `false`. The method refines it on the finest level. Flips are repaired first, vertices whose coordinates
+  ///   are not finite get a place between their neighbors, and a map that is less than half or more than twice as long
+  ///   and wide as the surface's area asks for is scaled to that. Where the method finds no map from there, it starts
+  ///   from none
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as
   ///   long as the parameterizer runs
   template <class NamedParameters = parameters::Default_named_parameters>
@@ -98,7 +106,7 @@ public:
   /// an error
   ///
   /// \return `OK`; an error of `Mesh_component` or of the method; `ERROR_WRONG_PARAMETER` if the method fixed a vertex
-  ///         at a place that is not finite; `ERROR_NO_1_TO_1_MAPPING` if a vertex could not be inserted without a flip,
+  ///         at a place that is not finite, or if `initial_map` is true and `uvmap` cannot be read; `ERROR_NO_1_TO_1_MAPPING` if a vertex could not be inserted without a flip,
   ///         because its neighbors lie too close together for doubles, or if there are flips and the `Flip_policy` is
   ///         `FAIL`; `ERROR_STOPPED` if the visitor stopped the run
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>

@@ -28,7 +28,7 @@ namespace CGAL {
   X(coarsest_size, coarsest_size_t) X(unit_edges, unit_edges_t) X(tolerance, tolerance_t)                              \
   X(triangle_weight, triangle_weight_t) X(number_of_local_steps, number_of_local_steps_t) X(optimizer, optimizer_t)    \
   X(lambda, lambda_t) X(globally_injective, globally_injective_t) X(flip_policy, flip_policy_t)                        \
-  X(fill_holes, fill_holes_t) X(summary, summary_t)
+  X(fill_holes, fill_holes_t) X(initial_map, initial_map_t) X(summary, summary_t)
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_NAMES(X)                                                                    \
   CGAL_SURFACE_MESH_PARAMETERIZATION_OWN_NAMES(X)                                                                      \
   X(random_seed, random_seed_t) X(number_of_iterations, number_of_iterations_t) X(visitor, visitor_t)                  \

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/read_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -36,10 +37,7 @@ void settle_flips_of_component(Mesh_component<TriangleMesh>& component, VertexUV
 {
   typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
 
-  std::vector<Point_2> uv;
-  for (const auto v : component.vertices_of_component())
-    uv.emplace_back(CGAL::to_double(get(uvmap, v).x()), CGAL::to_double(get(uvmap, v).y()));
-
+  std::vector<Point_2> uv = read_map(component, 0, uvmap);
   const One_rings rings(uv.size(), component.surface().triangles);
   summary.error.code = internal::settle_flips(
       { policy, &repair_map }, rings, [&] { return std::move(component.surface()); }, uv, summary);

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/starting_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -50,6 +51,7 @@ struct Nested_iteration_options
 {
   Hierarchy_options hierarchy;                      // a flat run: `coarsest_size` is at least the number of vertices
   bool fills_holes = false;
+  Make_starting_map make_starting_map = nullptr;      // of the user's map; null if the run starts on the coarsest level
   Flip_settlement flips;            // for what methods leave that do not keep triangles positive
   unsigned int most_seeds = 3;      // so many hierarchies are tried where doubles leave no room for a vertex
   Round_coordinate round = nullptr;       // to the number type of the result; null if that holds doubles
@@ -72,6 +74,7 @@ Nested_iteration_options nested_iteration_options_of(const NamedParameters& np)
   Nested_iteration_options options;
   options.hierarchy = hierarchy_options_of(np);
   options.fills_holes = choose_parameter(get_parameter(np, internal_np::fill_holes), options.fills_holes);
+  options.make_starting_map = make_starting_map_of(np);
   options.flips = flip_settlement_of<!Is_result_flip_free<Method>::value>(np);
   return options;
 }
@@ -85,8 +88,8 @@ public:
   Nested_iteration(Refinable_method& method, const Nested_iteration_options& options, Any_hierarchy_visitor* visitor,
                    Parameterization_summary& summary);
 
-  // Writes the places of the surface's vertices, in their order, if all went well. The timer runs since the surface
-  // began to be read.
+  // Writes the places of the surface's vertices, in their order, if all went well. If `uv` holds a valid map, the run
+  // starts from it. The timer runs since the surface began to be read.
   Error_code run(Triangulated_surface_3 surface, CGAL::Real_timer& timer, std::vector<Point_2>& uv);
 
 private:
@@ -94,6 +97,10 @@ private:
   void start_stage(const Level& level);
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv);
   Error_code climb(Level& level, Level::Uv& uv);
+  Error_code parameterize_level_by_level(Level& level, Level::Uv& uv);
+
+  // Lets the method refine the map that the run starts from.
+  Error_code refine_start(Level& level, Level::Uv& uv);
 
   // Goes on with borders kept apart from the finest level on which they were apart of themselves.
   Error_code climb_with_borders_apart(Level& level, Level::Uv& uv);
@@ -116,6 +123,7 @@ private:
   unsigned int m_number_of_seeds = 0;
   bool m_is_finished = false;       // the method, with a map of the finest level
   bool m_is_flat = false;           // the hierarchy has only the finest level
+  std::vector<Point_2> m_start;     // in the order of the surface's vertices; empty if there is none
   bool m_watches_borders = false;
   Level::Uv m_map_apart;            // of the finest level so far on which no borders met; empty if there is none
   std::size_t m_level_apart = 0;

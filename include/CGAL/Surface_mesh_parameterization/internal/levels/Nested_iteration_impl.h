@@ -28,6 +28,7 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::run(Triangulated_surface_3 surface, CGAL::Real_timer& timer, std::vector<Point_2>& uv)
 {
   constexpr double part_of_hierarchy = 0.05;      // of the time, more or less
+  m_start.swap(uv);
   for (;;) {
     m_progress.start_stage(part_of_hierarchy);
     const Collapse_hierarchy_3 hierarchy(std::move(surface), m_options.hierarchy, m_method.loops());
@@ -51,27 +52,54 @@ Error_code Nested_iteration::run(Triangulated_surface_3 surface, CGAL::Real_time
   }
 }
 
-// The algorithm of the paper, section 3: with the levels built, parameterizes the coarsest one; then, for each finer
-// level, inserts the vertices that it has in addition and lets the method refine the map from there.
-//
-// What keeps borders apart costs time, and shuts the way to maps in which they would not meet in the end. So it acts
-// only from where they do.
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::parameterize(const Collapse_hierarchy_3& hierarchy, Level::Uv& uv)
 {
   if (m_progress.is_stopped() || (m_visitor && !m_visitor->hierarchy_built(hierarchy)))
     return ERROR_STOPPED;
 
+  Level level(hierarchy, 0, m_method.loops(), &m_progress);
+  Error_code status = ERROR_NO_1_TO_1_MAPPING;
+  if (!m_start.empty())
+    status = refine_start(level, uv);
+  if (status == ERROR_NO_1_TO_1_MAPPING)
+    status = parameterize_level_by_level(level, uv);
+  return status == OK ? finish(level, uv) : status;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::refine_start(Level& level, Level::Uv& uv)
+{
+  m_timer_of_level.reset();
+  level.go_to(level.hierarchy().number_of_levels() - 1);
+  start_stage(level);
+  for (Index rank = 0; rank < level.number_of_vertices(); ++rank)
+    uv.push_back(m_start[level.hierarchy().input_vertex(rank)]);
+  m_start = std::vector<Point_2>();      // another attempt starts anew
+  if (!bring_to_scale(level, m_method.keep_borders_apart(true), uv))
+    return ERROR_NO_1_TO_1_MAPPING;
+  return refine(level, uv);
+}
+
+// The algorithm of the paper, section 3: with the levels built, parameterizes the coarsest one; then, for each finer
+// level, inserts the vertices that it has in addition and lets the method refine the map from there.
+//
+// What keeps borders apart costs time, and shuts the way to maps in which they would not meet in the end. So it acts
+// only from where they do.
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::parameterize_level_by_level(Level& level, Level::Uv& uv)
+{
+  m_summary.levels.clear();
   m_watches_borders = m_method.keep_borders_apart(false);
   m_map_apart.clear();
   m_level_apart = 0;
-  Level level(hierarchy, 0, m_method.loops(), &m_progress);
+  level.go_to(0);
   Error_code status = parameterize_coarsest(level, uv);
   if (status == OK)
     status = climb(level, uv);
   if (status == OK && m_watches_borders && m_map_apart.size() < uv.size())
     status = climb_with_borders_apart(level, uv);
-  return status == OK ? finish(level, uv) : status;
+  return status;
 }
 
 // The time that a level takes is about proportional to its vertices, and the finest one has to converge.

@@ -73,7 +73,7 @@ Error_code choose_first_map(const Level_energy& energy, const Refinement_options
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv)
+double scale_of_area(const Level& level, const Level::Uv& uv)
 {
   double area = 0, image_area = 0;
   for (const Level::Triangle& t : level.triangles()) {
@@ -81,9 +81,15 @@ void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv
                           .squared_length());
     image_area += cross(uv[t[1]] - uv[t[0]], uv[t[2]] - uv[t[0]]);
   }
-  if (!(area > 0))
+  return std::sqrt(area / image_area);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv)
+{
+  const double scale = scale_of_area(level, uv);
+  if (!(scale > 0))
     return;
-  const double scale = std::sqrt(area / image_area);
   Level::Uv result = scaled(uv, scale);
   const bool is_spoilt = !is_map_valid(level.rings(), result, level.loops()) ||
                          (borders_must_not_meet && has_crossings(border_edges(level.rings()), result));

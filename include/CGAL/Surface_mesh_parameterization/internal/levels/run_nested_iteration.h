@@ -9,9 +9,11 @@
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/read_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/write_map.h>
 
 #include <CGAL/Real_timer.h>
@@ -19,6 +21,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -81,6 +84,20 @@ private:
   Method& m_method;
 };
 
+// The user's map of a component's surface, in its units. Vertices of the surface that the mesh does not have get
+// coordinates that are not finite. Empty if the map can only be written.
+template <class TriangleMesh, class VertexUVMap>
+std::vector<Point_2> read_map_if_readable(Mesh_component<TriangleMesh>& component, VertexUVMap uvmap)
+{
+  std::vector<Point_2> uv;
+  if constexpr (Readable_uv_map_check<VertexUVMap, TriangleMesh>::value) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    uv = read_map(component, component.surface().scale_exponent, uvmap);
+    uv.resize(component.surface().points.size(), Point_2(nan, nan));
+  }
+  return uv;
+}
+
 // Runs a model of RefinableParameterizer_3 coarse to fine on the component of a mesh, and writes to the property maps
 // if all went well. The visitor may be null.
 template <class Method, class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
@@ -106,6 +123,13 @@ Error_code run_nested_iteration(Method method, const Nested_iteration_options& o
   options_of_run.round = rounding_to<User_point_2>();
   Refinable_method_of<Method> engine_method(method);
   std::vector<Point_2> uv;
+  if (options.make_starting_map) {
+    uv = read_map_if_readable(component, uvmap);
+    if (uv.empty())
+      return summary.error.code = ERROR_WRONG_PARAMETER;
+    if (!options.make_starting_map(component.surface(), uv))
+      uv.clear();
+  }
   Error_code status =
       Nested_iteration(engine_method, options_of_run, visitor, summary).run(std::move(component.surface()), timer, uv);
   if (status == OK)

@@ -1,0 +1,43 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_STARTING_MAP_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_STARTING_MAP_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/starting_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool make_starting_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv)
+{
+  const One_rings rings(uv.size(), surface.triangles);
+  std::size_t unused = 0;
+  if (!has_no_flips(rings, uv) && repair_map(surface, uv, unused) != OK)
+    return false;
+  mirror_back(rings, uv);
+  return is_map_valid(rings, uv);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool bring_to_scale(const Level& level, bool borders_must_not_meet, Level::Uv& uv)
+{
+  constexpr double greatest_factor = 2;
+  const double factor = scale_of_area(level, uv);
+  if (!(factor > 0 && std::isfinite(factor)))
+    return false;
+  if (factor > greatest_factor || 1 / factor > greatest_factor)
+    scale_to_area(level, borders_must_not_meet, uv);
+  return true;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_STARTING_MAP_IMPL_H
