@@ -63,9 +63,11 @@ public:
     skip_blanks();
     if (m_at == m_end || is_line_end(*m_at))
       return false;
-    char* end;
-    number = std::strtod(m_at, &end);    // ends at the zero behind the content
-    return end != m_at && accept(end);
+    const char* const begin = *m_at == '+' && m_at[1] != '-' ? m_at + 1 : m_at;
+    const auto [end, error] = std::from_chars(begin, m_end, number);
+    if (error == std::errc::result_out_of_range)
+      number = std::strtod(begin, nullptr);      // infinite, or as good as 0
+    return error != std::errc::invalid_argument && accept(end);
   }
 
   bool read(long long& number)

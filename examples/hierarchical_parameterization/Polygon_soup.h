@@ -8,6 +8,8 @@
 
 #include "errors.h"
 
+#include <boost/container/small_vector.hpp>
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -15,8 +17,8 @@
 
 struct Polygon_soup
 {
-  typedef std::array<double, 3>      Point;
-  typedef std::vector<std::size_t>   Polygon;
+  typedef std::array<double, 3>                            Point;
+  typedef boost::container::small_vector<std::size_t, 3>   Polygon;      // a triangle without a memory block of its own
 
   std::vector<Point> points;
   std::vector<Polygon> polygons;

@@ -179,6 +179,7 @@ void choose_component(Input& input)
   });
   input.border = longest.halfedge;
   input.number_of_borders = longest.number_of_borders;
+  input.mesh.remove_property_map(component_of);
   if (input.number_of_borders == 0)
     throw Input_error{ "is closed: a surface needs a border to be laid out; cut it open first, by leaving out a face "
                        "or by doubling the vertices along a path of edges",
