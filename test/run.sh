@@ -4,7 +4,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../.cmake/prepare.sh"
 
 build=$root/.build/tests
-install_missing "${build_packages[@]}" libgtest-dev ccache doxygen
+install_missing "${build_packages[@]}" libgtest-dev ccache doxygen parallel
 configure "$build" -DCMAKE_BUILD_TYPE=Release -DHIERARCHICAL_PARAMETERIZATION_BUILD_TESTS=ON \
   -DHIERARCHICAL_PARAMETERIZATION_BUILD_EXAMPLES=ON
 cmake --build "$build" -j"$(nproc)"
