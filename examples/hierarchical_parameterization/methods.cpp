@@ -18,8 +18,7 @@ const std::vector<Method>& methods()
   static const std::size_t newton_steps = SMP::Refinement_options().number_of_iterations;
   constexpr std::size_t linear_steps = 300;
   static const std::vector<Method> all = {
-    { "mips", "least distortion of angles, free border", run_mips, true, 1e-6, newton_steps, one, true,
-      true },
+    { "mips", "least distortion of angles, free border", run_mips, true, 1e-6, newton_steps, one, true, true },
     { "symmetric-dirichlet", "least distortion of lengths, free border", run_symmetric_dirichlet, true, 1e-6,
       newton_steps, area, true, true },
     { "uniform", "every vertex the mean of its neighbors, border on a circle", run_uniform, false, 1e-8, linear_steps, one },

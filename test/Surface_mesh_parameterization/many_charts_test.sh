@@ -12,15 +12,18 @@ make_charts() {
   for i in $(seq $charts); do echo "$1/chart $i.obj"; done >"$1/list"
 }
 report_is_whole() {
-  [ "$(sed 's/^{"input":"\([^"]*\)".*/\1/' "$1/list.report")" = "$(cat "$1/list")" ] || fail "$1: not a line for each mesh, in order"
+  [ "$(sed 's/^{"input":"\([^"]*\)".*/\1/' "$1/list.report")" = "$(cat "$1/list")" ] ||
+    fail "$1: not a line for each mesh, in order"
   [ "$(grep -c '"status":"ok"' "$1/list.report")" -eq $((charts - 1)) ] || fail "$1: not all maps are there"
-  sed -n 5p "$1/list.report" | grep -q '"status":"unreadable","error":"face 0' || fail "$1: the broken mesh is told as $(sed -n 5p "$1/list.report")"
+  sed -n 5p "$1/list.report" | grep -q '"status":"unreadable","error":"face 0' ||
+    fail "$1: the broken mesh is told as $(sed -n 5p "$1/list.report")"
   [ "$(ls "$1"/*.uv.ply | wc -l)" -eq $((charts - 1)) ] || fail "$1: the maps are $(ls "$1")"
 }
 
 make_charts slurm
 for task in 0 1 2; do
-  SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_ID=$task bash "$scripts/slurm_array.sh" slurm/list 2>/dev/null || fail "task $task failed"
+  SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_ID=$task bash "$scripts/slurm_array.sh" slurm/list 2>/dev/null ||
+    fail "task $task failed"
 done
 for i in $(seq $charts); do cat "slurm/chart $i.json"; done >slurm/list.report
 report_is_whole slurm

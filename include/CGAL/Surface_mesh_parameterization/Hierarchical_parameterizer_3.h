@@ -158,8 +158,8 @@ public:
   ///
   /// \param method the method
   /// \param np
-  /// - `coarsest_size`, `random_seed`, `unit_edges`, `visitor`, `fill_holes`, `flip_policy`, `summary`: see
-  ///   `Nested_iteration_parameterizer_3`
+  /// - `coarsest_size`, `random_seed`, `unit_edges`, `visitor`, `fill_holes`, `flip_policy`, `initial_map`,
+  ///   `summary`: see `Nested_iteration_parameterizer_3`
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Hierarchical_parameterizer_3(const Parameterizer& method = Parameterizer(),
                                         const NamedParameters& np = parameters::default_values());

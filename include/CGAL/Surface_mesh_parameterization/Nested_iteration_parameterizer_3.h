@@ -106,9 +106,10 @@ public:
   /// an error
   ///
   /// \return `OK`; an error of `Mesh_component` or of the method; `ERROR_WRONG_PARAMETER` if the method fixed a vertex
-  ///         at a place that is not finite, or if `initial_map` is true and `uvmap` cannot be read; `ERROR_NO_1_TO_1_MAPPING` if a vertex could not be inserted without a flip,
-  ///         because its neighbors lie too close together for doubles, or if there are flips and the `Flip_policy` is
-  ///         `FAIL`; `ERROR_STOPPED` if the visitor stopped the run
+  ///         at a place that is not finite, or if `initial_map` is true and `uvmap` cannot be read;
+  ///         `ERROR_NO_1_TO_1_MAPPING` if a vertex could not be inserted without a flip, because its neighbors lie too
+  ///         close together for doubles, or if there are flips and the `Flip_policy` is `FAIL`; `ERROR_STOPPED` if the
+  ///         visitor stopped the run
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
                           VertexParameterizedMap vpmap)

@@ -112,6 +112,7 @@ private:
   // indefinite; with all of it, the Hessian is the true one.
   void add_second_order_term(double f1, const Beltrami_coefficient& mu)
   {
+    // zz = 4 f1 |mu|^2 p^2 and zw = 4 f1 conj(mu) p^2
     const double factor = 4 * f1, x = factor * (mu.px * mu.px - mu.py * mu.py), y = 2 * factor * mu.px * mu.py,
                  squared_mu = mu.mx * mu.mx + mu.my * mu.my;
     const double zz_x = squared_mu * x, zz_y = squared_mu * y, zw_x = mu.mx * x + mu.my * y,
