@@ -18,13 +18,18 @@
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/settle_flips.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
+
+typedef std::vector<Kernel::Point_2>   Places;
 
 void require(bool condition)
 {
@@ -33,12 +38,12 @@ void require(bool condition)
 }
 
 // A map that is called good must be: one-to-one around every vertex, and as a whole if that was promised. Where there
-// is none the user's map is untouched.
-void check(const Input& input, UV_map uvmap, SMP::Error_code status, bool is_globally_injective)
+// is none the user's map is what it was, to the last bit.
+void check(const Input& input, UV_map uvmap, const Places& before, SMP::Error_code status, bool is_globally_injective)
 {
   if (status != SMP::OK) {
     for (const auto v : input.mesh.vertices())
-      require(uvmap[v] == Kernel::Point_2(-77, 77));
+      require(std::memcmp(&uvmap[v], &before[v], sizeof(Kernel::Point_2)) == 0);
     return;
   }
   SMP::Mesh_component<Mesh> component(input.mesh, input.border);
@@ -55,29 +60,39 @@ void run(Input& input, UV_map uvmap, Parameterizer parameterizer, bool is_global
 {
   const auto vimap = get(CGAL::dynamic_vertex_property_t<int>(), input.mesh);
   const auto vpmap = get(CGAL::dynamic_vertex_property_t<bool>(), input.mesh);
-  check(input, uvmap, parameterizer.parameterize(input.mesh, input.border, uvmap, vimap, vpmap), is_globally_injective);
+  const Places before(uvmap.begin(), uvmap.end());
+  const SMP::Error_code status = parameterizer.parameterize(input.mesh, input.border, uvmap, vimap, vpmap);
+  check(input, uvmap, before, status, is_globally_injective);
 }
 
 template <class Method>
-void run(Input& input, UV_map uvmap, bool is_flat, bool is_globally_injective, bool fills_holes)
+void run(Input& input, UV_map uvmap, bool is_flat, bool is_globally_injective, bool fills_holes, bool has_start)
 {
-  const Method method(
-      CGAL::parameters::globally_injective(is_globally_injective).fill_holes(fills_holes).number_of_iterations(5));
+  const Method method(CGAL::parameters::globally_injective(is_globally_injective)
+                          .fill_holes(fills_holes)
+                          .initial_map(has_start)
+                          .number_of_iterations(5));
   if (is_flat)
     run(input, uvmap, method, is_globally_injective);
   else
     run(input, uvmap,
-        SMP::Hierarchical_parameterizer_3<Method>(method, CGAL::parameters::coarsest_size(6).fill_holes(fills_holes)),
+        SMP::Hierarchical_parameterizer_3<Method>(
+            method, CGAL::parameters::coarsest_size(6).fill_holes(fills_holes).initial_map(has_start)),
         is_globally_injective);
 }
 
-// The points' first two coordinates as a map, flips or not.
-void repair(Input& input, UV_map uvmap)
+// The map of the file, or the points' first two coordinates, flips or not.
+void set_map(const Input& input, const std::vector<std::array<double, 2>>& uv, UV_map uvmap)
 {
   for (const auto v : input.mesh.vertices())
-    uvmap[v] = Kernel::Point_2(input.mesh.point(v).x(), input.mesh.point(v).y());
+    uvmap[v] = uv.empty() ? Kernel::Point_2(input.mesh.point(v).x(), input.mesh.point(v).y())
+                          : Kernel::Point_2(uv[v][0], uv[v][1]);
+}
+
+void repair(Input& input, UV_map uvmap)
+{
   if (SMP::settle_flips(input.mesh, input.border, uvmap, SMP::Flip_policy::REPAIR) == SMP::OK)
-    check(input, uvmap, SMP::OK, false);
+    check(input, uvmap, {}, SMP::OK, false);
 }
 
 } // namespace
@@ -91,8 +106,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string content(data + 2, data + size);
   const unsigned int choice = data[1];
   Input input;
+  std::vector<std::array<double, 2>> uv;
   try {
-    input.mesh = make_mesh(read_soup(names[data[0] % names.size()], content), choice & 1);
+    Polygon_soup soup = read_soup(names[data[0] % names.size()], content, true);
+    uv = soup.uv;
+    input.mesh = make_mesh(std::move(soup), choice & 1);
     choose_component(input);
   } catch (const Input_error&) {
     return 0;
@@ -102,12 +120,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
   const UV_map uvmap =
       input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv", Kernel::Point_2(-77, 77)).first;
-  const bool is_flat = choice & 2, is_globally_injective = choice & 4, fills_holes = choice & 32;
+  const bool is_flat = choice & 2, is_globally_injective = choice & 4, fills_holes = choice & 32,
+             has_start = choice & 64;
+  if (has_start || choice & 8)
+    set_map(input, uv, uvmap);
   if (choice & 8)
     repair(input, uvmap);
   else if (choice & 16)
-    run<SMP::MIPS_parameterizer_3<Mesh>>(input, uvmap, is_flat, is_globally_injective, fills_holes);
+    run<SMP::MIPS_parameterizer_3<Mesh>>(input, uvmap, is_flat, is_globally_injective, fills_holes, has_start);
   else
-    run<SMP::Symmetric_Dirichlet_parameterizer_3<Mesh>>(input, uvmap, is_flat, is_globally_injective, fills_holes);
+    run<SMP::Symmetric_Dirichlet_parameterizer_3<Mesh>>(input, uvmap, is_flat, is_globally_injective, fills_holes,
+                                                        has_start);
   return 0;
 }
