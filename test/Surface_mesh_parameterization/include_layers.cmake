@@ -16,7 +16,9 @@ set(layers
   "levels: settle_flips Refinable_parameterizer_base_3 Distortion_parameterizer_3 MIPS_parameterizer_3 Symmetric_Dirichlet_parameterizer_3
            As_rigid_as_possible_parameterizer_3 Nested_iteration_parameterizer_3"
   "edge_energy: Edge_energy_parameterizer_3"
-  "wrapped: Multigrid_solver_traits Hierarchical_parameterizer_3 hierarchical_parameterization")
+  "wrapped: Multigrid_solver_traits Hierarchical_parameterizer_3 hierarchical_parameterization"
+  "cut: cut_to_disk"
+  "pack: pack_charts atlas_parameterization")
 
 set(prefix CGAL/Surface_mesh_parameterization)
 get_filename_component(include_dir ${CMAKE_CURRENT_LIST_DIR}/../../include ABSOLUTE)

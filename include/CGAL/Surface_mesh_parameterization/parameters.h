@@ -13,7 +13,7 @@
 /// \file parameters.h
 /// The named parameters of this package. `CGAL::Surface_mesh_parameterization::parameters` has all names that the
 /// package takes, its own and those of CGAL (`random_seed`, `number_of_iterations`, `visitor`,
-/// `vertex_is_constrained_map`), and a chain may have any order:
+/// `vertex_is_constrained_map`, `edge_is_constrained_map`), and a chain may have any order:
 /// \code
 ///   namespace SMP = CGAL::Surface_mesh_parameterization;
 ///   SMP::parameters::random_seed(7).summary(std::ref(s)).tolerance(1e-8)
@@ -28,11 +28,13 @@ namespace CGAL {
   X(coarsest_size, coarsest_size_t) X(unit_edges, unit_edges_t) X(tolerance, tolerance_t)                              \
   X(triangle_weight, triangle_weight_t) X(number_of_local_steps, number_of_local_steps_t) X(optimizer, optimizer_t)    \
   X(lambda, lambda_t) X(globally_injective, globally_injective_t) X(flip_policy, flip_policy_t)                        \
-  X(fill_holes, fill_holes_t) X(initial_map, initial_map_t) X(summary, summary_t)
+  X(fill_holes, fill_holes_t) X(initial_map, initial_map_t) X(summary, summary_t)                                      \
+  X(distortion_bound, distortion_bound_t) X(join_borders, join_borders_t) X(margin, margin_t)                          \
+  X(unit_square, unit_square_t)
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_NAMES(X)                                                                    \
   CGAL_SURFACE_MESH_PARAMETERIZATION_OWN_NAMES(X)                                                                      \
   X(random_seed, random_seed_t) X(number_of_iterations, number_of_iterations_t) X(visitor, visitor_t)                  \
-  X(vertex_is_constrained_map, vertex_is_constrained_t)
+  X(vertex_is_constrained_map, vertex_is_constrained_t) X(edge_is_constrained_map, edge_is_constrained_t)
 
 namespace internal_np {
 

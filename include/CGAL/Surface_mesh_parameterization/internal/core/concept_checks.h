@@ -314,6 +314,26 @@ struct Readable_uv_map_check
   }
 };
 
+// Of a map from halfedges that a call writes and, if `is_read`, reads.
+template <class UVMap, class Mesh, bool is_read = false>
+struct Halfedge_uv_map_check
+{
+  typedef Detected<Value_of, UVMap>   Point;
+
+  static constexpr bool value =
+      is_detected<Coordinates_2, Point> && std::is_constructible<Point, double, double>::value &&
+      std::is_convertible<Halfedge_of<Mesh>, Detected<Key_of, UVMap>>::value &&
+      is_detected<Write, UVMap, Halfedge_of<Mesh>, Point> &&
+      (!is_read || is_detected_as<Point, Read, UVMap, Halfedge_of<Mesh>>);
+
+  static void tell()
+  {
+    static_assert(Halfedge_uv_map_check::value,
+                  "uvmap is no map from the halfedges of the mesh to points of the plane: it needs put(uvmap, h, point), "
+                  "get(uvmap, h) if it is read, and points with x(), y() and a constructor from two doubles");
+  }
+};
+
 template <class T, class Mesh>
 constexpr bool has_parameterize = is_detected_as<Error_code, Parameterize, T, std::add_lvalue_reference_t<Mesh>, Mesh>;
 
@@ -357,6 +377,7 @@ using concept_checks::Border_parameterizer_check;
 using concept_checks::Edge_weights_check;
 using concept_checks::Energy_check;
 using concept_checks::Halfedge_check;
+using concept_checks::Halfedge_uv_map_check;
 using concept_checks::Index_map_check;
 using concept_checks::Mesh_check;
 using concept_checks::Mesh_descriptors;

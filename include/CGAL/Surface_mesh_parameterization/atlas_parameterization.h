@@ -1,0 +1,235 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_ATLAS_PARAMETERIZATION_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_ATLAS_PARAMETERIZATION_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/cut_to_disk.h>
+#include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
+#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationAtlas
+///
+/// What `atlas_parameterization()` did.
+struct Atlas_summary
+{
+  /// one chart, a connected piece of the surface along the seams
+  struct Chart
+  {
+    std::size_t faces = 0;                  ///< number of triangles
+    Parameterization_summary summary;       ///< of its map. The index of an error is that of a face of the mesh
+  };
+
+  Parameterization_error error;         ///< of the surface, of the first chart that has no map, or of the packing
+  Cut_summary cut;                      ///< the seams, and the components of the surface
+  std::vector<Chart> charts;            ///< in the order of their first faces
+  double used_part = 0;                 ///< of the area of the square
+  double seconds_cut = 0;               ///< wall-clock time of reading and cutting
+  double seconds_parameterize = 0;      ///< wall-clock time of the charts' maps
+  double seconds_pack = 0;              ///< wall-clock time of packing and writing
+
+  /// whether every corner has a place
+  bool is_ok() const { return error.code == OK; }
+};
+
+namespace internal {
+
+typedef CGAL::Surface_mesh<Point_3>   Chart_mesh;
+
+// Returns whether there is such a mesh: not if two edges of the chart have the same ends.
+inline bool make_chart_mesh(const Corner_mesh& chart, Chart_mesh& mesh)
+{
+  mesh.reserve(Chart_mesh::size_type(chart.number_of_vertices()), chart.number_of_halfedges(), chart.number_of_faces());
+  for (const Point_3& p : chart.points)
+    mesh.add_vertex(p);
+  for (Index h = 0; h < chart.number_of_halfedges(); h += 3)
+    if (mesh.add_face(Chart_mesh::Vertex_index(chart.vertex[h]), Chart_mesh::Vertex_index(chart.vertex[h + 1]),
+                      Chart_mesh::Vertex_index(chart.vertex[h + 2])) == Chart_mesh::null_face())
+      return false;
+  return true;
+}
+
+// With the value `true` for `globally_injective` if the method knows that name and the caller gives no value.
+template <class Method, class NamedParameters>
+auto with_injectivity(const NamedParameters& np)
+{
+  typedef Detected<Option_names_of, Method>   Taken;
+  if constexpr (std::is_same<Taken, void>::value)
+    return np;
+  else if constexpr (has_name<internal_np::globally_injective_t>(Taken()) &&
+                     parameters::is_default_parameter<NamedParameters, internal_np::globally_injective_t>::value)
+    return Named_parameters<bool, internal_np::globally_injective_t, NamedParameters>(true, np);
+  else
+    return np;
+}
+
+// Parameterizes a chart, and scales the map to the chart's area in space.
+template <template <class...> class Method, class NamedParameters>
+Parameterization_summary parameterize_chart(const Corner_mesh& chart, const NamedParameters& np,
+                                            std::vector<Point_2>& uv)
+{
+  Parameterization_summary summary;
+  Chart_mesh mesh;
+  if (!make_chart_mesh(chart, mesh)) {
+    summary.error.code = ERROR_NO_TOPOLOGICAL_DISC;
+    return summary;
+  }
+  const auto uvmap = mesh.add_property_map<Chart_mesh::Vertex_index, Point_2>("v:uv").first;
+  summary = hierarchical_parameterization<Method>(mesh, uvmap, with_injectivity<Method<Chart_mesh>>(np));
+  if (summary.is_ok()) {
+    uv.assign(uvmap.begin(), uvmap.end());
+    scale_to_area_in_space(chart, uv);
+  }
+  return summary;
+}
+
+// The face of a chart at which an error lies, as a face of the mesh.
+inline Parameterization_error error_in_mesh(const Parameterization_error& error, const Corner_mesh& chart,
+                                            const std::vector<Index>& faces)
+{
+  Parameterization_error result = error;
+  if (error.code == OK)
+    return result;
+  result.place = Parameterization_error::FACE;
+  result.index = faces.front();
+  if (error.place == Parameterization_error::FACE)
+    result.index = faces[error.index];
+  else if (error.place == Parameterization_error::VERTEX)
+    for (Index h = 0; h < chart.number_of_halfedges(); ++h)
+      if (chart.vertex[h] == error.index)
+        result.index = faces[h / 3];
+  return result;
+}
+
+// Parameterizes all charts. Returns which have a map.
+template <template <class...> class Method, class NamedParameters>
+std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, const Loops& loops,
+                                      Atlas_summary& result)
+{
+  const Index number_of_charts = Index(atlas.charts.size());
+  result.charts.resize(number_of_charts);
+  atlas.uv.assign(atlas.mesh.number_of_vertices(), Point_2(0, 0));
+  const auto make_scratch = [&] { return std::vector<Index>(atlas.mesh.number_of_vertices(), no_index); };
+  const auto parameterize = [&](Index begin, Index end, std::vector<Index>& scratch) {
+    for (Index i = begin; i < end; ++i) {
+      const std::vector<Index>& faces = atlas.charts[i];
+      const Corner_mesh chart = component_of(atlas.mesh, faces, scratch);
+      std::vector<Point_2> uv;
+      Parameterization_summary summary = parameterize_chart<Method>(chart, np, uv);
+      summary.error = error_in_mesh(summary.error, chart, faces);
+      if (summary.is_ok()) {
+        const std::vector<Index> vertices = vertices_of(atlas.mesh, faces);
+        for (std::size_t j = 0; j < vertices.size(); ++j)
+          atlas.uv[vertices[j]] = uv[j];
+      }
+      result.charts[i] = { faces.size(), std::move(summary) };
+    }
+  };
+  loops.for_each_block_with_scratch(0, number_of_charts, make_scratch, parameterize, 1);
+
+  std::vector<bool> has_map;
+  for (const Atlas_summary::Chart& chart : result.charts) {
+    has_map.push_back(chart.summary.is_ok());
+    if (result.is_ok())
+      result.error = chart.summary.error;
+  }
+  return has_map;
+}
+
+} // namespace internal
+
+/// \ingroup PkgHierarchicalParameterizationAtlas
+///
+/// lays a whole surface in the plane: any number of components, closed or not, with any number of handles. Cuts what
+/// must be cut (`cut_to_disk()`), parameterizes every chart (`hierarchical_parameterization()`), scales it to its area
+/// in space, and packs all charts (`pack_charts()`).
+/// \code
+///   auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+///   auto result = SMP::atlas_parameterization(mesh, uv);
+/// \endcode
+/// The place of a corner belongs to the halfedge that leads to it in its face, so that the mesh need not be cut. The
+/// corners at a vertex have several places if the vertex lies on a seam. Halfedges on a border get none.
+///
+/// A method that knows the named parameter `globally_injective` gets the value `true` unless the caller gives another
+/// one: then no two triangles of the atlas overlap.
+///
+/// \tparam Method a class template of parameterizers, as of `hierarchical_parameterization()`
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` lays out several charts side by side, and needs `CGAL::TBB_support`; the
+///         result is the same
+///
+/// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; it is only read
+/// \param uvmap a writable property map from halfedges to points of the plane. Untouched on an error, except that of a
+///        chart: the corners of that chart are untouched, the others have their places
+/// \param np the named parameters of `cut_to_disk()` and of `pack_charts()`, and
+/// - `edge_is_constrained_map`: a readable property map from edges to `bool`: where the surface is cut in any case;
+///   default: nowhere
+/// \param np_of_charts those of `hierarchical_parameterization()`, for every chart
+///
+/// \return what was done, with the first error
+template <template <class...> class Method = Symmetric_Dirichlet_parameterizer_3, class ConcurrencyTag = Sequential_tag,
+          class TriangleMesh, class HalfedgeUVMap, class NamedParameters = parameters::Default_named_parameters,
+          class Chart_parameters = parameters::Default_named_parameters>
+Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvmap,
+                                     const NamedParameters& np = parameters::default_values(),
+                                     const Chart_parameters& np_of_charts = parameters::default_values())
+{
+  Atlas_summary result;
+  typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
+                           internal::Halfedge_uv_map_check<HalfedgeUVMap, TriangleMesh>>   Check;
+  if constexpr (Check::value) {
+    internal::assert_names<internal::Joined_names<internal::Joined_names<internal::Cut_names, internal::Pack_names>,
+                                                  internal::Names<internal_np::edge_is_constrained_t>>>(np);
+    typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor   edge_descriptor;
+    CGAL::Real_timer timer;
+    timer.start();
+    internal::Atlas atlas;
+    const auto seams = parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
+                                                    CGAL::Constant_property_map<edge_descriptor, bool>(false));
+    internal::read_and_cut(mesh, seams, np, atlas.mesh, result.cut);
+    result.error = result.cut.error;
+    if (!result.is_ok())
+      return result;
+    atlas.charts = connected_components(atlas.mesh);
+    result.seconds_cut = timer.time();
+
+    const std::vector<bool> has_map =
+        internal::parameterize_charts<Method>(atlas, np_of_charts, internal::Loops::of<ConcurrencyTag>(), result);
+    result.seconds_parameterize = timer.time() - result.seconds_cut;
+
+    result.used_part = internal::pack_and_write(mesh, atlas, has_map, np, uvmap, result.error);
+    result.seconds_pack = timer.time() - result.seconds_cut - result.seconds_parameterize;
+  } else
+    Check::tell();
+  return result;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_ATLAS_PARAMETERIZATION_H

@@ -1,0 +1,124 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_CUT_TO_DISK_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_CUT_TO_DISK_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/cut_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationAtlas
+///
+/// What `cut_to_disk()` did.
+struct Cut_summary
+{
+  /// a connected component of the surface, which the seams that were there before may divide
+  struct Component
+  {
+    std::size_t faces = 0;            ///< number of triangles
+    std::size_t genus = 0;            ///< number of handles before the cut
+    std::size_t borders = 0;          ///< number of borders before the cut
+    std::size_t branches = 0;         ///< of the seam, to places of great distortion
+    double distortion = 0;            ///< the mean symmetric Dirichlet energy as far as it was looked for; else 0
+  };
+
+  Parameterization_error error;             ///< what went wrong, and where
+  std::vector<Component> components;     ///< in the order of their first faces
+  std::size_t seam_edges = 0;               ///< number of edges that became seams
+  double seam_length = 0;                   ///< their length in space
+
+  /// whether the surface was cut
+  bool is_ok() const { return error.code == OK; }
+};
+
+namespace internal {
+
+// Reads a mesh and cuts it. Returns which halfedges became seams.
+template <class TriangleMesh, class EdgeSeamMap, class NamedParameters>
+std::vector<bool> read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const NamedParameters& np,
+                               Corner_mesh& corners, Cut_summary& summary)
+{
+  summary.error = read_corner_mesh(mesh, seams, corners);
+  if (!summary.is_ok())
+    return {};
+  const std::vector<Index> old_opposite = corners.opposite;
+  for (const Component_cut& c : cut_mesh(corners, cut_options_of(np)))
+    summary.components.push_back({ c.faces, c.genus, c.borders, c.branches, c.distortion });
+  std::vector<bool> is_seam(corners.number_of_halfedges(), false);
+  for (Index h = 0; h < corners.number_of_halfedges(); ++h) {
+    is_seam[h] = corners.is_border(h) && old_opposite[h] != no_index;
+    if (is_seam[h] && h < old_opposite[h]) {
+      ++summary.seam_edges;
+      summary.seam_length += length(corners, h);
+    }
+  }
+  return is_seam;
+}
+
+} // namespace internal
+
+/// \ingroup PkgHierarchicalParameterizationAtlas
+///
+/// finds seams along which a surface becomes disks, of any number of components, closed or not, with any number of
+/// handles. `CGAL::Seam_mesh` takes them, with a map of the vertices on them:
+/// \code
+///   auto is_seam = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+///   auto is_on_seam = mesh.add_property_map<Mesh::Vertex_index, bool>("v:seam", false).first;
+///   SMP::cut_to_disk(mesh, is_seam);
+///   for (auto e : mesh.edges())
+///     if (is_seam[e])
+///       is_on_seam[mesh.vertex(e, 0)] = is_on_seam[mesh.vertex(e, 1)] = true;
+///   CGAL::Seam_mesh seam_mesh(mesh, is_seam, is_on_seam);
+/// \endcode
+/// A component with handles is cut along a short system of loops, two for each handle; a closed one without handles
+/// along a path between two places that are far from each other. Then the seam grows branches, until the map of least
+/// symmetric Dirichlet energy would be within a bound: each from the place that Tutte's map shrinks most, the tip of a
+/// limb, by the shortest path of edges to what is cut already. This is decided on a coarse level of the component's
+/// hierarchy. Components that are disks already, with or without holes, are cut only if a bound is given.
+///
+/// Sources: Erickson, Whittlesey, *Greedy optimal homotopy and homology generators*, 2005, for the handles, and Gu,
+/// Gortler, Hoppe, *Geometry images*, 2002, for the branches.
+///
+/// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; it is only read
+/// \param seams a readable and writable property map from the edges of `mesh` to `bool`. What is `true` before is a
+///        seam already, and stays one
+/// \param np
+/// - `distortion_bound`: the mean symmetric Dirichlet energy, weighted by area, up to which the seam gets branches; 4
+///   is that of an isometry. It is measured on a coarse level of about 2000 vertices, and the seam has at most 50
+///   branches in each component. Default: 4.5 for components that have to be cut, none for the others
+/// - `join_borders`: whether the components become disks without holes; default `false`: every border that needs no cut
+///   stays as it is
+///
+/// \return what was done. Its error is `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, or `ERROR_WRONG_PARAMETER`
+///         if a coordinate is not finite; then no edge became a seam
+template <class TriangleMesh, class EdgeSeamMap, class NamedParameters = parameters::Default_named_parameters>
+Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeSeamMap seams,
+                        const NamedParameters& np = parameters::default_values())
+{
+  Cut_summary summary;
+  if constexpr (internal::Mesh_check<TriangleMesh>::value) {
+    internal::assert_names<internal::Cut_names>(np);
+    internal::Corner_mesh corners;
+    const std::vector<bool> is_seam = internal::read_and_cut(mesh, seams, np, corners, summary);
+    internal::for_each_corner(mesh, [&](auto h, internal::Index i) {
+      if (summary.is_ok() && is_seam[i])
+        put(seams, edge(h, mesh), true);
+    });
+  } else
+    internal::Mesh_check<TriangleMesh>::tell();
+  return summary;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_CUT_TO_DISK_H

@@ -1,0 +1,92 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_SHORTEST_PATHS_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_SHORTEST_PATHS_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Shortest_paths.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Shortest_paths::Shortest_paths(const Corner_mesh& mesh)
+  : m_mesh(mesh), m_place(mesh.number_of_vertices(), no_index)
+{
+  for (const std::vector<Index>& border : borders(mesh)) {
+    for (const Index h : border)
+      m_place[mesh.target(h)] = Index(m_is_border.size());
+    m_is_border.push_back(true);
+  }
+  for (Index& place : m_place)
+    if (place == no_index) {
+      place = Index(m_is_border.size());
+      m_is_border.push_back(false);
+    }
+
+  // A counting sort.
+  m_first.assign(m_is_border.size() + 1, 0);
+  for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    ++m_first[m_place[mesh.source(h)] + 1];
+  std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+  m_leaving.resize(mesh.number_of_halfedges());
+  std::vector<Index> end(m_first.begin(), m_first.end() - 1);
+  for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    m_leaving[end[m_place[mesh.source(h)]]++] = h;
+
+  m_distance.assign(m_is_border.size(), (std::numeric_limits<double>::infinity)());
+  m_last_halfedge.assign(m_is_border.size(), no_index);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void Shortest_paths::add_sources(const std::vector<Index>& places)
+{
+  typedef std::pair<double, Index>   Entry;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  for (const Index place : places) {
+    m_distance[place] = 0;
+    m_last_halfedge[place] = no_index;
+    queue.emplace(0, place);
+  }
+  // Dijkstra's algorithm; an entry is out of date if the place has come nearer since.
+  while (!queue.empty()) {
+    const auto [distance, place] = queue.top();
+    queue.pop();
+    if (distance > m_distance[place])
+      continue;
+    for (Index i = m_first[place]; i < m_first[place + 1]; ++i) {
+      const Index h = m_leaving[i], neighbor = m_place[m_mesh.target(h)];
+      const double other_distance = distance + length(m_mesh, h);
+      if (other_distance < m_distance[neighbor]) {
+        m_distance[neighbor] = other_distance;
+        m_last_halfedge[neighbor] = h;
+        queue.emplace(other_distance, neighbor);
+      }
+    }
+  }
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::vector<Index> Shortest_paths::path_to(Index place) const
+{
+  std::vector<Index> path;
+  for (Index h = m_last_halfedge[place]; h != no_index; h = m_last_halfedge[m_place[m_mesh.source(h)]])
+    path.push_back(h);
+  return path;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Index Shortest_paths::farthest() const
+{
+  return Index(std::max_element(m_distance.begin(), m_distance.end()) - m_distance.begin());
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_SHORTEST_PATHS_IMPL_H

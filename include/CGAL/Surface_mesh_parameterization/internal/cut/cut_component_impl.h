@@ -1,0 +1,299 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_COMPONENT_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_COMPONENT_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Shortest_paths.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/cut_component.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/handle_cut.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Returns what was the number of each vertex before.
+inline std::vector<Index> sever(Corner_mesh& mesh, const std::vector<Index>& halfedges)
+{
+  for (const Index h : halfedges)
+    mesh.sever(h);
+  return split_vertices(mesh);
+}
+
+// Of a sphere: a path of at least two edges between two places that are far from each other.
+inline std::vector<Index> long_path(const Corner_mesh& mesh)
+{
+  Shortest_paths from_any(mesh);
+  from_any.add_sources({ 0 });
+  Shortest_paths paths(mesh);
+  paths.add_sources({ from_any.farthest() });
+  std::vector<Index> path = paths.path_to(paths.farthest());
+  if (path.size() == 1)
+    path.push_back(Corner_mesh::next(path.front()));
+  return path;
+}
+
+// Joins all borders by short paths.
+inline void join_borders(Corner_mesh& mesh)
+{
+  Shortest_paths paths(mesh);
+  paths.add_sources({ 0 });        // the borders are the first places
+  std::vector<Index> seam;
+  for (Index place = 1; place < paths.number_of_places() && paths.is_border(place); ++place) {
+    const std::vector<Index> path = paths.path_to(place);
+    std::vector<Index> places(1, place);
+    for (const Index h : path)
+      places.push_back(paths.place(mesh.source(h)));
+    paths.add_sources(places);
+    seam.insert(seam.end(), path.begin(), path.end());
+  }
+  sever(mesh, seam);
+}
+
+inline Collapse_hierarchy_3 make_hierarchy(const Corner_mesh& mesh, std::size_t coarsest_size)
+{
+  Hierarchy_options options;
+  options.coarsest_size = coarsest_size;
+  return Collapse_hierarchy_3(surface_of(mesh), options, Loops());
+}
+
+// A coarse mesh of vertices of a fine one.
+struct Sample
+{
+  Corner_mesh mesh;
+  std::vector<Index> fine_vertex;       // of each vertex
+};
+
+inline Sample coarsest_level(const Collapse_hierarchy_3& hierarchy)
+{
+  const Level level(hierarchy);
+  Sample sample;
+  std::vector<std::pair<std::pair<Index, Index>, Index>> edges;       // ends in order, halfedge
+  for (Index v = 0; v < level.number_of_vertices(); ++v) {
+    sample.mesh.points.push_back(level.point(v));
+    sample.fine_vertex.push_back(hierarchy.input_vertex(v));
+  }
+  for (const Level::Triangle& t : level.triangles())
+    for (int i = 0; i < 3; ++i) {
+      edges.push_back({ std::minmax(t[i], t[(i + 2) % 3]), Index(sample.mesh.vertex.size()) });
+      sample.mesh.vertex.push_back(t[i]);
+    }
+  sample.mesh.opposite.assign(sample.mesh.vertex.size(), no_index);
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 1; i < edges.size(); ++i)
+    if (edges[i].first == edges[i - 1].first) {
+      sample.mesh.opposite[edges[i].second] = edges[i - 1].second;
+      sample.mesh.opposite[edges[i - 1].second] = edges[i].second;
+    }
+  return sample;
+}
+
+// By how much Tutte's map shrinks the surface around a vertex, most at the tips of long limbs; -1 at a vertex on a
+// border or next to one.
+inline double shrinkage(const Level& level, const Level::Uv& uv, Index v)
+{
+  const Level::Ring ring = level.one_ring(v);
+  const auto is_border = [&](Index w) { return level.rings().is_border(w); };
+  if (is_border(v) || std::any_of(ring.begin(), ring.end(), is_border))
+    return -1;
+  double area = 0, image_area = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+    area += std::sqrt(
+        CGAL::cross_product(level.point(a) - level.point(v), level.point(b) - level.point(v)).squared_length());
+    image_area += cross(uv[a] - uv[v], uv[b] - uv[v]);
+  }
+  return area > 0 ? area / (std::max)(image_area, 0.) : 0;
+}
+
+// The least mean symmetric Dirichlet energy of a level, about.
+inline double least_distortion(const Level& level, Level::Uv uv)
+{
+  Refinement_options options;
+  options.tolerance = 1e-2;
+  options.number_of_iterations = 30;
+  const Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, Triangle_weight::AREA);
+  Level_summary summary;
+  scale_to_area(level, false, uv);
+  if (choose_first_map(energy, options, uv) != OK || minimize_flip_free(energy, false, uv, options, summary) != OK)
+    return (std::numeric_limits<double>::infinity)();
+  return energy(uv) / energy.unit();
+}
+
+// The places of all borders.
+inline std::vector<Index> border_places(const Shortest_paths& paths)
+{
+  std::vector<Index> places;
+  for (Index place = 0; place < paths.number_of_places() && paths.is_border(place); ++place)
+    places.push_back(place);
+  return places;
+}
+
+// Finds where a coarse mesh of disk type is distorted most, and cuts it from there to the border, again and again.
+class Extremity_search
+{
+public:
+  Extremity_search(Sample sample, const Cut_options& options)
+    : m_options(options), m_state{ std::move(sample), {}, {}, 0 }
+  {
+    m_state.is_tried.assign(m_state.sample.mesh.number_of_vertices(), false);
+    measure(m_state);
+  }
+
+  // Returns the extremities, vertices of the fine mesh, in the order in which they were found.
+  std::vector<Index> run()
+  {
+    std::vector<Index> extremities;
+    unsigned int failures = 0;
+    while (m_state.distortion > m_options.distortion_bound && extremities.size() < m_options.most_branches) {
+      const Index tip = candidate();
+      if (tip == no_index)
+        break;
+      State other = with_branch(tip);
+      const bool is_good = failures == m_options.most_failures || is_gain(other.distortion);
+      if (is_good) {
+        extremities.push_back(m_state.sample.fine_vertex[tip]);
+        m_state = std::move(other);
+      } else if (++failures == m_options.most_failures)
+        m_state.is_tried.assign(m_state.is_tried.size(), false);
+      else
+        give_up_around(tip);
+    }
+    return extremities;
+  }
+
+  double distortion() const { return m_state.distortion; }
+
+private:
+  struct State
+  {
+    Sample sample;
+    std::vector<bool> is_tried;           // by vertex: whether a branch from about there gained too little
+    std::vector<double> shrinkage;        // by vertex
+    double distortion;
+  };
+
+  // Fills in what a map of the sample tells.
+  static void measure(State& state)
+  {
+    const std::size_t n = state.sample.mesh.number_of_vertices();
+    const Collapse_hierarchy_3 hierarchy = make_hierarchy(state.sample.mesh, n);
+    const Level level(hierarchy);
+    Level::Uv uv;
+    state.shrinkage.assign(n, -1);
+    state.distortion = (std::numeric_limits<double>::infinity)();
+    if (compute_Tutte_embedding(level, uv) == ERROR_CANNOT_SOLVE_LINEAR_SYSTEM)
+      return;
+    for (Index v = 0; v < n; ++v)
+      state.shrinkage[hierarchy.input_vertex(v)] = internal::shrinkage(level, uv, v);
+    state.distortion = least_distortion(level, uv);
+  }
+
+  Index candidate() const
+  {
+    Index result = no_index;
+    for (Index v = 0; v < m_state.shrinkage.size(); ++v)
+      if (m_state.shrinkage[v] >= 0 && !m_state.is_tried[v] &&
+          (result == no_index || m_state.shrinkage[v] > m_state.shrinkage[result]))
+        result = v;
+    return result;
+  }
+
+  // The sample, cut from a vertex to the border.
+  State with_branch(Index tip) const
+  {
+    State result{ m_state.sample, {}, {}, 0 };
+    Shortest_paths paths(m_state.sample.mesh);
+    paths.add_sources(border_places(paths));
+    const std::vector<Index> old_vertices = sever(result.sample.mesh, paths.path_to(paths.place(tip)));
+    result.sample.fine_vertex.clear();
+    for (const Index v : old_vertices) {
+      result.sample.fine_vertex.push_back(m_state.sample.fine_vertex[v]);
+      result.is_tried.push_back(m_state.is_tried[v]);
+    }
+    measure(result);
+    return result;
+  }
+
+  // Great distortions are not known so well that they could be compared.
+  bool is_gain(double other_distortion) const
+  {
+    constexpr double least_gain = 0.02, minimum = Symmetric_Dirichlet_energy_2::minimum;
+    return !(m_state.distortion - other_distortion < least_gain * (m_state.distortion - minimum)) ||
+           m_state.distortion > 2 * minimum;
+  }
+
+  // Looks elsewhere: not nearer to the tip than half its way to the border.
+  void give_up_around(Index tip)
+  {
+    Shortest_paths paths(m_state.sample.mesh);
+    paths.add_sources(border_places(paths));
+    const double radius = 0.5 * paths.distance(paths.place(tip));
+    Shortest_paths paths_from_tip(m_state.sample.mesh);
+    paths_from_tip.add_sources({ paths.place(tip) });
+    for (Index v = 0; v < m_state.is_tried.size(); ++v)
+      if (paths_from_tip.distance(paths.place(v)) <= radius)
+        m_state.is_tried[v] = true;
+  }
+
+  Cut_options m_options;
+  State m_state;
+};
+
+// Cuts a mesh of disk type from extremities to the border, or to the branch before.
+inline void cut_branches(Corner_mesh& mesh, const std::vector<Index>& extremities)
+{
+  Shortest_paths paths(mesh);
+  paths.add_sources(border_places(paths));
+  std::vector<Index> branches;
+  for (const Index v : extremities) {
+    const std::vector<Index> path = paths.path_to(paths.place(v));
+    std::vector<Index> places;
+    for (const Index h : path)
+      places.push_back(paths.place(mesh.target(h)));
+    paths.add_sources(places);
+    branches.insert(branches.end(), path.begin(), path.end());
+  }
+  sever(mesh, branches);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Component_cut cut_component(Corner_mesh& mesh, const Cut_options& options)
+{
+  Component_cut result;
+  result.faces = mesh.number_of_faces();
+  result.genus = genus(mesh);
+  result.borders = borders(mesh).size();
+  std::vector<Index> seam = handle_cut(mesh);
+  if (seam.empty() && result.borders == 0)
+    seam = long_path(mesh);
+  const bool was_disk = seam.empty();
+  sever(mesh, seam);
+  if (options.joins_borders)
+    join_borders(mesh);
+  if (was_disk && !options.bounds_disks)
+    return result;
+
+  Extremity_search search(coarsest_level(make_hierarchy(mesh, options.sample_size)), options);
+  const std::vector<Index> extremities = search.run();
+  result.distortion = search.distortion();
+  result.branches = extremities.size();
+  cut_branches(mesh, extremities);
+  return result;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_COMPONENT_IMPL_H

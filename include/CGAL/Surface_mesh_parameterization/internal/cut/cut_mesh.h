@@ -1,0 +1,43 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_MESH_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_MESH_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/cut_component.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+typedef Names<internal_np::distortion_bound_t, internal_np::join_borders_t>   Cut_names;
+
+// The named parameters of cut_to_disk().
+template <class NamedParameters>
+Cut_options cut_options_of(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Cut_options options;
+  options.bounds_disks =
+      !parameters::is_default_parameter<NamedParameters, internal_np::distortion_bound_t>::value;
+  options.distortion_bound =
+      choose_parameter(get_parameter(np, internal_np::distortion_bound), options.distortion_bound);
+  options.joins_borders = choose_parameter(get_parameter(np, internal_np::join_borders), options.joins_borders);
+  return options;
+}
+
+// Severs a mesh, so that every component becomes a disk, possibly with holes, and splits its vertices. Returns what was
+// done with each, in the order of connected_components().
+std::vector<Component_cut> cut_mesh(Corner_mesh& mesh, const Cut_options& options);
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/cut/cut_mesh_impl.h>
+#endif
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_MESH_H

@@ -1,0 +1,29 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_MESH_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_MESH_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/cut/cut_mesh.h>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::vector<Component_cut> cut_mesh(Corner_mesh& mesh, const Cut_options& options)
+{
+  std::vector<Component_cut> result;
+  std::vector<Index> scratch(mesh.number_of_vertices(), no_index);
+  for (const std::vector<Index>& faces : connected_components(mesh)) {
+    Corner_mesh component = component_of(mesh, faces, scratch);
+    result.push_back(cut_component(component, options));
+    for (Index h = 0; h < component.number_of_halfedges(); ++h)
+      if (component.is_border(h))
+        mesh.opposite[3 * faces[h / 3] + h % 3] = no_index;
+  }
+  split_vertices(mesh);
+  return result;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_MESH_IMPL_H

@@ -1,0 +1,76 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_READ_CORNER_MESH_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_READ_CORNER_MESH_H
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Calls f(h, i) for the halfedges of all faces of a triangulated mesh, with their numbers in its Corner_mesh.
+template <class TriangleMesh, class Function>
+void for_each_corner(const TriangleMesh& mesh, const Function& f)
+{
+  Index i = 0;
+  for (const auto face : faces(mesh))
+    for (const auto h : halfedges_around_face(halfedge(face, mesh), mesh))
+      f(h, i++);
+}
+
+// Reads a mesh, cut open along the edges for which the map is true. Faces keep their order. Returns what is wrong:
+// `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, or `ERROR_WRONG_PARAMETER` if a coordinate is not finite.
+template <class TriangleMesh, class EdgeSeamMap>
+Parameterization_error read_corner_mesh(const TriangleMesh& mesh, EdgeSeamMap is_seam, Corner_mesh& corners)
+{
+  if (faces(mesh).first == faces(mesh).second)
+    return { ERROR_EMPTY_MESH, Parameterization_error::NOWHERE, 0 };
+  std::size_t position = 0;
+  for (const auto f : faces(mesh)) {
+    if (!is_triangle(halfedge(f, mesh), mesh))
+      return { ERROR_NON_TRIANGULAR_MESH, Parameterization_error::FACE, position };
+    ++position;
+  }
+
+  const auto point_map = get(CGAL::vertex_point, mesh);
+  const auto index_of = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
+  for (const auto v : vertices(mesh)) {
+    const auto& p = get(point_map, v);
+    corners.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    const Point_3& q = corners.points.back();
+    const Index i = Index(corners.points.size() - 1);
+    if (!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
+      return { ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, i };
+    put(index_of, v, i);
+  }
+
+  const auto halfedge_index_of = get(CGAL::dynamic_halfedge_property_t<Index>(), mesh);
+  for_each_corner(mesh, [&](auto h, Index i) {
+    corners.vertex.push_back(get(index_of, target(h, mesh)));
+    put(halfedge_index_of, h, i);
+  });
+  for_each_corner(mesh, [&](auto h, Index) {
+    const auto o = opposite(h, mesh);
+    corners.opposite.push_back(CGAL::is_border(o, mesh) || get(is_seam, edge(h, mesh)) ? no_index
+                                                                                : get(halfedge_index_of, o));
+  });
+  split_vertices(corners);
+  return {};
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_READ_CORNER_MESH_H

@@ -1,0 +1,48 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// A surface, severed along the borders of its charts, and its map.
+struct Atlas
+{
+  Corner_mesh mesh;
+  std::vector<std::vector<Index>> charts;       // the faces of each
+  std::vector<Point_2> uv;                      // of the vertices
+};
+
+// The vertices of the faces of a chart, in increasing order, which is that of component_of().
+std::vector<Index> vertices_of(const Corner_mesh& mesh, const std::vector<Index>& faces);
+
+// Scales the map of a chart to the chart's area in space.
+void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv);
+
+// Makes the charts of an atlas from the places of its corners: they end where the two sides of an edge have different
+// places.
+void make_charts(const std::vector<Point_2>& corners, Atlas& atlas);
+
+// Packs those charts of an atlas that are wanted. With `fills_unit_square` the square is scaled to the unit square.
+// Coordinates are rounded by `round` if that is not null. A chart without flips stays so: where rounding makes a flip,
+// it is repaired. Returns how the charts fill the square, or a side of 0 if a repair failed.
+Packing pack_atlas(Atlas& atlas, const std::vector<bool>& is_wanted, const Pack_options& options,
+                   bool fills_unit_square, Round_coordinate round);
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas_impl.h>
+#endif
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::vector<Index> vertices_of(const Corner_mesh& mesh, const std::vector<Index>& faces)
+{
+  std::vector<Index> vertices;
+  for (const Index f : faces)
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      if (vertices.empty() || mesh.vertex[h] > vertices.back())
+        vertices.push_back(mesh.vertex[h]);
+  return vertices;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
+{
+  double area_in_space = 0, area_in_plane = 0;
+  for (Index h = 0; h < chart.number_of_halfedges(); h += 3) {
+    const Index a = chart.vertex[h], b = chart.vertex[h + 1], c = chart.vertex[h + 2];
+    area_in_space += std::sqrt(CGAL::cross_product(chart.points[b] - chart.points[a], chart.points[c] - chart.points[a])
+                                   .squared_length());
+    area_in_plane += std::abs(cross(uv[b] - uv[a], uv[c] - uv[a]));
+  }
+  const double scale = std::sqrt(area_in_space / area_in_plane);
+  if (std::isfinite(scale) && scale > 0)
+    for (Point_2& p : uv)
+      p = Point_2(scale * p.x(), scale * p.y());
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void make_charts(const std::vector<Point_2>& corners, Atlas& atlas)
+{
+  Corner_mesh& mesh = atlas.mesh;
+  for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    if (const Index o = mesh.opposite[h];
+        o != no_index &&
+        (corners[h] != corners[Corner_mesh::previous(o)] || corners[o] != corners[Corner_mesh::previous(h)]))
+      mesh.sever(h);
+  split_vertices(mesh);
+  atlas.charts = connected_components(mesh);
+  atlas.uv.resize(mesh.number_of_vertices());
+  for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    atlas.uv[mesh.vertex[h]] = corners[h];
+}
+
+inline Chart chart_of(const Atlas& atlas, const std::vector<Index>& faces, std::vector<Index>& scratch)
+{
+  Chart chart;
+  const Corner_mesh component = component_of(atlas.mesh, faces, scratch);
+  for (const Index v : vertices_of(atlas.mesh, faces))
+    chart.points.push_back(atlas.uv[v]);
+  for (Index h = 0; h < component.number_of_halfedges(); h += 3)
+    chart.triangles.push_back({ component.vertex[h], component.vertex[h + 1], component.vertex[h + 2] });
+  return chart;
+}
+
+inline bool is_positive(const Chart& chart)
+{
+  return std::all_of(chart.triangles.begin(), chart.triangles.end(), [&](const Index_triangle& t) {
+    return is_left_turn(chart.points[t[0]], chart.points[t[1]], chart.points[t[2]]);
+  });
+}
+
+// Moves vertices of a chart that has got flips by rounding. Returns whether it has none then.
+inline bool repair(Chart& chart, const Corner_mesh& component, Round_coordinate round)
+{
+  std::size_t unused_number = 0;
+  return repair_map(surface_of(component), chart.points, unused_number) == OK &&
+         (!round || round_map(One_rings(chart.points.size(), chart.triangles), round, 0, chart.points)) &&
+         is_positive(chart);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Packing pack_atlas(Atlas& atlas, const std::vector<bool>& is_wanted, const Pack_options& options,
+                   bool fills_unit_square, Round_coordinate round)
+{
+  std::vector<Chart> charts;
+  std::vector<Index> scratch(atlas.mesh.number_of_vertices(), no_index);
+  std::vector<std::size_t> numbers;
+  std::vector<bool> was_positive;
+  for (std::size_t i = 0; i < atlas.charts.size(); ++i)
+    if (is_wanted[i]) {
+      charts.push_back(chart_of(atlas, atlas.charts[i], scratch));
+      was_positive.push_back(is_positive(charts.back()));
+      numbers.push_back(i);
+    }
+  Packing packing = pack_charts(charts, options);
+  const double scale = fills_unit_square && packing.side > 0 ? 1 / packing.side : 1;
+  const auto finished = [&](double x) {
+    return round ? round(scale * x, 0) : scale * x;
+  };
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    for (Point_2& p : charts[i].points)
+      p = Point_2(finished(p.x()), finished(p.y()));
+    const std::vector<Index>& faces = atlas.charts[numbers[i]];
+    if (was_positive[i] && !is_positive(charts[i]) &&
+        !repair(charts[i], component_of(atlas.mesh, faces, scratch), round))
+      return {};
+    const std::vector<Index> vertices = vertices_of(atlas.mesh, faces);
+    for (std::size_t j = 0; j < vertices.size(); ++j)
+      atlas.uv[vertices[j]] = charts[i].points[j];
+  }
+  packing.side *= scale;
+  return packing;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_IMPL_H

@@ -1,0 +1,49 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PACK_CHARTS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PACK_CHARTS_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+struct Pack_options
+{
+  static constexpr double greatest_margin = 0.1;
+
+  double margin = 1. / 256;              // between charts, of the side of the square; half of it at the sides
+  std::size_t cells_of_chart = 48;       // a side of a chart of mean area has about so many cells of the grid
+  std::size_t least_cells = 512, most_cells = 2048;        // on a side of the square
+};
+
+// A piece of an atlas: triangles in the plane.
+struct Chart
+{
+  std::vector<Point_2> points;
+  std::vector<Index_triangle> triangles;
+};
+
+struct Packing
+{
+  double side = 0;              // of the square that holds all charts
+  double used_part = 0;         // of its area
+};
+
+// Moves and turns charts, so that they lie in a square with a corner at the origin, and do not meet.
+//
+// Charts are put one after the other, the largest first, each at the lowest place where it fits, in one of four
+// directions, on a grid whose cells are taken if a triangle meets them. Several widths are tried.
+Packing pack_charts(std::vector<Chart>& charts, const Pack_options& options);
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts_impl.h>
+#endif
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PACK_CHARTS_H

@@ -1,0 +1,122 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_PACK_CHARTS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_PACK_CHARTS_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+namespace internal {
+
+typedef Names<internal_np::margin_t, internal_np::unit_square_t>   Pack_names;
+
+// Packs the wanted charts as named parameters say, and writes their places. Returns the used part of the square.
+template <class TriangleMesh, class HalfedgeUVMap, class NamedParameters>
+double pack_and_write(const TriangleMesh& mesh, Atlas& atlas, const std::vector<bool>& is_wanted,
+                      const NamedParameters& np, HalfedgeUVMap uvmap, Parameterization_error& error)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
+  Pack_options options;
+  options.margin = choose_parameter(get_parameter(np, internal_np::margin), options.margin);
+  const bool fills_unit_square = choose_parameter(get_parameter(np, internal_np::unit_square), true);
+  if (!(options.margin >= 0 && options.margin <= Pack_options::greatest_margin)) {
+    error.code = ERROR_WRONG_PARAMETER;
+    return 0;
+  }
+  const Packing packing = pack_atlas(atlas, is_wanted, options, fills_unit_square, rounding_to<User_point_2>());
+  if (packing.side == 0) {
+    if (error.code == OK)
+      error.code = ERROR_NO_1_TO_1_MAPPING;
+    return 0;
+  }
+  std::vector<bool> is_written(atlas.mesh.number_of_faces(), false);
+  for (std::size_t i = 0; i < atlas.charts.size(); ++i)
+    for (const Index f : atlas.charts[i])
+      is_written[f] = is_wanted[i];
+  for_each_corner(mesh, [&](auto h, Index i) {
+    const Point_2& p = atlas.uv[atlas.mesh.vertex[i]];
+    if (is_written[i / 3])
+      put(uvmap, h, User_point_2(p.x(), p.y()));
+  });
+  return packing.used_part;
+}
+
+} // namespace internal
+
+/// \ingroup PkgHierarchicalParameterizationAtlas
+///
+/// moves, turns and scales the charts of a map, all by the same factor, so that they lie in the unit square without
+/// touching. A chart is a piece of the surface whose triangles have the same places at the edges that they share.
+/// Charts are placed by their shapes, not by boxes around them; smaller ones go into the gaps that larger ones leave.
+///
+/// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; it is only read
+/// \param uvmap a readable and writable property map from halfedges to points of the plane: the place of the corner to
+///        which a halfedge leads in its face, as `atlas_parameterization()` writes it. Untouched on an error. A chart
+///        without flips gets none by rounding
+/// \param np
+/// - `margin`: the least distance between charts, and twice that from the sides of the square, as a part of the side;
+///   from 0 to 0.1, default 1/256
+/// - `unit_square`: whether the charts are scaled, so that the square is the unit square; default `true`. Otherwise
+///   they keep their sizes, and the square begins at the origin
+///
+/// \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NO_1_TO_1_MAPPING` if the charts have no area
+///         or flips by rounding could not be repaired, or `ERROR_WRONG_PARAMETER` if a coordinate is not finite or the
+///         margin is out of range
+template <class TriangleMesh, class HalfedgeUVMap, class NamedParameters = parameters::Default_named_parameters>
+Error_code pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uvmap,
+                       const NamedParameters& np = parameters::default_values())
+{
+  Parameterization_error error;
+  typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
+                           internal::Halfedge_uv_map_check<HalfedgeUVMap, TriangleMesh, true>>   Check;
+  if constexpr (Check::value) {
+    internal::assert_names<internal::Pack_names>(np);
+    typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor   edge_descriptor;
+    internal::Atlas atlas;
+    error = internal::read_corner_mesh(mesh, CGAL::Constant_property_map<edge_descriptor, bool>(false), atlas.mesh);
+    if (error.code != OK)
+      return error.code;
+    std::vector<internal::Point_2> corners;
+    internal::for_each_corner(mesh, [&](auto h, internal::Index) {
+      const auto& p = get(uvmap, h);
+      corners.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+      if (!internal::is_finite(corners.back()))
+        error.code = ERROR_WRONG_PARAMETER;
+    });
+    if (error.code != OK)
+      return error.code;
+    internal::make_charts(corners, atlas);
+    const std::vector<bool> all(atlas.charts.size(), true);
+    internal::pack_and_write(mesh, atlas, all, np, uvmap, error);
+  } else
+    Check::tell();
+  return error.code;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_PACK_CHARTS_H

@@ -1,0 +1,12 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The core library: seams, and the packing of charts.
+
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Shortest_paths_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/cut_component_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/cut_mesh_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/handle_cut_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts_impl.h>

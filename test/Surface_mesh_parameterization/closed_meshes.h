@@ -1,0 +1,111 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CLOSED_MESHES_H
+#define CLOSED_MESHES_H
+
+#include "test_meshes.h"
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+// Surfaces without a border, and of several components.
+namespace test_meshes {
+
+// The surface of a plate of cubes with a row of square holes through it: as many handles. A side of a hole has
+// `refinement` edges.
+inline Flat_mesh plate_with_holes(Index holes, Index refinement)
+{
+  typedef std::array<int, 3>   Cell;
+  const int n = int(refinement);
+  const Cell size = { (2 * int(holes) + 1) * n, 3 * n, n };
+  const auto is_solid = [&](const Cell& c) {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (c[i] < 0 || c[i] >= size[i])
+        return false;
+    return !(c[0] / n % 2 == 1 && c[1] / n == 1);
+  };
+  Flat_mesh m;
+  std::map<Cell, Index> vertices;
+  const auto vertex = [&](const Cell& c) {
+    const auto [place, is_new] = vertices.try_emplace(c, Index(m.points.size()));
+    if (is_new)
+      m.points.emplace_back(double(c[0]) / n, double(c[1]) / n, double(c[2]) / n);
+    return place->second;
+  };
+  for (int x = 0; x < size[0]; ++x)
+    for (int y = 0; y < size[1]; ++y)
+      for (int z = 0; z < size[2]; ++z)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          for (const int side : { 0, 1 }) {
+            const Cell cell = { x, y, z };
+            Cell neighbor = cell;
+            neighbor[axis] += 2 * side - 1;
+            if (!is_solid(cell) || is_solid(neighbor))
+              continue;
+            std::array<Index, 4> square;        // counter-clockwise, seen from outside
+            for (std::size_t i = 0; i < 4; ++i) {
+              Cell corner = cell;
+              corner[axis] += side;
+              corner[(axis + 1) % 3] += i == 1 || i == 2;
+              corner[(axis + 2) % 3] += i >= 2;
+              square[side == 1 ? i : 3 - i] = vertex(corner);
+            }
+            m.triangles.push_back({ square[0], square[1], square[2] });
+            m.triangles.push_back({ square[0], square[2], square[3] });
+          }
+  return m;
+}
+
+inline Flat_mesh tetrahedron()
+{
+  return { { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1) },
+           { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } };
+}
+
+// Both meshes, the second one scaled and moved.
+inline Flat_mesh with_component(Flat_mesh m, const Flat_mesh& other, double scale = 1, double move = 10)
+{
+  const Index first = Index(m.points.size());
+  for (const Point_3& p : other.points)
+    m.points.emplace_back(scale * p.x() + move, scale * p.y(), scale * p.z());
+  for (const Index_triangle& t : other.triangles)
+    m.triangles.push_back({ first + t[0], first + t[1], first + t[2] });
+  return m;
+}
+
+// With what a cut has to leave: the number of handles of each component.
+struct Uncut_surface
+{
+  std::string name;
+  Flat_mesh mesh;
+  std::vector<std::size_t> genus;
+};
+
+inline std::vector<Uncut_surface> uncut_surfaces()
+{
+  Flat_mesh many = grid(3, 3, wavy);
+  std::vector<std::size_t> genus(1, 0);
+  for (int i = 1; i < 40; ++i) {
+    const Index holes = Index(i % 3);
+    many = with_component(many, i % 2 == 0 ? tetrahedron() : plate_with_holes(holes, 2), 1. / i, 10. * i);
+    genus.push_back(i % 2 == 0 ? 0 : holes);
+  }
+  return { { "tetrahedron", tetrahedron(), { 0 } },
+           { "sphere", sphere(20, 30), { 0 } },
+           { "box", plate_with_holes(0, 6), { 0 } },
+           { "torus", plate_with_holes(1, 4), { 1 } },
+           { "torus_with_hole", torus_with_hole(20), { 1 } },
+           { "three_handles", plate_with_holes(3, 3), { 3 } },
+           { "twenty_handles", plate_with_holes(20, 2), { 20 } },
+           { "disk", grid(10, 10, wavy), { 0 } },
+           { "disk_with_holes", grid_with_holes(20), { 0 } },
+           { "many_components", many, genus } };
+}
+
+} // namespace test_meshes
+
+#endif // CLOSED_MESHES_H

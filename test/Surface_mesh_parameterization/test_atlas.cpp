@@ -1,0 +1,417 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Seams, atlases and their packing: any surface in, every corner in the plane.
+
+#include "closed_meshes.h"
+#include "mesh_conversions.h"
+#include "seam_meshes.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/cut_to_disk.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
+#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/property_map.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+namespace parameters = CGAL::Surface_mesh_parameterization::parameters;
+
+typedef Surface_mesh::Property_map<Surface_mesh::Halfedge_index, Kernel::Point_2>   Corner_map;
+
+const Kernel::Point_2 untouched(-77, 77);
+
+// A surface, with a place for every corner and a seam.
+struct Surface
+{
+  Surface_mesh mesh;
+  Corner_map uv;
+  Seam_edge_map seams;
+
+  explicit Surface(const Flat_mesh& m)
+    : mesh(make<Surface_mesh>(m)),
+      uv(mesh.add_property_map<Surface_mesh::Halfedge_index, Kernel::Point_2>("h:uv", untouched).first),
+      seams(mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:seam", false).first)
+  { }
+  Surface(const Surface&) = delete;
+
+  std::vector<Kernel::Point_2> corners() const
+  {
+    std::vector<Kernel::Point_2> result;
+    for (const auto f : mesh.faces())
+      for (const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+        result.push_back(uv[h]);
+    return result;
+  }
+
+  // Of how many pieces the map is, and which triangles belong to each.
+  std::vector<std::vector<internal::Triangle_2>> charts() const
+  {
+    std::vector<std::vector<internal::Triangle_2>> result;
+    std::vector<bool> is_reached(mesh.number_of_faces(), false);
+    for (const auto start : mesh.faces()) {
+      if (is_reached[start])
+        continue;
+      std::vector<Surface_mesh::Face_index> faces(1, start);
+      is_reached[start] = true;
+      result.emplace_back();
+      for (std::size_t i = 0; i < faces.size(); ++i) {
+        internal::Triangle_2 triangle;
+        auto corner = triangle.begin();
+        for (const auto h : CGAL::halfedges_around_face(mesh.halfedge(faces[i]), mesh)) {
+          *corner++ = uv[h];
+          const auto o = mesh.opposite(h);
+          if (!mesh.is_border(o) && uv[h] == uv[mesh.prev(o)] && uv[mesh.prev(h)] == uv[o] &&
+              !is_reached[mesh.face(o)]) {
+            is_reached[mesh.face(o)] = true;
+            faces.push_back(mesh.face(o));
+          }
+        }
+        result.back().push_back(triangle);
+      }
+    }
+    return result;
+  }
+};
+
+std::size_t number_of_faces(const std::vector<std::vector<internal::Triangle_2>>& charts)
+{
+  std::size_t result = 0;
+  for (const auto& chart : charts)
+    result += chart.size();
+  return result;
+}
+
+// By exact predicates: every triangle is positive and in the unit square, and no two overlap, within and between
+// charts.
+void expect_one_to_one(const Surface& surface)
+{
+  std::vector<internal::Triangle_2> triangles;
+  for (const auto& chart : surface.charts())
+    triangles.insert(triangles.end(), chart.begin(), chart.end());
+  for (const internal::Triangle_2& t : triangles) {
+    EXPECT_TRUE(internal::is_left_turn(t[0], t[1], t[2]));
+    for (const Kernel::Point_2& p : t)
+      EXPECT_TRUE(p.x() > 0 && p.x() < 1 && p.y() > 0 && p.y() < 1) << p;
+  }
+  EXPECT_EQ(internal::number_of_overlapping_pairs(triangles), 0u);
+}
+
+TEST(Cut_to_disk, leaves_disks_that_a_seam_mesh_takes)
+{
+  for (const Uncut_surface& s : uncut_surfaces()) {
+    SCOPED_TRACE(s.name);
+    Surface surface(s.mesh);
+    const Cut_summary summary = cut_to_disk(surface.mesh, surface.seams);
+    ASSERT_TRUE(summary.is_ok());
+    ASSERT_EQ(summary.components.size(), s.genus.size());
+    for (std::size_t i = 0; i < s.genus.size(); ++i)
+      EXPECT_EQ(summary.components[i].genus, s.genus[i]);
+
+    const auto is_seam_vertex = surface.mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:seam", false).first;
+    std::size_t seam_edges = 0;
+    double seam_length = 0;
+    for (const auto e : surface.mesh.edges())
+      if (surface.seams[e]) {
+        const auto v = surface.mesh.vertex(e, 0), w = surface.mesh.vertex(e, 1);
+        EXPECT_FALSE(surface.mesh.is_border(e));
+        is_seam_vertex[v] = is_seam_vertex[w] = true;
+        ++seam_edges;
+        seam_length += std::sqrt(CGAL::squared_distance(surface.mesh.point(v), surface.mesh.point(w)));
+      }
+    EXPECT_EQ(summary.seam_edges, seam_edges);
+    EXPECT_NEAR(summary.seam_length, seam_length, 1e-12 * seam_length);
+    const Seam_mesh seam_mesh(surface.mesh, surface.seams, is_seam_vertex);
+    std::size_t borders = 0;
+    for (const auto h : halfedges(seam_mesh))
+      if (is_border(h, seam_mesh) && borders++ % 20 == 0) {
+        EXPECT_EQ(Mesh_component<Seam_mesh>(seam_mesh, h).error().code, OK) << borders;
+      }
+    EXPECT_GT(borders, 0u);
+  }
+}
+
+// A loop around a handle and one through it cannot be much shorter than this; a seam that were one of these too long
+// would show.
+TEST(Cut_to_disk, cuts_a_torus_along_two_short_loops)
+{
+  Surface surface(plate_with_holes(1, 8));
+  const Cut_summary summary = cut_to_disk(surface.mesh, surface.seams,
+                                          parameters::distortion_bound((std::numeric_limits<double>::infinity)()));
+  EXPECT_EQ(summary.components[0].branches, 0u);
+  EXPECT_GE(summary.seam_length, 4 + 4);         // around a bar of the plate, and around its hole
+  EXPECT_LE(summary.seam_length, 2 * (4 + 4));
+}
+
+TEST(Cut_to_disk, bounds_the_distortion_by_branches)
+{
+  for (const Flat_mesh& m : { sphere(30, 40), plate_with_holes(2, 5), deep_cap() }) {
+    double last_length = -1;
+    for (const double bound : { 20., 4.4, 4.15 }) {
+      SCOPED_TRACE(bound);
+      Surface surface(m);
+      const Cut_summary cut = cut_to_disk(surface.mesh, surface.seams, parameters::distortion_bound(bound));
+      EXPECT_LE(cut.components[0].distortion, bound);
+      EXPECT_GE(cut.seam_length, last_length);
+      last_length = cut.seam_length;
+
+      const Atlas_summary atlas =
+          atlas_parameterization(surface.mesh, surface.uv, parameters::distortion_bound(bound));
+      ASSERT_EQ(atlas.charts.size(), 1u);
+      EXPECT_LE(atlas.charts[0].summary.energy, 1.02 * bound);       // the bound is that of a coarse level
+    }
+  }
+}
+
+TEST(Cut_to_disk, cuts_disks_only_where_it_is_asked_to)
+{
+  Surface disk(grid_with_holes(20));
+  EXPECT_EQ(cut_to_disk(disk.mesh, disk.seams).seam_edges, 0u);
+  const Cut_summary joined = cut_to_disk(disk.mesh, disk.seams, parameters::join_borders(true));
+  EXPECT_GT(joined.components[0].borders, 1u);
+  EXPECT_GT(joined.seam_edges, 0u);
+  // What was a seam is one, and divides components.
+  const Cut_summary again = cut_to_disk(disk.mesh, disk.seams);
+  EXPECT_EQ(again.components[0].borders, 1u);
+  EXPECT_EQ(again.seam_edges, 0u);
+}
+
+TEST(Cut_to_disk, names_what_it_cannot_read)
+{
+  Surface_mesh empty;
+  EXPECT_EQ(cut_to_disk(empty, CGAL::Static_boolean_property_map<Surface_mesh::Edge_index, false>()).error.code,
+            ERROR_EMPTY_MESH);
+
+  Surface not_finite(tetrahedron());
+  not_finite.mesh.point(Surface_mesh::Vertex_index(2)) =
+      Kernel::Point_3(0, (std::numeric_limits<double>::quiet_NaN)(), 0);
+  const Cut_summary summary = cut_to_disk(not_finite.mesh, not_finite.seams);
+  EXPECT_EQ(summary.error.code, ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(summary.error.index, 2u);
+
+  Surface square(two_ears());
+  CGAL::Euler::join_face(*std::find_if(square.mesh.halfedges().begin(), square.mesh.halfedges().end(), [&](auto h) {
+    return !square.mesh.is_border(square.mesh.edge(h));
+  }), square.mesh);
+  square.mesh.collect_garbage();
+  EXPECT_EQ(cut_to_disk(square.mesh, square.seams).error.code, ERROR_NON_TRIANGULAR_MESH);
+  EXPECT_EQ(atlas_parameterization(square.mesh, square.uv).error.code, ERROR_NON_TRIANGULAR_MESH);
+  for (const Kernel::Point_2& p : square.corners())
+    EXPECT_EQ(p, untouched);
+}
+
+template <template <class...> class Method>
+void expect_atlases_of_all_surfaces()
+{
+  for (const Uncut_surface& s : uncut_surfaces()) {
+    SCOPED_TRACE(s.name);
+    Surface surface(s.mesh);
+    const Atlas_summary summary = atlas_parameterization<Method>(surface.mesh, surface.uv);
+    EXPECT_TRUE(summary.is_ok());
+    EXPECT_EQ(summary.charts.size(), s.genus.size());
+    EXPECT_EQ(number_of_faces(surface.charts()), surface.mesh.number_of_faces());
+    EXPECT_EQ(surface.charts().size(), s.genus.size());      // places differ on seams only
+    expect_one_to_one(surface);
+  }
+}
+
+TEST(Atlas, has_every_corner_once_with_symmetric_Dirichlet)
+{
+  expect_atlases_of_all_surfaces<Symmetric_Dirichlet_parameterizer_3>();
+}
+
+TEST(Atlas, has_every_corner_once_with_MIPS)
+{
+  expect_atlases_of_all_surfaces<MIPS_parameterizer_3>();
+}
+
+TEST(Atlas, has_one_scale)
+{
+  Surface surface(uncut_surfaces().back().mesh);
+  ASSERT_TRUE(atlas_parameterization(surface.mesh, surface.uv).is_ok());
+  Surface in_space(uncut_surfaces().back().mesh);
+  ASSERT_TRUE(atlas_parameterization(in_space.mesh, in_space.uv, parameters::unit_square(false)).is_ok());
+  const auto area = [](const std::vector<internal::Triangle_2>& chart) {
+    double sum = 0;
+    for (const internal::Triangle_2& t : chart)
+      sum += 0.5 * internal::cross(t[1] - t[0], t[2] - t[0]);
+    return sum;
+  };
+  const auto charts = surface.charts(), charts_in_space = in_space.charts();
+  const double scale = area(charts[0]) / area(charts_in_space[0]);
+  double area_in_space = 0, total = 0;
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    EXPECT_NEAR(area(charts[i]) / area(charts_in_space[i]), scale, 1e-9 * scale);
+    total += area(charts_in_space[i]);
+  }
+  for (const auto f : in_space.mesh.faces()) {
+    std::vector<Kernel::Point_3> p;
+    for (const auto v : in_space.mesh.vertices_around_face(in_space.mesh.halfedge(f)))
+      p.push_back(in_space.mesh.point(v));
+    area_in_space += std::sqrt(CGAL::squared_area(p[0], p[1], p[2]));
+  }
+  EXPECT_NEAR(total, area_in_space, 1e-9 * area_in_space);
+}
+
+TEST(Atlas, goes_along_the_seams_of_the_user)
+{
+  Surface surface(grid(10, 10, wavy));
+  for (const auto e : surface.mesh.edges()) {
+    const auto h = surface.mesh.halfedge(e);
+    surface.seams[e] = surface.mesh.point(surface.mesh.source(h)).x() == 0.5 &&
+                       surface.mesh.point(surface.mesh.target(h)).x() == 0.5;
+  }
+  const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv,
+                                                       parameters::edge_is_constrained_map(surface.seams));
+  EXPECT_TRUE(summary.is_ok());
+  EXPECT_EQ(summary.charts.size(), 2u);
+  EXPECT_EQ(surface.charts().size(), 2u);
+  expect_one_to_one(surface);
+}
+
+// An edge in the middle of a face leaves a border of two edges.
+TEST(Atlas, tells_of_seams_that_leave_no_disk)
+{
+  Surface surface(with_component(sphere(9, 12), grid(4, 4, wavy)));
+  surface.seams[surface.mesh.edge(surface.mesh.halfedge(Surface_mesh::Vertex_index(0)))] = true;
+  const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv,
+                                                       parameters::edge_is_constrained_map(surface.seams));
+  EXPECT_EQ(summary.error.code, ERROR_NO_TOPOLOGICAL_DISC);
+  ASSERT_EQ(summary.charts.size(), 2u);
+  EXPECT_FALSE(summary.charts[0].summary.is_ok());
+  EXPECT_TRUE(summary.charts[1].summary.is_ok());
+  std::size_t untouched_corners = 0;
+  for (const Kernel::Point_2& p : surface.corners())
+    untouched_corners += p == untouched;
+  EXPECT_EQ(untouched_corners, 3 * summary.charts[0].faces);
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST(Atlas, is_the_same_with_several_threads)
+{
+  Surface one(uncut_surfaces().back().mesh), several(uncut_surfaces().back().mesh);
+  ASSERT_TRUE(atlas_parameterization(one.mesh, one.uv).is_ok());
+  ASSERT_TRUE((atlas_parameterization<Symmetric_Dirichlet_parameterizer_3, CGAL::Parallel_tag>(several.mesh, several.uv)
+                   .is_ok()));
+  EXPECT_EQ(one.corners(), several.corners());
+}
+#endif
+
+TEST(Atlas, is_made_of_any_FaceGraph)
+{
+  typedef CGAL::Polyhedron_3<Kernel>                              Polyhedron;
+  typedef boost::graph_traits<Polyhedron>::halfedge_descriptor    Polyhedron_halfedge;
+  const Flat_mesh m = plate_with_holes(2, 3);
+  const auto polyhedron = make<Polyhedron>(m);
+  std::map<Polyhedron_halfedge, Kernel::Point_2> places;
+  ASSERT_TRUE(atlas_parameterization(polyhedron, boost::make_assoc_property_map(places)).is_ok());
+  Surface surface(m);
+  ASSERT_TRUE(atlas_parameterization(surface.mesh, surface.uv).is_ok());
+  EXPECT_EQ(places.size(), 3 * surface.mesh.number_of_faces());
+}
+
+double distance(const internal::Triangle_2& s, const internal::Triangle_2& t)
+{
+  double least = (std::numeric_limits<double>::infinity)();
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      least = (std::min)(least, CGAL::squared_distance(s[i], Kernel::Segment_2(t[j], t[(j + 1) % 3])));
+      least = (std::min)(least, CGAL::squared_distance(t[i], Kernel::Segment_2(s[j], s[(j + 1) % 3])));
+    }
+  return std::sqrt(least);
+}
+
+TEST(Packing, keeps_the_margin)
+{
+  for (const double margin : { 0., 1. / 64, 1. / 16 }) {
+    SCOPED_TRACE(margin);
+    Flat_mesh m = sphere(4, 6);
+    for (int i = 1; i < 12; ++i)
+      m = with_component(m, i % 2 == 0 ? tetrahedron() : grid(Index(i), 1, flat), 1. / i, 10. * i);
+    Surface surface(m);
+    ASSERT_TRUE(atlas_parameterization(surface.mesh, surface.uv, parameters::margin(margin)).is_ok());
+    const auto charts = surface.charts();
+    double least = 1;
+    for (std::size_t i = 0; i < charts.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        for (const internal::Triangle_2& s : charts[i])
+          for (const internal::Triangle_2& t : charts[j])
+            least = (std::min)(least, distance(s, t));
+    EXPECT_GT(least, margin);
+  }
+}
+
+// A hundred pieces of several sizes: squares fit side by side, triangles and other shapes leave more room between them.
+TEST(Packing, fills_the_square)
+{
+  const auto used_part = [](const Flat_mesh& piece) {
+    Flat_mesh m = piece;
+    for (int i = 1; i < 100; ++i)
+      m = with_component(m, piece, 1 + 0.3 * std::sin(i), 10 * i);
+    Surface surface(m);
+    const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv, parameters::margin(0.));
+    EXPECT_TRUE(summary.is_ok());
+    return summary.used_part;
+  };
+  EXPECT_GT(used_part(grid(1, 1, flat)), 0.7);
+  EXPECT_GT(used_part(single_triangle()), 0.5);
+  EXPECT_GT(used_part(tetrahedron()), 0.5);
+}
+
+TEST(Packing, packs_a_map_from_elsewhere_and_refuses_what_is_none)
+{
+  Surface surface(with_component(grid(4, 4, flat), grid(3, 3, flat), 2, 0));
+  for (const auto h : surface.mesh.halfedges())
+    if (!surface.mesh.is_border(h))
+      surface.uv[h] = Kernel::Point_2(surface.mesh.point(surface.mesh.target(h)).x(),
+                                      surface.mesh.point(surface.mesh.target(h)).y());
+  const std::vector<Kernel::Point_2> before = surface.corners();
+  EXPECT_EQ(pack_charts(surface.mesh, surface.uv, parameters::margin(0.5)), ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(surface.corners(), before);
+  EXPECT_EQ(pack_charts(surface.mesh, surface.uv), OK);
+  expect_one_to_one(surface);
+  EXPECT_EQ(surface.charts().size(), 2u);
+
+  const auto h = surface.mesh.halfedge(*surface.mesh.faces().begin());
+  surface.uv[h] = Kernel::Point_2((std::numeric_limits<double>::infinity)(), 0);
+  EXPECT_EQ(pack_charts(surface.mesh, surface.uv), ERROR_WRONG_PARAMETER);
+}
+
+// Rounding to the user's numbers makes no flips.
+TEST(Packing, keeps_triangles_positive_in_floats)
+{
+  typedef CGAL::Simple_cartesian<float>::Point_2   Float_point;
+  Surface surface(with_component(cap(40, 60, 3.1), tetrahedron(), 0.01));
+  const auto uv = surface.mesh.add_property_map<Surface_mesh::Halfedge_index, Float_point>("h:float").first;
+  ASSERT_TRUE(atlas_parameterization(surface.mesh, uv).is_ok());
+  for (const auto h : surface.mesh.halfedges())
+    if (!surface.mesh.is_border(h))
+      surface.uv[h] = Kernel::Point_2(double(uv[h].x()), double(uv[h].y()));
+  expect_one_to_one(surface);
+}
+
+} // namespace
