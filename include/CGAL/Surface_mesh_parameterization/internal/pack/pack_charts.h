@@ -17,8 +17,9 @@ struct Pack_options
   static constexpr double greatest_margin = 0.1;
 
   double margin = 1. / 256;              // between charts, of the side of the square; half of it at the sides
-  std::size_t cells_of_chart = 48;       // a side of a chart of mean area has about so many cells of the grid
-  std::size_t least_cells = 512, most_cells = 2048;        // on a side of the square
+  std::size_t cells_of_chart = 40;       // a side of a chart of mean area has about so many cells of the grid
+  std::size_t least_cells = 512, most_cells = 1536;        // on a side of the square
+  std::size_t most_widths = 8, most_placements = 2000;     // of strips that are tried, and of charts in all of them
 };
 
 // A piece of an atlas: triangles in the plane.

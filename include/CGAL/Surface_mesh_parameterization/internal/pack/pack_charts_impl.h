@@ -146,15 +146,17 @@ public:
   // The side of the square that holds what is in the strip.
   std::size_t side() const { return (std::max)(m_right, m_top); }
 
+  static constexpr Place nowhere() { return { 0, 0, (std::numeric_limits<std::size_t>::max)() }; }
+
   // The lowest place for a mask with its margin, at or above a row; `top` is that of the mask. Nowhere if it is too
-  // wide.
-  Place find(const Chart_mask& mask, std::size_t first_row)
+  // wide, or if that place does not end below `most_top`. Below the row y that the caller gets there is no place.
+  Place find(const Chart_mask& mask, std::size_t& y, std::size_t most_top)
   {
     const std::size_t width = mask.cells.width() + 2 * m_margin, height = mask.cells.height() + 2 * m_margin;
     if (width > m_cells.width())
-      return { 0, 0, (std::numeric_limits<std::size_t>::max)() };
+      return nowhere();
     const std::size_t end = m_cells.width() - width + 1;
-    for (std::size_t y = first_row;; ++y) {
+    for (; y + height < most_top; ++y) {
       m_cells.raise(y + height);
       m_taken.clear();
       std::size_t x = 0;
@@ -166,6 +168,7 @@ public:
       if (x < end)
         return { x, y, y + height };
     }
+    return nowhere();
   }
 
   void put(const Chart_mask& mask, const Place& place)
@@ -203,7 +206,7 @@ public:
   {
     std::size_t side = (std::numeric_limits<std::size_t>::max)();
     std::vector<Strip::Place> places;         // of the charts
-    std::vector<int> directions;              // right angles that each is turned by
+    std::vector<std::size_t> directions;      // right angles that each is turned by
   };
 
   Grid_packer(const std::vector<Chart>& charts, double cell, std::size_t margin) : m_margin(margin)
@@ -238,24 +241,22 @@ public:
     result.places.resize(m_order.size());
     result.directions.resize(m_order.size());
     Strip strip(width, m_margin);
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> first_rows;      // where charts of a size begin to fit
+    std::map<std::pair<int, int>, std::size_t> first_rows;       // where charts of about a size begin to fit
     for (const std::size_t chart : m_order) {
-      Strip::Place best{ 0, 0, (std::numeric_limits<std::size_t>::max)() };
-      int best_direction = 0;
-      for (int direction = 0; direction < 4; ++direction) {
-        const Chart_mask& mask = m_masks[chart][std::size_t(direction)];
-        std::size_t& first_row = first_rows[{ mask.cells.width() / 4, mask.cells.height() / 4 }];
-        const Strip::Place place = strip.find(mask, first_row);
-        if (place.top < (std::numeric_limits<std::size_t>::max)())
-          first_row = place.y;
+      Strip::Place best = Strip::nowhere();
+      std::size_t best_direction = 0;
+      for (std::size_t direction = 0; direction < 4; ++direction) {
+        const Chart_mask& mask = m_masks[chart][direction];
+        std::size_t& first_row = first_rows[{ size_class(mask.cells.width()), size_class(mask.cells.height()) }];
+        const Strip::Place place = strip.find(mask, first_row, best.top);
         if (place.top < best.top) {
           best = place;
           best_direction = direction;
         }
       }
-      if (best.top == (std::numeric_limits<std::size_t>::max)())
+      if (best.top == Strip::nowhere().top)
         return Result();
-      strip.put(m_masks[chart][std::size_t(best_direction)], best);
+      strip.put(m_masks[chart][best_direction], best);
       result.places[chart] = best;
       result.directions[chart] = best_direction;
     }
@@ -264,6 +265,8 @@ public:
   }
 
 private:
+  static int size_class(std::size_t length) { return int(4 * std::log2(double(length))); }
+
   // Large charts come first: long ones are large.
   std::size_t size(std::size_t chart) const
   {
@@ -277,13 +280,14 @@ private:
 };
 
 // Packs strips of several widths; the best is the one of the smallest square.
-inline Grid_packer::Result pack_best(const Grid_packer& packer, std::size_t width)
+inline Grid_packer::Result pack_best(const Grid_packer& packer, std::size_t width, std::size_t number_of_widths)
 {
-  constexpr int widths = 8;
+  constexpr double greatest_excess = 0.28;
   Grid_packer::Result best;
-  for (int i = 0; i < widths; ++i) {
+  for (std::size_t i = 0; i < number_of_widths; ++i) {
+    const double excess = greatest_excess * double(i + 1) / double(number_of_widths + 1);
     const std::size_t other_width =
-        (std::max)(packer.least_width(), std::size_t(double(width) * (1 + 0.04 * double(i))));
+        (std::max)(packer.least_width(), std::size_t(double(width) * (1 + excess)));
     Grid_packer::Result other = packer.pack(other_width);
     if (other.side < best.side)
       best = std::move(other);
@@ -304,21 +308,25 @@ Packing pack_charts(std::vector<Chart>& charts, const Pack_options& options)
     straighten(chart.points, guessed_side);
   const std::size_t cells = std::clamp(std::size_t(double(options.cells_of_chart) * std::sqrt(double(charts.size()))),
                                        options.least_cells, options.most_cells);
+  const std::size_t number_of_widths = std::clamp(options.most_placements / charts.size(), std::size_t(1),
+                                                  options.most_widths);
   const double cell = guessed_side / double(cells);
 
   // The margin is a part of a side that only the packing tells. Charts keep half of it from the sides.
-  for (std::size_t margin = (std::max)(std::size_t(1), std::size_t(options.margin * double(cells)));; ++margin) {
+  for (std::size_t margin = (std::max)(std::size_t(1), std::size_t(options.margin * double(cells)));;) {
     const Grid_packer packer(charts, cell, margin);
-    const Grid_packer::Result result = pack_best(packer, cells);
+    const Grid_packer::Result result = pack_best(packer, cells, number_of_widths);
     const double side = double(result.side - margin);
-    if (double(margin) < options.margin * side)
+    if (double(margin) < options.margin * side) {
+      margin = std::size_t(std::ceil(options.margin * side));
       continue;
+    }
     for (std::size_t i = 0; i < charts.size(); ++i) {
       const double width = double(packer.cells(i).width()), height = double(packer.cells(i).height());
       const std::array<Vector_2, 4> directions = { Vector_2(1, 0), Vector_2(0, 1), Vector_2(-1, 0), Vector_2(0, -1) },
                                     origins = { Vector_2(0, 0), Vector_2(height, 0), Vector_2(width, height),
                                                 Vector_2(0, width) };
-      const std::size_t direction = std::size_t(result.directions[i]);
+      const std::size_t direction = result.directions[i];
       const Vector_2 place(double(result.places[i].x) + 0.5 * double(margin),
                            double(result.places[i].y) + 0.5 * double(margin));
       turn(charts[i].points, directions[direction], cell * (origins[direction] + place));
