@@ -365,6 +365,23 @@ TEST(Packing, keeps_the_margin)
   }
 }
 
+// So many charts have no room for the margin.
+TEST(Packing, ends_where_the_margins_would_fill_the_square)
+{
+  Flat_mesh m = single_triangle();
+  for (int i = 1; i < 150; ++i)
+    m = with_component(m, single_triangle(), 1, 10. * i);
+  Surface surface(m);
+  ASSERT_TRUE(atlas_parameterization(surface.mesh, surface.uv, parameters::margin(0.1)).is_ok());
+  expect_one_to_one(surface);
+  const auto charts = surface.charts();
+  double least = 1;
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      least = (std::min)(least, distance(charts[i][0], charts[j][0]));
+  EXPECT_GT(least, 0.25 / std::sqrt(150.));
+}
+
 // A hundred pieces of several sizes: squares fit side by side, triangles and other shapes leave more room between them.
 TEST(Packing, fills_the_square)
 {

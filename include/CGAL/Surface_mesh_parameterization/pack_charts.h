@@ -78,8 +78,8 @@ double pack_and_write(const TriangleMesh& mesh, Atlas& atlas, const std::vector<
 ///        which a halfedge leads in its face, as `atlas_parameterization()` writes it. Untouched on an error. A chart
 ///        without flips gets none by rounding
 /// \param np
-/// - `margin`: the least distance between charts, and twice that from the sides of the square, as a part of the side;
-///   from 0 to 0.1, default 1/256
+/// - `margin`: the least distance between charts, and half of it to the sides of the square, as a part of the side;
+///   from 0 to 0.1, default 1/256. Of n charts it is at most a quarter of \f$ 1 / \sqrt n \f$
 /// - `unit_square`: whether the charts are scaled, so that the square is the unit square; default `true`. Otherwise
 ///   they keep their sizes, and the square begins at the origin
 ///

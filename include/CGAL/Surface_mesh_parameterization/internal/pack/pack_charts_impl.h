@@ -225,6 +225,18 @@ public:
   // In the first direction.
   const Bitmap& cells(std::size_t chart) const { return m_masks[chart].front().cells; }
 
+  // How much longer the margin makes the side of the square, about.
+  double growth() const
+  {
+    double boxes = 0, grown_boxes = 0;
+    for (const std::size_t chart : m_order) {
+      const double width = double(cells(chart).width()), height = double(cells(chart).height());
+      boxes += width * height;
+      grown_boxes += (width + double(m_margin)) * (height + double(m_margin));
+    }
+    return std::sqrt(grown_boxes / boxes);
+  }
+
   // The least width that holds every chart.
   std::size_t least_width() const
   {
@@ -312,20 +324,23 @@ Packing pack_charts(std::vector<Chart>& charts, const Pack_options& options)
                                                   options.most_widths);
   const double cell = guessed_side / double(cells);
 
-  // The margin is a part of a side that only the packing tells. Charts keep half of it from the sides.
-  for (std::size_t margin = (std::max)(std::size_t(1), std::size_t(options.margin * double(cells)));;) {
+  // The margin is a part of a side that only the packing tells. Charts keep half of it from the sides. The side grows
+  // with the margin, and without end if the margins of so many charts would fill the square.
+  const double margin_part = (std::min)(options.margin, 0.25 / std::sqrt(double(charts.size())));
+  for (std::size_t margin = (std::max)(std::size_t(1), std::size_t(margin_part * double(cells)));;) {
     const Grid_packer packer(charts, cell, margin);
-    const Grid_packer::Result result = pack_best(packer, cells, number_of_widths);
+    const std::size_t width = std::size_t(packer.growth() * double(cells));
+    const Grid_packer::Result result = pack_best(packer, width, number_of_widths);
     const double side = double(result.side - margin);
-    if (double(margin) < options.margin * side) {
-      margin = std::size_t(std::ceil(options.margin * side));
+    if (double(margin) < margin_part * side) {
+      margin = std::size_t(std::ceil(margin_part * side));
       continue;
     }
     for (std::size_t i = 0; i < charts.size(); ++i) {
-      const double width = double(packer.cells(i).width()), height = double(packer.cells(i).height());
+      const double columns = double(packer.cells(i).width()), rows = double(packer.cells(i).height());
       const std::array<Vector_2, 4> directions = { Vector_2(1, 0), Vector_2(0, 1), Vector_2(-1, 0), Vector_2(0, -1) },
-                                    origins = { Vector_2(0, 0), Vector_2(height, 0), Vector_2(width, height),
-                                                Vector_2(0, width) };
+                                    origins = { Vector_2(0, 0), Vector_2(rows, 0), Vector_2(columns, rows),
+                                                Vector_2(0, columns) };
       const std::size_t direction = result.directions[i];
       const Vector_2 place(double(result.places[i].x) + 0.5 * double(margin),
                            double(result.places[i].y) + 0.5 * double(margin));
