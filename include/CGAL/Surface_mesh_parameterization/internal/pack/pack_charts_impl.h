@@ -143,6 +143,8 @@ public:
 
   Strip(std::size_t width, std::size_t margin) : m_cells(width, 0), m_taken(width), m_margin(margin) { }
 
+  std::size_t top() const { return m_top; }
+
   // The side of the square that holds what is in the strip.
   std::size_t side() const { return (std::max)(m_right, m_top); }
 
@@ -205,6 +207,7 @@ public:
   struct Result
   {
     std::size_t side = (std::numeric_limits<std::size_t>::max)();
+    std::size_t top = 0;                      // the height of the strip
     std::vector<Strip::Place> places;         // of the charts
     std::vector<std::size_t> directions;      // right angles that each is turned by
   };
@@ -273,6 +276,7 @@ public:
       result.directions[chart] = best_direction;
     }
     result.side = strip.side();
+    result.top = strip.top();
     return result;
   }
 
@@ -291,16 +295,16 @@ private:
   std::size_t m_margin;
 };
 
-// Packs strips of several widths; the best is the one of the smallest square.
+// Packs strips of several widths, each the mean of width and height of the one before, or a little less; the best is the
+// one of the smallest square.
 inline Grid_packer::Result pack_best(const Grid_packer& packer, std::size_t width, std::size_t number_of_widths)
 {
-  constexpr double greatest_excess = 0.28;
   Grid_packer::Result best;
+  double next_width = double(width);
   for (std::size_t i = 0; i < number_of_widths; ++i) {
-    const double excess = greatest_excess * double(i + 1) / double(number_of_widths + 1);
-    const std::size_t other_width =
-        (std::max)(packer.least_width(), std::size_t(double(width) * (1 + excess)));
-    Grid_packer::Result other = packer.pack(other_width);
+    const std::size_t this_width = (std::max)(packer.least_width(), std::size_t(next_width));
+    Grid_packer::Result other = packer.pack(this_width);
+    next_width = i % 2 == 0 ? std::sqrt(double(this_width) * double(other.top)) : 0.98 * double(this_width);
     if (other.side < best.side)
       best = std::move(other);
   }
