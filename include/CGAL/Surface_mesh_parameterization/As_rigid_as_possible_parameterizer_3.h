@@ -10,7 +10,10 @@
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/lead_to_places.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/Place_constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -60,8 +63,11 @@ public:
       internal::Names<internal_np::optimizer_t, internal_np::tolerance_t, internal_np::number_of_iterations_t,
                       internal_np::number_of_local_steps_t, internal_np::random_seed_t, internal_np::lambda_t,
                       internal_np::initial_map_t>,
-      typename Base::Flat_option_names>   Option_names;
+      internal::Joined_names<internal::Place_constraint_names, typename Base::Flat_option_names>>   Option_names;
   /// \endcond
+
+  /// whether vertices may be held at given places. A repair of flips that would have to move one fails
+  static constexpr bool holds_vertices = true;
 
   /// \param np
   /// - `lambda`: the cost of a change of scale, at least 0, may be infinite; default 1000, as in CGAL
@@ -69,6 +75,7 @@ public:
   ///   `triangle_weight` and `globally_injective`
   /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `REPAIR`
   /// - `initial_map`: whether a flat run starts from the map that `uvmap` holds; default `false`
+  /// - `vertex_is_constrained_map`, `position_weight_map`: of a flat run, see `Nested_iteration_parameterizer_3`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit As_rigid_as_possible_parameterizer_3(const NamedParameters& np = parameters::default_values())
@@ -125,8 +132,19 @@ private:
   {
     if (!level.is_finest())
       return refine_without_flips(level, uv, summary);
-    return m_lambda > 0 ? internal::minimize_energy(level_energy(level), uv, m_options, summary)
+    if (!internal::is_free(level))
+      if (const Error_code status = lead_to_places(level, uv); status != OK)
+        return status;
+    const bool has_scale = m_lambda > 0 || !level.hierarchy().springs().empty();
+    return has_scale ? internal::minimize_energy(level_energy(level), uv, m_options, summary)
                         : internal::minimize_conformal_energy(level, uv, m_options, summary);
+  }
+
+  static Error_code lead_to_places(const Level& level, Level::Uv& uv)
+  {
+    Level_summary unused_summary;
+    const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, Triangle_weight::AREA);
+    return internal::lead_to_places(energy, false, uv, unused_summary);
   }
 
   Error_code refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) const

@@ -141,6 +141,14 @@ public:
   /// \pre `is_fixed(v)`
   const Point_2& fixed_place(Index v) const;
 
+  /// the springs that pull vertices to places, with ranks as vertices, in ascending order
+  const std::vector<Triangulated_surface_3::Spring>& springs() const { return m_springs; }
+
+  /// \cond SKIP_IN_MANUAL
+  // The vertices whose places are given, in ascending order, and these.
+  const std::vector<std::pair<Index, Point_2>>& fixed_places() const { return m_fixed_places; }
+  /// \endcond
+
   /// whether a vertex lies on the outer border. Any other border vertex lies on the border of a hole
   bool is_on_outer_border(Index v) const { return m_is_on_outer_border[v]; }
 
@@ -226,6 +234,7 @@ private:
   std::vector<Point_3> m_points;
   std::vector<bool> m_is_pinned, m_is_fixed, m_is_on_outer_border;
   std::vector<std::pair<Index, Point_2>> m_fixed_places;
+  std::vector<Triangulated_surface_3::Spring> m_springs;
 
   int m_scale_exponent = 0;
 };

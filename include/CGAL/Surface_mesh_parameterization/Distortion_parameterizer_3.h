@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/Place_constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/is_finite_energy.h>
@@ -66,15 +67,20 @@ public:
   /// whether the results have no flips
   static constexpr bool is_result_flip_free = true;
 
+  /// whether vertices may be held at given places
+  static constexpr bool holds_vertices = true;
+
   /// \cond SKIP_IN_MANUAL
   typedef internal::Joined_names<internal::Joined_names<Refinement_options::Option_names,
                                                         typename Base::Flat_option_names>,
-                                 internal::Names<internal_np::initial_map_t>>   Option_names;
+                                 internal::Joined_names<internal::Names<internal_np::initial_map_t>,
+                                                        internal::Place_constraint_names>>   Option_names;
   /// \endcond
 
   /// \param np
   /// - the named parameters of `Refinement_options`
   /// - `initial_map`: whether a flat run starts from the map that `uvmap` holds; default `false`
+  /// - `vertex_is_constrained_map`, `position_weight_map`: of a flat run, see `Nested_iteration_parameterizer_3`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Distortion_parameterizer_3(const NamedParameters& np = parameters::default_values())

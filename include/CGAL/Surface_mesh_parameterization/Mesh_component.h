@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/position_in.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -22,10 +23,8 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -116,7 +115,7 @@ private:
     for (halfedge_descriptor h : border)
       if (get(index_of, target(next(h, mesh), mesh)) == internal::no_index)
         return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX,
-                    number_of(target(h, mesh), vertices(mesh)));
+                    internal::position_in(vertices(mesh), target(h, mesh)));
     if (!read_points(mesh))
       return false;
     for (halfedge_descriptor h : halfedges_around_face(bhd, mesh))
@@ -138,7 +137,7 @@ private:
     for (std::size_t i = 0; i < m_faces.size(); ++i) {
       halfedge_descriptor h = halfedge(m_faces[i], mesh);
       if (!is_triangle(h, mesh))
-        return fail(ERROR_NON_TRIANGULAR_MESH, Parameterization_error::FACE, number_of(m_faces[i], faces(mesh)));
+        return fail(ERROR_NON_TRIANGULAR_MESH, Parameterization_error::FACE, internal::position_in(faces(mesh), m_faces[i]));
       internal::Index_triangle triangle;
       for (internal::Index& corner : triangle) {
         corner = read_vertex(target(h, mesh), index_of);
@@ -177,17 +176,10 @@ private:
       const auto& p = get(point_map, v);
       const internal::Point_3 q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
       if (!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
-        return fail(ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, number_of(v, vertices(mesh)));
+        return fail(ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, internal::position_in(vertices(mesh), v));
       m_surface.points.push_back(q);
     }
     return true;
-  }
-
-  // The position of a vertex or face in the mesh's own order.
-  template <class Descriptor, class Range>
-  static std::size_t number_of(Descriptor d, const Range& range)
-  {
-    return std::size_t(std::distance(range.begin(), std::find(range.begin(), range.end(), d)));
   }
 
   bool is_disk_with_holes(const TriangleMesh& mesh, const internal::Loops& loops)
@@ -195,7 +187,7 @@ private:
     const internal::Disk_check check = internal::check_disk_with_holes(m_surface, loops);
     if (check.bad_vertex != internal::no_index)
       return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX,
-                  number_of(m_vertices[check.bad_vertex], vertices(mesh)));
+                  internal::position_in(vertices(mesh), m_vertices[check.bad_vertex]));
     return check.is_disk_with_holes || fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::NOWHERE, 0);
   }
 

@@ -43,8 +43,10 @@ class Nested_iteration_parameterizer_3
       internal::Names<internal_np::coarsest_size_t, internal_np::random_seed_t, internal_np::unit_edges_t,
                       internal_np::visitor_t, internal_np::fill_holes_t, internal_np::flip_policy_t,
                       internal_np::summary_t>,
-      std::conditional_t<Method::is_flip_free, internal::Names<internal_np::initial_map_t>, internal::Names<>>>
-      Option_names;
+      internal::Joined_names<
+          std::conditional_t<Method::is_flip_free, internal::Names<internal_np::initial_map_t>, internal::Names<>>,
+          std::conditional_t<internal::Holds_vertices<Method>::value, internal::Place_constraint_names,
+                             internal::Names<>>>>   Option_names;
 
 public:
   typedef typename Method::Triangle_mesh                                      Triangle_mesh;          ///< the mesh type
@@ -73,13 +75,23 @@ public:
   ///   are not finite get a place between their neighbors, and a map that is less than half or more than twice as long
   ///   and wide as the surface's area asks for is scaled to that. Where the method finds no map from there, it starts
   ///   from none
+  /// - `vertex_is_constrained_map`: of methods that have `holds_vertices`; a readable property map from vertices to
+  ///   `bool`: vertices that keep the places that `uvmap` holds, to the last bit; `uvmap` must be readable then.
+  ///   Default: none. They stay on every level, unless they lie on the border between two others. The map is not
+  ///   scaled. With the vertices of a border, which one of CGAL's border parameterizers may have placed, the border is
+  ///   fixed
+  /// - `position_weight_map`: of the same methods; a readable property map from vertices to numbers of at least 0:
+  ///   the energy is increased by the sum of these weights times the squared distance between a vertex and its place
+  ///   in `uvmap`, in the user's units. With `Triangle_weight::AREA` the energy is that of the surface, not the mean.
+  ///   Default: 0 everywhere
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as
   ///   long as the parameterizer runs
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Nested_iteration_parameterizer_3(const Method& method = Method(),
                                             const NamedParameters& np = parameters::default_values())
     : m_method(method), m_visitor(internal::hierarchy_visitor_of(np)), m_summary(internal::summary_of(np)),
-      m_options(internal::nested_iteration_options_of<Method>(np))
+      m_options(internal::nested_iteration_options_of<Method>(np)),
+      m_constraints(internal::place_constraints_of<Triangle_mesh>(np))
   {
     internal::assert_names<Option_names>(np);
   }
@@ -106,10 +118,12 @@ public:
   /// an error
   ///
   /// \return `OK`; an error of `Mesh_component` or of the method; `ERROR_WRONG_PARAMETER` if the method fixed a vertex
-  ///         at a place that is not finite, or if `initial_map` is true and `uvmap` cannot be read;
-  ///         `ERROR_NO_1_TO_1_MAPPING` if a vertex could not be inserted without a flip, because its neighbors lie too
-  ///         close together for doubles, or if there are flips and the `Flip_policy` is `FAIL`; `ERROR_STOPPED` if the
-  ///         visitor stopped the run
+  ///         at a place that is not finite, if `uvmap` cannot be read but must be, if the place of a constrained vertex
+  ///         is not finite, or if a weight is negative or not finite; `ERROR_NO_1_TO_1_MAPPING` if a vertex could not be
+  ///         inserted without a flip, because its neighbors lie too close together for doubles, if a constrained vertex
+  ///         could not be brought to its place without a flip, or if there are flips and the `Flip_policy` is `FAIL`;
+  ///         `ERROR_STOPPED` if the visitor stopped the run. The `summary` names the vertex, or the triangle whose
+  ///         corners contradict each other
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
                           VertexParameterizedMap vpmap)
@@ -118,7 +132,7 @@ public:
                              internal::Uv_map_check<VertexUVMap, Triangle_mesh>>   Check;
     if constexpr (Check::value) {
       Parameterization_summary unused_summary;
-      return internal::run_nested_iteration(m_method, m_options, m_visitor.get(),
+      return internal::run_nested_iteration(m_method, m_options, m_constraints, m_visitor.get(),
                                             m_summary ? *m_summary : unused_summary, mesh, bhd, uvmap, vpmap);
     } else {
       Check::tell();
@@ -140,6 +154,7 @@ private:
   std::shared_ptr<internal::Any_hierarchy_visitor> m_visitor;
   Parameterization_summary* m_summary;
   internal::Nested_iteration_options m_options;
+  internal::Place_constraints<Triangle_mesh> m_constraints;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -69,7 +69,7 @@ public:
                              internal::Uv_map_check<VertexUVMap, Triangle_mesh>>   Check;
     if constexpr (Check::value) {
       Parameterization_summary unused_summary;
-      return internal::run_nested_iteration(static_cast<Method&>(*this), m_options, nullptr,
+      return internal::run_nested_iteration(static_cast<Method&>(*this), m_options, m_constraints, nullptr,
                                             m_summary ? *m_summary : unused_summary, mesh, bhd, uvmap, vpmap);
     } else {
       Check::tell();
@@ -85,10 +85,12 @@ protected:
   /// \endcond
 
   /// \param np the named parameters of a flat run: `summary`, a `std::reference_wrapper<Parameterization_summary>`,
-  ///        `flip_policy` and `fill_holes`
+  ///        `flip_policy` and `fill_holes`; of a method that has `holds_vertices`, `vertex_is_constrained_map` and
+  ///        `position_weight_map`, see `Nested_iteration_parameterizer_3`
   template <class NamedParameters>
   explicit Refinable_parameterizer_base_3(const NamedParameters& np)
-    : m_summary(internal::summary_of(np)), m_options(internal::nested_iteration_options_of<Method>(np))
+    : m_summary(internal::summary_of(np)), m_options(internal::nested_iteration_options_of<Method>(np)),
+      m_constraints(internal::place_constraints_of<Triangle_mesh>(np))
   {
     m_options.hierarchy = internal::Hierarchy_options();
     m_options.hierarchy.coarsest_size = (std::numeric_limits<std::size_t>::max)();
@@ -97,6 +99,7 @@ protected:
 private:
   Parameterization_summary* m_summary;
   internal::Nested_iteration_options m_options;
+  internal::Place_constraints<Triangle_mesh> m_constraints;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

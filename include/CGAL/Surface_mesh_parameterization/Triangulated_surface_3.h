@@ -40,6 +40,18 @@ struct Triangulated_surface_3
 
   /// the vertices whose places are given, each at most once
   std::vector<Fixed_vertex> fixed_vertices = {};
+
+  /// a vertex that a spring pulls to a place in the plane: it adds `stiffness / 2` times the squared distance to the
+  /// energy of a map
+  struct Spring
+  {
+    internal::Index vertex;     ///< index of a point
+    internal::Point_2 place;    ///< in the units of `points`
+    double stiffness;           ///< for distances in the units of `points`
+  };
+
+  /// the springs, at most one for each vertex. Coarse levels have those of their vertices
+  std::vector<Spring> springs = {};
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -314,6 +314,19 @@ struct Readable_uv_map_check
   }
 };
 
+// Of a map from vertices that a call reads, with values that convert to `Value`.
+template <class Map, class Mesh, class Value>
+struct Vertex_map_check
+  : std::bool_constant<has_vertices<Map, Mesh> && is_detected_as<Value, Read, Map, Vertex_of<Mesh>>>
+{
+  static void tell()
+  {
+    static_assert(Vertex_map_check::value,
+                  "a map given as a named parameter is no property map from the vertices of the mesh to such values: "
+                  "vertex_is_constrained_map needs bool, position_weight_map a number");
+  }
+};
+
 // Of a map from halfedges that a call writes and, if `is_read`, reads.
 template <class UVMap, class Mesh, bool is_read = false>
 struct Halfedge_uv_map_check
@@ -384,6 +397,7 @@ using concept_checks::Mesh_descriptors;
 using concept_checks::Method_check;
 using concept_checks::Readable_uv_map_check;
 using concept_checks::Uv_map_check;
+using concept_checks::Vertex_map_check;
 using concept_checks::Visitor_check;
 
 } // namespace internal

@@ -91,7 +91,7 @@ std::size_t Collapse_hierarchy_3::memory() const
   return bytes(m_vertices.level_vertices) + bytes(m_vertices.input_vertex) + bytes(m_vertices.splits) +
          bytes(m_faces.last_triangle) + bytes(m_faces.input_face) + bytes(m_faces.first_face) +
          bytes(m_faces.first_fan_face) + bytes(m_faces.fan_faces) + bytes(m_points) + bytes(m_fixed_places) +
-         (m_is_pinned.capacity() + m_is_fixed.capacity() + m_is_on_outer_border.capacity()) / 8;
+         bytes(m_springs) + (m_is_pinned.capacity() + m_is_fixed.capacity() + m_is_on_outer_border.capacity()) / 8;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -116,6 +116,10 @@ void Collapse_hierarchy_3::number_by_rank(const Triangulated_surface_3& surface,
   }
   std::sort(m_fixed_places.begin(), m_fixed_places.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
+  m_springs = surface.springs;
+  for (Triangulated_surface_3::Spring& s : m_springs)
+    s.vertex = rank[s.vertex];
+  std::sort(m_springs.begin(), m_springs.end(), [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
 }
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -26,6 +26,9 @@ Triangulated_surface_3 input_surface(const Collapse_hierarchy_3& hierarchy)
     if (hierarchy.is_fixed(rank))
       surface.fixed_vertices.push_back({ v, hierarchy.fixed_place(rank) });
   }
+  surface.springs = hierarchy.springs();
+  for (Triangulated_surface_3::Spring& s : surface.springs)
+    s.vertex = hierarchy.input_vertex(s.vertex);
   surface.triangles.resize(hierarchy.number_of_faces());
   for (Index rank = 0; rank < surface.triangles.size(); ++rank)
     for (int i = 0; i < 3; ++i)

@@ -11,16 +11,17 @@
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/best_similarity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -144,35 +145,14 @@ private:
 
   bool has_wanted_place(Index v) const { return is_finite(m_wanted[v]); }
 
-  // By the similarity that is best for least squares.
   void align(Level::Uv& uv) const
   {
-    typedef std::complex<double> Complex;
-    const auto complex = [](const Point_2& p) { return Complex(p.x(), p.y()); };
-    Complex from(0, 0), to(0, 0), product(0, 0);
-    double squares = 0, count = 0;
+    std::vector<std::pair<Point_2, Point_2>> pairs;
     for (Index v = 0; v < uv.size(); ++v)
-      if (has_wanted_place(v)) {
-        from += complex(uv[v]);
-        to += complex(m_wanted[v]);
-        ++count;
-      }
-    for (Index v = 0; v < uv.size(); ++v)
-      if (has_wanted_place(v)) {
-        const Complex z = complex(uv[v]) - from / count;
-        product += std::conj(z) * (complex(m_wanted[v]) - to / count);
-        squares += std::norm(z);
-      }
-    const Complex factor = product / squares;
-    if (!(std::abs(factor) > 0 && std::isfinite(std::abs(factor))))
-      return;
-    Level::Uv aligned = uv;
-    for (Point_2& p : aligned) {
-      const Complex z = to / count + factor * (complex(p) - from / count);
-      p = Point_2(z.real(), z.imag());
-    }
-    if (is_map_valid(m_level.rings(), aligned))
-      uv.swap(aligned);
+      if (has_wanted_place(v))
+        pairs.push_back({ uv[v], m_wanted[v] });
+    if (!pairs.empty())
+      apply_if_valid(best_similarity(pairs), m_level, uv);
   }
 
   void improve(Level::Uv& uv, int most_sweeps)

@@ -51,6 +51,7 @@ struct Nested_iteration_options
 {
   Hierarchy_options hierarchy;                      // a flat run: `coarsest_size` is at least the number of vertices
   bool fills_holes = false;
+  bool must_hold_places = false;                    // a result whose fixed vertices are not at their places is none
   Make_starting_map make_starting_map = nullptr;      // of the user's map; null if the run starts on the coarsest level
   Flip_settlement flips;            // for what methods leave that do not keep triangles positive
   unsigned int most_seeds = 3;      // so many hierarchies are tried where doubles leave no room for a vertex
@@ -65,6 +66,14 @@ struct Is_result_flip_free : std::false_type { };
 template <class Method>
 struct Is_result_flip_free<Method, std::void_t<decltype(Method::is_result_flip_free)>>
   : std::bool_constant<Method::is_result_flip_free> { };
+
+// Whether a method declares that it holds vertices whose places are given, and lets springs pull others.
+template <class Method, class = void>
+struct Holds_vertices : std::false_type { };
+
+template <class Method>
+struct Holds_vertices<Method, std::void_t<decltype(Method::holds_vertices)>> : std::bool_constant<Method::holds_vertices>
+{ };
 
 template <class Method, class NamedParameters>
 Nested_iteration_options nested_iteration_options_of(const NamedParameters& np)
@@ -107,6 +116,9 @@ private:
   Error_code refine(const Level& level, Level::Uv& uv);
   Error_code insert_vertices(const Level& level, Level::Uv& uv) const;
   Error_code finish(const Level& level, Level::Uv& uv);
+
+  // Tells of a vertex of the result that is not at its given place; the status with that.
+  Error_code check_places(const Level& level, const Level::Uv& uv, Error_code status);
   Error_code round(const Level& level, Level::Uv& uv);
 
   // A coarsest level that the method cannot lay out without a flip is coarsened further: the vertices come back by

@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
@@ -64,7 +65,20 @@ Error_code Nested_iteration::parameterize(const Collapse_hierarchy_3& hierarchy,
     status = refine_start(level, uv);
   if (status == ERROR_NO_1_TO_1_MAPPING)
     status = parameterize_level_by_level(level, uv);
-  return status == OK ? finish(level, uv) : status;
+  if (status == OK)
+    status = finish(level, uv);
+  return m_options.must_hold_places && level.is_finest() ? check_places(level, uv, status) : status;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::check_places(const Level& level, const Level::Uv& uv, Error_code status)
+{
+  const std::vector<Index> displaced = displaced_vertices(level, uv);
+  if (displaced.empty() || (status != OK && status != ERROR_NO_1_TO_1_MAPPING))
+    return status;
+  m_summary.error.place = Parameterization_error::VERTEX;
+  m_summary.error.index = level.hierarchy().input_vertex(displaced.front());
+  return ERROR_NO_1_TO_1_MAPPING;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -76,7 +90,7 @@ Error_code Nested_iteration::refine_start(Level& level, Level::Uv& uv)
   for (Index rank = 0; rank < level.number_of_vertices(); ++rank)
     uv.push_back(m_start[level.hierarchy().input_vertex(rank)]);
   m_start = std::vector<Point_2>();      // another attempt starts anew
-  if (!bring_to_scale(level, m_method.keep_borders_apart(true), uv))
+  if (is_free(level) && !bring_to_scale(level, m_method.keep_borders_apart(true), uv))
     return ERROR_NO_1_TO_1_MAPPING;
   return refine(level, uv);
 }

@@ -11,8 +11,8 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Inserts the new vertices of a level (Hormann, Greiner, Campagna 1999, step 2b) into a flip-free map of the next
-// coarser level and keeps it flip-free. A vertex goes to its place in `wanted`, if that is given and there is no flip
-// then. Returns the first vertex for which no place was found, `no_index` if there is none.
+// coarser level and keeps it flip-free. A vertex goes to its place in `wanted`, if that is given, or where it is fixed,
+// if there is no flip then. Returns the first vertex for which no place was found, `no_index` if there is none.
 Index insert_new_vertices(const Level& level, Level::Uv& uv, const Level::Uv* wanted = nullptr);
 
 // Puts the new vertices of a level, flips or not, where they are fixed or where their stored coordinates have them in

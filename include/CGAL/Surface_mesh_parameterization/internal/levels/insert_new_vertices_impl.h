@@ -31,7 +31,8 @@ Index insert_new_vertices(const Level& level, Level::Uv& uv, const Level::Uv* wa
 
   const auto make_inserter = [&] { return Vertex_inserter(level.rings(), uv, is_placed); };
   const auto insert = [&](Index v, Vertex_inserter& inserter) {
-    return (wanted && inserter.insert_at(v, (*wanted)[v])) ||
+    const Point_2* const place = wanted ? &(*wanted)[v] : level.is_fixed(v) ? &level.fixed_place(v) : nullptr;
+    return (place && inserter.insert_at(v, *place)) ||
            inserter.insert(v, level.rest_corners(v), hierarchy.parent_triangle(v),
                            hierarchy.barycentric_coordinates(v));
   };

@@ -6,24 +6,44 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/separate_borders.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/best_similarity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/lead_to_places.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/unfolding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Conformal_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Brings a map as near to the places that are given or wished for as a similarity does.
+inline void move_near_places(const Level& level, Level::Uv& uv)
+{
+  std::vector<std::pair<Point_2, Point_2>> pairs;
+  for (const Index v : fixed_vertices(level))
+    pairs.push_back({ uv[v], level.fixed_place(v) });
+  for (const Triangulated_surface_3::Spring& s : springs(level))
+    pairs.push_back({ uv[s.vertex], s.place });
+  if (!pairs.empty())
+    apply_if_valid(best_similarity(pairs), level, uv);
+}
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code compute_first_map(const Level& level, Level::Uv& uv)
 {
   const Error_code status = compute_Tutte_embedding(level, uv);
-  if (status == OK)
+  if (status == OK) {
     scale_to_area(level, false, uv);
+    move_near_places(level, uv);
+  }
   return status;
 }
 
@@ -69,6 +89,7 @@ Error_code choose_first_map(const Level_energy& energy, const Refinement_options
   if (!is_better)
     return status;
   uv.swap(unfolded);
+  move_near_places(level, uv);
   return OK;
 }
 
@@ -98,9 +119,8 @@ void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv
   uv.swap(result);
 }
 
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code minimize_energy(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
-                           Level_summary& summary)
+inline Error_code refine_map(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
+                             Level_summary& summary)
 {
   return Level_refiner(energy, uv, options, summary).run() ? OK : ERROR_STOPPED;
 }
@@ -112,11 +132,11 @@ inline Error_code minimize_from(const Level_energy& energy, Level::Uv& uv, const
 {
   const bool borders_must_not_meet = options.is_globally_injective;
   if (!borders_must_not_meet)
-    return minimize_energy(energy, uv, options, summary);
+    return refine_map(energy, uv, options, summary);
   if (!separate_borders(energy.level(), uv))
     return ERROR_NO_1_TO_1_MAPPING;
   const Level::Uv start = uv;
-  if (minimize_energy(energy, uv, options, summary) == ERROR_STOPPED)
+  if (refine_map(energy, uv, options, summary) == ERROR_STOPPED)
     return ERROR_STOPPED;
   if (!(energy(uv) <= energy(start)) || has_crossings(border_edges(energy.level().rings()), uv)) {
     uv = start;
@@ -124,6 +144,47 @@ inline Error_code minimize_from(const Level_energy& energy, Level::Uv& uv, const
     summary.converged = false;
   }
   return OK;
+}
+
+// The springs of a level, whose stiffness is relative to the sum of the triangles' energies. Weighted by area it is in
+// units of the level.
+inline std::vector<Triangulated_surface_3::Spring> springs_of_energy(const Level_energy& energy, Triangle_weight weight)
+{
+  std::vector<Triangulated_surface_3::Spring> result = springs(energy.level());
+  if (weight == Triangle_weight::AREA)
+    for (Triangulated_surface_3::Spring& s : result)
+      s.stiffness = std::ldexp(s.stiffness, 2 * energy.level().scale_exponent());
+  return result;
+}
+
+// The same with the springs of the level and with vertices at given places. A coarse level may have no room for one of
+// these: it waits for a finer one.
+inline Error_code minimize_with_places(const Level_energy& free_energy, Level::Uv& uv,
+                                       const Refinement_options& options, Level_summary& summary)
+{
+  const Level& level = free_energy.level();
+  const Level_energy_with_springs energy(free_energy, springs_of_energy(free_energy, options.triangle_weight));
+  const bool borders_must_not_meet = options.is_globally_injective;
+  if (borders_must_not_meet && !separate_borders(level, uv))
+    return ERROR_NO_1_TO_1_MAPPING;
+  Level_summary way;
+  way.energy_start = energy(uv) / energy.unit();
+  Error_code status = energy.is_flip_free() ? lead_to_places(energy, borders_must_not_meet, uv, way) : OK;
+  if (status == ERROR_STOPPED || (status != OK && level.is_finest()))
+    return status;
+  status = minimize_from(energy, uv, options, summary);
+  summary.energy_start = way.energy_start;
+  summary.iterations += way.iterations;
+  summary.cycles += way.cycles;
+  return status;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code minimize_energy(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
+                           Level_summary& summary)
+{
+  return is_free(energy.level()) ? refine_map(energy, uv, options, summary)
+                                 : minimize_with_places(energy, uv, options, summary);
 }
 
 // Whether another start costs little.
@@ -187,6 +248,8 @@ Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, L
                               const Refinement_options& options, Level_summary& summary)
 {
   const Level& level = energy.level();
+  if (!is_free(level))
+    return minimize_with_places(energy, uv, options, summary);
   Error_code status = minimize_from(energy, uv, options, summary);
   if (status == ERROR_STOPPED)
     return status;

@@ -12,7 +12,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/Place_constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/position_in.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/read_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/write_map.h>
 
@@ -21,6 +23,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -98,10 +101,25 @@ std::vector<Point_2> read_map_if_readable(Mesh_component<TriangleMesh>& componen
   return uv;
 }
 
+// Does what add_places() does, or returns `ERROR_WRONG_PARAMETER` if the map can only be written.
+template <class TriangleMesh, class VertexUVMap>
+Parameterization_error add_places_if_readable(const Place_constraints<TriangleMesh>& constraints,
+                                              const TriangleMesh& mesh, VertexUVMap uvmap,
+                                              Mesh_component<TriangleMesh>& component, bool& is_mirrored)
+{
+  if (constraints.empty())
+    return Parameterization_error();
+  if constexpr (Readable_uv_map_check<VertexUVMap, TriangleMesh>::value)
+    return add_places(constraints, mesh, uvmap, component, is_mirrored);
+  else
+    return { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0 };
+}
+
 // Runs a model of RefinableParameterizer_3 coarse to fine on the component of a mesh, and writes to the property maps
 // if all went well. The visitor may be null.
 template <class Method, class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
-Error_code run_nested_iteration(Method method, const Nested_iteration_options& options, Any_hierarchy_visitor* visitor,
+Error_code run_nested_iteration(Method method, const Nested_iteration_options& options,
+                                const Place_constraints<TriangleMesh>& constraints, Any_hierarchy_visitor* visitor,
                                 Parameterization_summary& summary, const TriangleMesh& mesh,
                                 typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap,
                                 VertexParameterizedMap vpmap)
@@ -113,6 +131,9 @@ Error_code run_nested_iteration(Method method, const Nested_iteration_options& o
   summary.error = component.error();
   if (summary.error.code == OK)
     summary.error.code = place_border(method, mesh, bhd, component);
+  bool is_mirrored = false;
+  if (summary.error.code == OK)
+    summary.error = add_places_if_readable(constraints, mesh, uvmap, component, is_mirrored);
   if (summary.error.code != OK)
     return summary.error.code;
   if (options.fills_holes)
@@ -121,19 +142,26 @@ Error_code run_nested_iteration(Method method, const Nested_iteration_options& o
   typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
   Nested_iteration_options options_of_run = options;
   options_of_run.round = rounding_to<User_point_2>();
+  options_of_run.must_hold_places = !constraints.empty();
   Refinable_method_of<Method> engine_method(method);
   std::vector<Point_2> uv;
   if (options.make_starting_map) {
     uv = read_map_if_readable(component, uvmap);
     if (uv.empty())
       return summary.error.code = ERROR_WRONG_PARAMETER;
+    if (is_mirrored)
+      std::for_each(uv.begin(), uv.end(), mirror);
     if (!options.make_starting_map(component.surface(), uv))
       uv.clear();
   }
   Error_code status =
       Nested_iteration(engine_method, options_of_run, visitor, summary).run(std::move(component.surface()), timer, uv);
+  if (is_mirrored)
+    std::for_each(uv.begin(), uv.end(), mirror);
   if (status == OK)
     status = summary.error.code = write_map(component, component.surface().scale_exponent, uv, uvmap, vpmap);
+  else if (summary.error.place == Parameterization_error::VERTEX)
+    summary.error.index = position_in(vertices(mesh), component.vertices_of_component()[summary.error.index]);
   return status;
 }
 

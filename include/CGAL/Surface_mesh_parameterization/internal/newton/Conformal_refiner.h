@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
 
@@ -18,7 +19,8 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Minimizes the as-rigid-as-possible energy with lambda = 0, that of least squares conformal maps, on one level. It is
-// quadratic, and 0 for a map to one point: two vertices stay where they are.
+// quadratic, and 0 for a map to one point: two vertices stay where they are at least, besides those whose places are
+// given.
 class Conformal_refiner
 {
 public:
@@ -34,8 +36,7 @@ public:
     Newton_options newton_options;
     newton_options.least_forcing = newton_options.greatest_forcing = 1e-6;
     Newton_method newton(m_energy, nullptr, newton_options);
-    const Index a = farthest_border_vertex(0), b = farthest_border_vertex(a);
-    newton.fix_vertices({ a, b });
+    newton.fix_vertices(vertices_to_hold());
     double current = m_energy(m_uv);
     bool may_go_on = tell(current, 0);
     while (may_go_on && m_summary.iterations < m_options.number_of_iterations && !m_summary.converged) {
@@ -56,6 +57,16 @@ private:
   {
     m_summary.energy_end = std::ldexp(energy, -2 * m_level.scale_exponent());
     return m_level.progressed(m_summary, part);
+  }
+
+  std::vector<Index> vertices_to_hold() const
+  {
+    std::vector<Index> result = fixed_vertices(m_level);
+    if (result.empty())
+      result.push_back(farthest_border_vertex(0));
+    if (result.size() == 1)
+      result.push_back(farthest_border_vertex(result.front()));
+    return result;
   }
 
   // The vertex on the outer border, and on the coarsest level, that lies farthest from v in the plane.

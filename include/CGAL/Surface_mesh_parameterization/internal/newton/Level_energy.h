@@ -64,9 +64,13 @@ protected:
       m_is_scale_invariant(is_scale_invariant), m_total_weight(sum_of_weights())
   { }
 
+  Level_energy(const Level_energy&) = default;
+
   Triangle_weight triangle_weight() const { return m_weight; }
 
 private:
+  friend class Level_energy_with_springs;
+
   double sum_of_weights() const;
 
   // The energy of the triangles whose least vertex is in a range.

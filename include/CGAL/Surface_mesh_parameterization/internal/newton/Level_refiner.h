@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
@@ -205,6 +206,7 @@ private:
   {
     const double least_decrease = m_level.is_finest() ? m_refinement.tolerance : m_options.decrease_on_coarse_levels;
     Newton_method newton(m_energy, m_barrier.get(), m_options.newton);
+    newton.fix_vertices(fixed_vertices(m_level));
     relaxation.set_turn_barrier(newton.turn_barrier());
     std::vector<double> decreases;      // by the last steps, all but the first of them regular
     while (!m_is_stopped && m_summary.iterations < m_refinement.number_of_iterations && !m_summary.converged) {

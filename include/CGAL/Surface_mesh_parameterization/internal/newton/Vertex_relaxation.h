@@ -153,7 +153,7 @@ private:
   // Returns by how much the energy fell.
   double relax(Index v, Level::Uv& uv, Vertex_relaxer& relaxer) const
   {
-    if (m_level.is_pinned(v))
+    if (m_level.is_pinned(v) || m_level.is_fixed(v))
       return 0;
     if (!m_level.is_border(v))
       return relaxer.relax(v, m_relaxation_factor, infinity, uv);

@@ -1,0 +1,182 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_PLACE_LEADER_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_PLACE_LEADER_H
+
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+struct Place_leader_options
+{
+  // Of the springs, relative to what the energy has at a vertex whose triangles are hardly distorted: at first, the
+  // factor from one round to the next where a round no longer brings the vertices nearer by this part, and at last: on
+  // the finest level, and on others, that may be too coarse for the places.
+  double first_stiffness = 1, growth = 10, least_approach = 0.1, last_stiffness = 1e8, last_stiffness_on_coarse = 1e4;
+  // A level on which Newton's method does not pay gets a few rounds, for the vertices that were inserted near their
+  // places.
+  std::size_t most_rounds = 60, most_rounds_between_grids = 3, most_steps_of_round = 10;
+  // A round ends when a step lowers the energy by less than this part of what the springs have.
+  double least_decrease = 0.03;
+  // A vertex that is nearer to its place than this part of the way to the opposite edges of its triangles goes there at
+  // once.
+  double near_part = 0.2;
+  double barrier_stiffness = 0.1;       // relative to the mean weight of a triangle
+};
+
+// Brings the vertices of a level whose places are given there, round by round: springs pull those that are elsewhere,
+// against the energy of the triangles, which keeps them positive; then those that have come near go to their places,
+// where the map stays valid, and are held there from then on.
+//
+// One that triangles keep from its place gets stiffer springs, and pays with distortion.
+class Place_leader
+{
+public:
+  Place_leader(const Level_energy& energy, bool borders_must_not_meet, Level::Uv& uv, Level_summary& summary,
+               const Place_leader_options& options = Place_leader_options())
+    : m_energy(energy), m_level(energy.level()), m_uv(uv), m_summary(summary), m_options(options),
+      m_displaced(displaced_vertices(m_level, uv))
+  {
+    if (borders_must_not_meet && !m_displaced.empty())
+      m_barrier = std::make_unique<Border_barrier>(m_level, m_options.barrier_stiffness * energy.total_weight() /
+                                                                double(m_level.number_of_faces()));
+  }
+
+  bool is_done() const { return m_displaced.empty(); }
+
+  // Returns false if a visitor stopped the run.
+  bool run()
+  {
+    const double last_stiffness = m_level.is_finest() ? m_options.last_stiffness : m_options.last_stiffness_on_coarse;
+    const std::size_t most_rounds = Block_multigrid::has_grid_of_finest_level(m_level)
+                                        ? m_options.most_rounds
+                                        : m_options.most_rounds_between_grids;
+    double stiffness = m_options.first_stiffness;
+    settle(m_options.near_part);
+    for (std::size_t round = 0; !is_done() && round < most_rounds && stiffness <= last_stiffness; ++round) {
+      const double before = distance();
+      if (!pull(stiffness))
+        return false;
+      if (!(distance() < (1 - m_options.least_approach) * before))
+        stiffness *= m_options.growth;
+      settle(m_options.near_part);
+    }
+    settle((std::numeric_limits<double>::infinity)());
+    return true;
+  }
+
+private:
+  const Point_2& place(Index v) const { return m_level.fixed_place(v); }
+
+  // The greatest distance of a vertex from its place.
+  double distance() const
+  {
+    double result = 0;
+    for (const Index v : m_displaced)
+      result = (std::max)(result, (place(v) - m_uv[v]).squared_length());
+    return std::sqrt(result);
+  }
+
+  // Newton's method with springs of that stiffness.
+  bool pull(double stiffness)
+  {
+    std::vector<Level_energy_with_springs::Spring> springs;
+    for (const Index v : m_displaced)
+      springs.push_back({ v, place(v), stiffness * unit_of_stiffness(v) });
+    const Level_energy_with_springs energy(m_energy, springs);
+    Newton_method newton(energy, m_barrier.get());
+    newton.fix_vertices(settled_vertices());
+    double current = energy(m_uv);
+    for (std::size_t i = 0; i < m_options.most_steps_of_round; ++i) {
+      const auto step = newton.step(m_uv, current);
+      current = energy(m_uv);
+      ++m_summary.iterations;
+      m_summary.cycles += step.cycles;
+      if (!m_level.progressed(m_summary, 0))
+        return false;
+      if (!(step.decrease > m_options.least_decrease * energy.energy_of_springs(m_uv)))
+        break;
+    }
+    return true;
+  }
+
+  std::vector<Index> settled_vertices() const
+  {
+    const std::vector<Index> all = fixed_vertices(m_level);
+    std::vector<Index> result;
+    std::set_difference(all.begin(), all.end(), m_displaced.begin(), m_displaced.end(), std::back_inserter(result));
+    return result;
+  }
+
+  // The weight of the triangles at a vertex by the mean square of the lengths of its edges.
+  double unit_of_stiffness(Index v) const
+  {
+    double squares = 0, weights = 0;
+    for (const Index w : m_level.one_ring(v))
+      squares += (m_uv[w] - m_uv[v]).squared_length();
+    const Rest_corners corners = m_level.rest_corners(v);
+    for (std::size_t i = 0; i < m_level.number_of_triangles(v); ++i)
+      weights += m_energy.weight(corners[i]);
+    return weights * double(m_level.one_ring(v).size()) / squares;
+  }
+
+  // Lets vertices that are nearer to their places than that part of the way to the opposite edges go there.
+  void settle(double part)
+  {
+    std::vector<std::pair<Index, Point_2>> moved;
+    for (const Index v : m_displaced)
+      if (is_near(v, part)) {
+        const Point_2 before = std::exchange(m_uv[v], place(v));
+        if (is_star_valid(m_level.rings(), m_uv, v))
+          moved.push_back({ v, before });
+        else
+          m_uv[v] = before;
+      }
+    if (m_barrier && !m_barrier->keeps_apart(m_uv))
+      for (auto it = moved.rbegin(); it != moved.rend(); ++it)
+        m_uv[it->first] = it->second;
+    m_displaced = displaced_vertices(m_level, m_uv);
+  }
+
+  bool is_near(Index v, double part) const
+  {
+    const Level::Ring ring = m_level.one_ring(v);
+    const double way = std::sqrt((place(v) - m_uv[v]).squared_length());
+    for (std::size_t i = 0; i < m_level.number_of_triangles(v); ++i) {
+      const Point_2 &a = m_uv[ring[i]], &b = m_uv[ring[i + 1 == ring.size() ? 0 : i + 1]];
+      const double height = cross(b - a, m_uv[v] - a) / std::sqrt((b - a).squared_length());
+      if (!(way < part * height))
+        return false;
+    }
+    return true;
+  }
+
+  const Level_energy& m_energy;
+  const Level& m_level;
+  Level::Uv& m_uv;
+  Level_summary& m_summary;
+  Place_leader_options m_options;
+  std::vector<Index> m_displaced;
+  std::unique_ptr<Border_barrier> m_barrier;      // none unless borders must not meet
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_PLACE_LEADER_H

@@ -1,0 +1,28 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_LEAD_TO_PLACES_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_LEAD_TO_PLACES_H
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Brings the vertices of a level whose places are given there, in a valid map that stays valid. An energy that keeps
+// triangles positive decides how the others follow. If `borders_must_not_meet`, no borders do that did not before.
+//
+// Returns `OK`; `ERROR_NO_1_TO_1_MAPPING` if some are still elsewhere, as near as they came; or `ERROR_STOPPED`.
+Error_code lead_to_places(const Level_energy& energy, bool borders_must_not_meet, Level::Uv& uv,
+                          Level_summary& summary);
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/levels/lead_to_places_impl.h>
+#endif
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_LEAD_TO_PLACES_H

@@ -1,0 +1,152 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_PLACE_CONSTRAINTS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_PLACE_CONSTRAINTS_H
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/detection.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/position_in.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/read_map.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// The vertices of a mesh that the user holds at their places in the plane, and those that are pulled there, with
+// weights. Either function may be empty.
+template <class TriangleMesh>
+struct Place_constraints
+{
+  typedef typename Mesh_descriptors<TriangleMesh>::vertex_descriptor   vertex_descriptor;
+
+  std::function<bool(vertex_descriptor)> is_constrained;
+  std::function<double(vertex_descriptor)> weight;
+
+  bool empty() const { return !is_constrained && !weight; }
+};
+
+typedef Names<internal_np::vertex_is_constrained_t, internal_np::position_weight_t>   Place_constraint_names;
+
+// A map that is given as a named parameter, from the vertices of a mesh to values that are read as `Value`, as a
+// function; an empty one if it is not given.
+template <class Value, class TriangleMesh, class Tag, class NamedParameters>
+auto function_of_vertex_map(const NamedParameters& np, Tag tag)
+{
+  typedef typename Mesh_descriptors<TriangleMesh>::vertex_descriptor   vertex_descriptor;
+  std::function<Value(vertex_descriptor)> result;
+  if constexpr (!parameters::is_default_parameter<NamedParameters, Tag>::value) {
+    const auto map = parameters::get_parameter(np, tag);
+    typedef Vertex_map_check<std::decay_t<decltype(map)>, TriangleMesh, Value>   Check;
+    if constexpr (Check::value)
+      result = [map](vertex_descriptor v) { return Value(get(map, v)); };
+    else
+      Check::tell();
+  }
+  return result;
+}
+
+// The constraints that named parameters tell.
+template <class TriangleMesh, class NamedParameters>
+Place_constraints<TriangleMesh> place_constraints_of(const NamedParameters& np)
+{
+  Place_constraints<TriangleMesh> result;
+  if constexpr (Mesh_check<TriangleMesh>::value) {
+    result.is_constrained = function_of_vertex_map<bool, TriangleMesh>(np, internal_np::vertex_is_constrained);
+    result.weight = function_of_vertex_map<double, TriangleMesh>(np, internal_np::position_weight_map);
+  }
+  return result;
+}
+
+inline void mirror(Point_2& p) { p = Point_2(-p.x(), p.y()); }
+
+inline void mirror_places(Triangulated_surface_3& surface)
+{
+  for (Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices)
+    mirror(fixed.place);
+  for (Triangulated_surface_3::Spring& s : surface.springs)
+    mirror(s.place);
+}
+
+// Whether the given places on the outer border run around the map the wrong way, so that all triangles have to be
+// negative. Some of CGAL's border parameterizers place a border so. The outer border is in the order in which
+// Mesh_component reads it, with the surface to the right.
+inline bool is_border_mirrored(const Triangulated_surface_3& surface)
+{
+  std::vector<const Point_2*> place(surface.points.size(), nullptr);
+  for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices)
+    place[fixed.vertex] = &fixed.place;
+  std::vector<Point_2> polygon;
+  for (const Index v : surface.outer_border)
+    if (place[v])
+      polygon.push_back(*place[v]);
+  double doubled_area = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+    doubled_area += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+  return doubled_area > 0;
+}
+
+// A triangle that its corners' given places turn over or make degenerate, or the number of triangles if there is none.
+inline std::size_t first_contradiction(const Triangulated_surface_3& surface)
+{
+  std::vector<const Point_2*> place(surface.points.size(), nullptr);
+  for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices)
+    place[fixed.vertex] = &fixed.place;
+  std::size_t f = 0;
+  for (; f < surface.triangles.size(); ++f) {
+    const Index_triangle& t = surface.triangles[f];
+    const Point_2 *const a = place[t[0]], *const b = place[t[1]], *const c = place[t[2]];
+    const auto coincide = [](const Point_2* p, const Point_2* q) { return p && q && *p == *q; };
+    if ((a && b && c && !is_left_turn(*a, *b, *c)) || coincide(a, b) || coincide(b, c) || coincide(c, a))
+      break;
+  }
+  return f;
+}
+
+// Adds to a component's surface the places that the constraints ask for, as the user's map has them, but mirrored if
+// is_border_mirrored(), which `is_mirrored` tells then. Returns
+// `ERROR_WRONG_PARAMETER` for a place that is not finite or a weight that is negative or not finite,
+// `ERROR_NO_1_TO_1_MAPPING` for a triangle that given places leave no room for, and which.
+template <class TriangleMesh, class VertexUVMap>
+Parameterization_error add_places(const Place_constraints<TriangleMesh>& constraints, const TriangleMesh& mesh,
+                                  VertexUVMap uvmap, Mesh_component<TriangleMesh>& component, bool& is_mirrored)
+{
+  Triangulated_surface_3& surface = component.surface();
+  const std::vector<Point_2> uv = read_map(component, surface.scale_exponent, uvmap);
+  for (std::size_t i = 0; i < uv.size(); ++i) {
+    const auto v = component.vertices_of_component()[i];
+    const bool is_fixed = constraints.is_constrained && constraints.is_constrained(v);
+    const double weight = constraints.weight && !is_fixed ? constraints.weight(v) : 0;
+    if (!(weight >= 0 && std::isfinite(weight)) || ((is_fixed || weight > 0) && !is_finite(uv[i])))
+      return { ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, position_in(vertices(mesh), v) };
+    if (is_fixed)
+      surface.fixed_vertices.push_back({ Index(i), uv[i] });
+    else if (weight > 0)
+      surface.springs.push_back({ Index(i), uv[i], 2 * std::ldexp(weight, -2 * surface.scale_exponent) });
+  }
+  is_mirrored = is_border_mirrored(surface);
+  if (is_mirrored)
+    mirror_places(surface);
+  const std::size_t f = first_contradiction(surface);
+  if (f < surface.triangles.size())
+    return { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::FACE,
+             position_in(faces(mesh), component.faces_of_component()[f]) };
+  return Parameterization_error();
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_PLACE_CONSTRAINTS_H
