@@ -117,7 +117,7 @@ private:
   Error_code insert_vertices(const Level& level, Level::Uv& uv) const;
   Error_code finish(const Level& level, Level::Uv& uv);
 
-  // Tells of a vertex of the result that is not at its given place; the status with that.
+  // Tells of the vertex of a result that is farthest from its given place, if one is not there; the status with that.
   Error_code check_places(const Level& level, const Level::Uv& uv, Error_code status);
   Error_code round(const Level& level, Level::Uv& uv);
 

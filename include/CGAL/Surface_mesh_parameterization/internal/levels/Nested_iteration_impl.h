@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -76,8 +77,11 @@ Error_code Nested_iteration::check_places(const Level& level, const Level::Uv& u
   const std::vector<Index> displaced = displaced_vertices(level, uv);
   if (displaced.empty() || (status != OK && status != ERROR_NO_1_TO_1_MAPPING))
     return status;
+  const auto distance = [&](Index v) { return (uv[v] - level.fixed_place(v)).squared_length(); };
+  const Index farthest = *std::max_element(displaced.begin(), displaced.end(),
+                                           [&](Index v, Index w) { return distance(v) < distance(w); });
   m_summary.error.place = Parameterization_error::VERTEX;
-  m_summary.error.index = level.hierarchy().input_vertex(displaced.front());
+  m_summary.error.index = level.hierarchy().input_vertex(farthest);
   return ERROR_NO_1_TO_1_MAPPING;
 }
 

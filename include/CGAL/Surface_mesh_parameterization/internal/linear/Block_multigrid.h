@@ -103,6 +103,9 @@ public:
   // Whether the direct solver at the bottom could factorize its matrix.
   bool is_ready() const { return m_direct_solver != nullptr; }
 
+  // Whether there are no coarse grids, so that a cycle is a direct solution.
+  bool is_direct() const { return m_grids.size() == 1; }
+
   // From now on, cycles take two steps of conjugate gradients on each coarse grid, see take_second_step().
   void use_k_cycles() { m_has_k_cycles = true; }
 

@@ -22,7 +22,8 @@ struct Newton_options
   // V-cycles than these: almost conformal motions are all that is left then.
   std::size_t most_v_cycles = 9;
   // The coarse grids of an earlier map serve as long as they need no more cycles than these: to make them costs as much
-  // as three.
+  // as three. Without coarse grids the matrix is factorized for each map: what the factors of an earlier one miss is
+  // little enough in a cycle to be taken for convergence.
   std::size_t most_cycles_without_setup = 8;
   // The part of what makes the Hessian indefinite that is kept at first, where it is kept: of energies that keep
   // triangles positive, and of others.

@@ -1,0 +1,471 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Vertices that are held at given places, fixed borders, and springs.
+
+#include "exact_kernel.h"
+#include "mapped_mesh.h"
+#include "mesh_conversions.h"
+#include "one_to_one_maps.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Contact_pattern.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/number_utils.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+using Kernel_point = test_meshes::Kernel::Point_2;
+namespace np = CGAL::Surface_mesh_parameterization::parameters;
+
+typedef test_meshes::Surface_mesh   Mesh;
+
+// A mesh with a map, vertices to be held at its places, and weights of springs that pull there.
+struct Constrained_mesh : test_meshes::Mapped_mesh
+{
+  Mesh::Property_map<Mesh::Vertex_index, bool> is_held;
+  Mesh::Property_map<Mesh::Vertex_index, double> weight;
+  std::vector<Kernel_point> places;
+
+  explicit Constrained_mesh(const Flat_mesh& m) : test_meshes::Mapped_mesh(m)
+  {
+    is_held = mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_held", false).first;
+    weight = mesh.add_property_map<Mesh::Vertex_index, double>("v:weight", 0.).first;
+  }
+
+  template <class Method>
+  Error_code run(bool is_hierarchical = true, double tolerance = 1e-6, bool globally_injective = false)
+  {
+    const auto options = np::vertex_is_constrained_map(is_held)
+                             .position_weight_map(weight)
+                             .tolerance(tolerance)
+                             .globally_injective(globally_injective)
+                             .summary(std::ref(summary));
+    return run_with<Method>(options, is_hierarchical);
+  }
+
+  template <class Method, class NamedParameters>
+  Error_code run_with(const NamedParameters& options, bool is_hierarchical = true)
+  {
+    places = uv();
+    return is_hierarchical ? parameterize(Hierarchical_parameterizer_3<Method>(options)) : parameterize(Method(options));
+  }
+
+  void hold_some(std::size_t one_of)
+  {
+    for (const auto v : vertices(mesh))
+      is_held[v] = v.idx() % one_of == one_of / 2;
+  }
+
+  // Bends and turns the map.
+  void bend(double part)
+  {
+    for (const auto v : vertices(mesh)) {
+      const Kernel_point p = uvmap[v];
+      uvmap[v] = Kernel_point(p.x() + part * std::sin(4 * p.y()) + 0.1, p.y() + part * std::cos(3 * p.x()));
+    }
+  }
+
+  template <class BorderParameterizer>
+  void place_border(double scale)
+  {
+    const auto index = mesh.add_property_map<Mesh::Vertex_index, int>("v:index").first;
+    ASSERT_EQ(BorderParameterizer().parameterize(mesh, longest_border(mesh), uvmap, index, is_held), OK);
+    for (const auto v : vertices(mesh))
+      if (is_held[v])
+        uvmap[v] = Kernel_point(scale * uvmap[v].x(), scale * uvmap[v].y());
+  }
+
+  void expect_places_are_held() const
+  {
+    for (const auto v : vertices(mesh)) {
+      if (is_held[v]) {
+        EXPECT_EQ(uvmap[v], places[v.idx()]) << v;
+      }
+    }
+  }
+
+  // of the surface
+  double area() const
+  {
+    double sum = 0;
+    for (const auto f : faces(mesh)) {
+      const auto h = mesh.halfedge(f);
+      sum += std::sqrt(CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                          mesh.point(mesh.target(mesh.next(h)))));
+    }
+    return sum;
+  }
+
+  double squared_distance_to_places() const
+  {
+    double sum = 0;
+    for (const auto v : vertices(mesh))
+      if (weight[v] > 0)
+        sum += CGAL::squared_distance(uvmap[v], places[v.idx()]);
+    return sum;
+  }
+};
+
+std::vector<Flat_mesh> surfaces()
+{
+  return { grid(40, 30, wavy), delaunay_patch(800, 3, wavy), cap(12, 32, 0.5 * CGAL_PI), grid_with_holes(20) };
+}
+
+template <class Method>
+class Held_vertices : public testing::Test { };
+
+typedef testing::Types<MIPS_parameterizer_3<Mesh>, Symmetric_Dirichlet_parameterizer_3<Mesh>>   Methods;
+TYPED_TEST_SUITE(Held_vertices, Methods);
+
+TYPED_TEST(Held_vertices, keep_their_places_to_the_last_bit)
+{
+  for (const Flat_mesh& surface : surfaces())
+    for (const std::size_t one_of : { 3, 10, 100, 400 })
+      for (const bool is_hierarchical : { true, false }) {
+        Constrained_mesh m(surface);
+        ASSERT_EQ(m.run<TypeParam>(), OK);
+        const double energy = m.summary.energy;
+        m.hold_some(one_of);
+        m.bend(0.05);
+        ASSERT_EQ(m.run<TypeParam>(is_hierarchical), OK) << surface.triangles.size() << ' ' << one_of;
+        EXPECT_TRUE(m.summary.converged && m.is_valid());
+        m.expect_places_are_held();
+        EXPECT_GE(m.summary.energy, energy * (1 - 1e-6));
+      }
+}
+
+TYPED_TEST(Held_vertices, cost_nothing_at_the_places_of_the_minimum)
+{
+  for (const Flat_mesh& surface : surfaces()) {
+    Constrained_mesh m(surface);
+    ASSERT_EQ(m.run<TypeParam>(true, 1e-10), OK);
+    const double energy = m.summary.energy;
+    m.hold_some(50);
+    ASSERT_EQ(m.run<TypeParam>(true, 1e-10), OK);
+    m.expect_places_are_held();
+    EXPECT_NEAR(m.summary.energy, energy, 1e-9 * energy);
+  }
+}
+
+// One that is held moves the map, two turn and scale it as well: all that costs MIPS nothing.
+TYPED_TEST(Held_vertices, may_be_one_or_two)
+{
+  for (const int number : { 1, 2 }) {
+    Constrained_mesh m(delaunay_patch(500, 3, wavy));
+    ASSERT_EQ(m.run<TypeParam>(), OK);
+    const double energy = m.summary.energy;
+    const bool is_scaled = number == 2 && m.summary.energy > 100;     // MIPS
+    m.is_held[Mesh::Vertex_index(7)] = true;
+    m.is_held[Mesh::Vertex_index(300)] = number == 2;
+    for (const auto v : vertices(m.mesh)) {
+      const Kernel_point p = m.uvmap[v];
+      const double scale = is_scaled ? 100 : 1;
+      m.uvmap[v] = Kernel_point(5 - scale * p.y(), scale * p.x() - 3);
+    }
+    ASSERT_EQ(m.run<TypeParam>(), OK);
+    m.expect_places_are_held();
+    EXPECT_NEAR(m.summary.energy, energy, 1e-6 * energy);
+  }
+}
+
+// A run ends when a step lowers the energy by next to nothing, of which a map may be off by the square root: what is
+// left then, further runs remove.
+TYPED_TEST(Held_vertices, fix_a_border_for_the_hierarchical_run_as_for_the_flat_one)
+{
+  for (const Flat_mesh& surface : surfaces()) {
+    Constrained_mesh m(surface), flat(surface);
+    for (Constrained_mesh* const one : { &m, &flat }) {
+      one->place_border<Circular_border_arc_length_parameterizer_3<Mesh>>(1);
+      ASSERT_EQ(one->run<TypeParam>(one == &m, 1e-14), OK);
+      one->expect_places_are_held();
+      EXPECT_TRUE(one->is_valid());
+      for (int i = 0; i < 6; ++i) {
+        ASSERT_EQ(one->run_with<TypeParam>(np::vertex_is_constrained_map(one->is_held).initial_map(true)), OK);
+      }
+    }
+    double greatest = 0;
+    for (const auto v : vertices(m.mesh))
+      greatest = (std::max)(greatest, CGAL::squared_distance(m.uvmap[v], flat.uvmap[v]));
+    const double diagonal = 2 * std::sqrt(2 / CGAL_PI);      // of the box of a circle of area 1
+    EXPECT_LT(std::sqrt(greatest), 1e-8 * diagonal) << surface.triangles.size();
+  }
+}
+
+// CGAL's square runs around the map the other way than its circle.
+TYPED_TEST(Held_vertices, may_mirror_the_map)
+{
+  Constrained_mesh m(delaunay_patch(800, 3, wavy)), mirrored(delaunay_patch(800, 3, wavy));
+  m.place_border<Square_border_uniform_parameterizer_3<Mesh>>(1);
+  mirrored.place_border<Square_border_uniform_parameterizer_3<Mesh>>(1);
+  for (const auto v : vertices(mirrored.mesh))
+    mirrored.uvmap[v] = Kernel_point(-mirrored.uvmap[v].x(), mirrored.uvmap[v].y());
+  ASSERT_EQ(m.run<TypeParam>(), OK);
+  ASSERT_EQ(mirrored.run<TypeParam>(), OK);
+  m.expect_places_are_held();
+  mirrored.expect_places_are_held();
+  EXPECT_NE(m.is_valid(), mirrored.is_valid());
+  for (const auto v : vertices(m.mesh))
+    EXPECT_EQ(m.uvmap[v], Kernel_point(-mirrored.uvmap[v].x(), mirrored.uvmap[v].y()));
+}
+
+TYPED_TEST(Held_vertices, lead_around_a_border_that_is_far_from_convex)
+{
+  for (const std::size_t n : { 300, 3000 }) {
+    Constrained_mesh m(delaunay_patch(n, 5, flat));
+    m.place_border<Circular_border_arc_length_parameterizer_3<Mesh>>(1);
+    for (const auto v : vertices(m.mesh))
+      if (m.is_held[v]) {
+        const double x = m.uvmap[v].x() - 0.5, y = m.uvmap[v].y() - 0.5, scale = 1 + 0.4 * std::cos(3 * std::atan2(y, x));
+        m.uvmap[v] = Kernel_point(scale * x, scale * y);
+      }
+    ASSERT_EQ(m.run<TypeParam>(), OK);
+    m.expect_places_are_held();
+    EXPECT_TRUE(m.summary.converged && m.is_valid());
+  }
+}
+
+TYPED_TEST(Held_vertices, start_from_a_map_of_the_users)
+{
+  Constrained_mesh m(delaunay_patch(800, 3, wavy));
+  ASSERT_EQ(m.run<TypeParam>(), OK);
+  m.hold_some(20);
+  m.bend(0.03);
+  ASSERT_EQ(m.run<TypeParam>(), OK);
+  const double energy = m.summary.energy;
+  const auto options = np::vertex_is_constrained_map(m.is_held).initial_map(true).summary(std::ref(m.summary));
+  ASSERT_EQ(m.run_with<TypeParam>(options), OK);
+  EXPECT_EQ(m.summary.levels.size(), 1u);
+  EXPECT_LE(m.summary.levels[0].iterations, 2u);
+  EXPECT_LE(m.summary.energy, energy * (1 + 1e-12));
+  m.expect_places_are_held();
+}
+
+TYPED_TEST(Held_vertices, keep_borders_from_meeting)
+{
+  const auto surface = ramp(60, 1.5);
+  Constrained_mesh m(surface);
+  ASSERT_EQ(m.run<TypeParam>(true, 1e-6, true), OK);
+  m.hold_some(100);
+  ASSERT_EQ(m.run<TypeParam>(true, 1e-6, true), OK);
+  m.expect_places_are_held();
+  EXPECT_TRUE(m.is_valid());
+  EXPECT_TRUE(Hierarchical_parameterizer_3<TypeParam>().is_one_to_one_mapping(m.mesh, longest_border(m.mesh), m.uvmap));
+}
+
+TYPED_TEST(Held_vertices, scale_with_the_units)
+{
+  Constrained_mesh m(delaunay_patch(500, 3, wavy)), large(delaunay_patch(500, 3, wavy));
+  ASSERT_EQ(m.run<TypeParam>(), OK);
+  m.hold_some(20);
+  m.bend(0.03);
+  for (const auto v : vertices(m.mesh)) {
+    const auto& p = m.mesh.point(v);
+    large.mesh.point(v) = test_meshes::Kernel::Point_3(1024 * p.x(), 1024 * p.y(), 1024 * p.z());
+    large.uvmap[v] = Kernel_point(1024 * m.uvmap[v].x(), 1024 * m.uvmap[v].y());
+    large.is_held[v] = m.is_held[v];
+  }
+  ASSERT_EQ(m.run<TypeParam>(), OK);
+  ASSERT_EQ(large.run<TypeParam>(), OK);
+  for (const auto v : vertices(m.mesh))
+    EXPECT_EQ(large.uvmap[v], Kernel_point(1024 * m.uvmap[v].x(), 1024 * m.uvmap[v].y()));
+}
+
+TYPED_TEST(Held_vertices, that_contradict_each_other_are_an_error)
+{
+  Constrained_mesh m(grid(10, 10, wavy));
+  const auto corners_of = [&](Mesh::Face_index f) {
+    std::vector<Mesh::Vertex_index> result;
+    for (const auto v : vertices_around_face(m.mesh.halfedge(f), m.mesh))
+      result.push_back(v);
+    return result;
+  };
+  const Mesh::Face_index face(70);
+  const std::vector<Mesh::Vertex_index> corners = corners_of(face);
+  const std::vector<std::vector<Kernel_point>> contradictions = {
+    { Kernel_point(0, 0), Kernel_point(0, 1), Kernel_point(1, 0) },       // negative
+    { Kernel_point(0, 0), Kernel_point(1, 1), Kernel_point(2, 2) },       // degenerate
+  };
+  for (const auto& contradiction : contradictions) {
+    for (int i = 0; i < 3; ++i) {
+      m.is_held[corners[i]] = true;
+      m.uvmap[corners[i]] = contradiction[i];
+    }
+    EXPECT_EQ(m.run<TypeParam>(), ERROR_NO_1_TO_1_MAPPING);
+    EXPECT_EQ(m.summary.error.place, Parameterization_error::FACE);
+    EXPECT_EQ(m.summary.error.index, std::size_t(face));
+    EXPECT_EQ(m.uv(), m.places);
+  }
+  // Two neighbors at one place.
+  m.is_held[corners[2]] = false;
+  m.uvmap[corners[1]] = m.uvmap[corners[0]];
+  EXPECT_EQ(m.run<TypeParam>(), ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(m.summary.error.place, Parameterization_error::FACE);
+  const std::vector<Mesh::Vertex_index> told = corners_of(Mesh::Face_index(m.summary.error.index));
+  EXPECT_TRUE(std::count(told.begin(), told.end(), corners[0]) && std::count(told.begin(), told.end(), corners[1]));
+}
+
+TYPED_TEST(Held_vertices, that_cannot_be_reached_are_an_error_that_names_them)
+{
+  Constrained_mesh m(grid(16, 16, wavy));
+  m.place_border<Circular_border_arc_length_parameterizer_3<Mesh>>(1);
+  Mesh::Vertex_index inside;
+  for (const auto v : vertices(m.mesh))
+    if (!m.mesh.is_border(v))
+      inside = v;
+  m.is_held[inside] = true;
+  m.uvmap[inside] = Kernel_point(3, 3);
+  EXPECT_EQ(m.run<TypeParam>(), ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(m.summary.error.place, Parameterization_error::VERTEX);
+  EXPECT_EQ(m.summary.error.index, std::size_t(inside));
+  EXPECT_EQ(m.uv(), m.places);
+}
+
+TYPED_TEST(Held_vertices, at_no_place_are_an_error)
+{
+  Constrained_mesh m(grid(10, 10, wavy));
+  const Mesh::Vertex_index v(17);
+  m.is_held[v] = true;
+  m.uvmap[v] = Kernel_point(0, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(m.run<TypeParam>(), ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(m.summary.error.place, Parameterization_error::VERTEX);
+  EXPECT_EQ(m.summary.error.index, std::size_t(v));
+  m.is_held[v] = false;
+  EXPECT_EQ(m.run<TypeParam>(), OK);
+
+  for (const double weight : { -1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() }) {
+    m.weight[v] = weight;
+    EXPECT_EQ(m.run<TypeParam>(), ERROR_WRONG_PARAMETER);
+    EXPECT_EQ(m.summary.error.index, std::size_t(v));
+  }
+}
+
+// The greater the weights, the nearer the places, and the higher the energy of the triangles alone. The sum of the
+// energies is reported, divided by the area if triangles are weighted by it.
+TYPED_TEST(Held_vertices, may_be_pulled_by_springs_instead)
+{
+  const Flat_mesh surface = delaunay_patch(800, 3, wavy);
+  Constrained_mesh free(surface);
+  ASSERT_EQ(free.run<TypeParam>(true, 1e-10), OK);
+  const double unit = free.summary.energy > 100 ? 1 : free.area();     // MIPS, or the other
+  double distance = std::numeric_limits<double>::infinity(), energy = unit * free.summary.energy;
+  free.hold_some(20);
+  free.bend(0.05);
+
+  for (const double weight : { 0., 1e-2, 1., 1e2, 1e4, 1e8 }) {
+    Constrained_mesh m(surface);
+    for (const auto v : vertices(m.mesh)) {
+      m.uvmap[v] = free.uvmap[v];
+      m.weight[v] = free.is_held[v] ? weight : 0;
+    }
+    ASSERT_EQ(m.run<TypeParam>(true, 1e-10), OK);
+    EXPECT_TRUE(m.summary.converged && m.is_valid());
+    const double squares = m.squared_distance_to_places();
+    const double energy_of_triangles = unit * m.summary.energy - weight * squares;
+    EXPECT_GE(energy_of_triangles, energy * (1 - 1e-6)) << weight;
+    energy = energy_of_triangles;
+    if (weight > 0) {
+      EXPECT_LT(squares, distance) << weight;
+      distance = squares;
+    }
+  }
+  EXPECT_LT(distance, 1e-9);
+
+  // Infinite weights, as it were.
+  ASSERT_EQ(free.run<TypeParam>(true, 1e-10), OK);
+  EXPECT_NEAR(energy, unit * free.summary.energy, 1e-4 * energy);
+}
+
+// The gradient of the energy with springs is the derivative of its values.
+TEST(Springs, have_the_gradient_of_their_energy)
+{
+  const Flat_mesh surface = grid(6, 5, wavy);
+  Mesh mesh = make<Mesh>(surface);
+  Mesh_component<Mesh> component(mesh, longest_border(mesh));
+  Triangulated_surface_3 flat = component.surface();
+  flat.springs = { { 3, { 0.2, 0.1 }, 5. }, { 20, { -0.3, 0.4 }, 0.7 } };
+  const Collapse_hierarchy_3 hierarchy(flat, np::coarsest_size(1000));
+  const Level level(hierarchy);
+  Level::Uv uv;
+  for (internal::Index v = 0; v < level.number_of_vertices(); ++v)
+    uv.emplace_back(level.point(v).x(), level.point(v).y());
+  const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> alone(level, Triangle_weight::ONE);
+  const internal::Level_energy_with_springs energy(alone, internal::springs(level));
+  EXPECT_NEAR(energy(uv) - alone(uv), energy.energy_of_springs(uv), 1e-9);
+
+  internal::Block_multigrid multigrid(level);
+  internal::Contact_pattern pattern(level.rings());
+  pattern.give_to(multigrid.matrix());
+  internal::Block_vectors gradient(uv.size());
+  energy.assemble(uv, 0, gradient, multigrid.matrix());
+  const double h = 1e-6;
+  for (internal::Index v = 0; v < uv.size(); ++v) {
+    Level::Uv left = uv, right = uv;
+    left[v] = internal::Point_2(uv[v].x() - h, uv[v].y());
+    right[v] = internal::Point_2(uv[v].x() + h, uv[v].y());
+    EXPECT_NEAR(gradient[v].x, (energy(right) - energy(left)) / (2 * h), 1e-5 * (1 + std::abs(gradient[v].x)));
+  }
+}
+
+typedef As_rigid_as_possible_parameterizer_3<Mesh>   ARAP;
+
+TEST(Held_vertices_of_ARAP, keep_their_places)
+{
+  for (const double lambda : { 1000., 0. })
+    for (const bool is_hierarchical : { true, false }) {
+      Constrained_mesh m(delaunay_patch(800, 3, wavy));
+      ASSERT_EQ(m.run<Symmetric_Dirichlet_parameterizer_3<Mesh>>(), OK);
+      m.hold_some(20);
+      m.bend(0.02);
+      const auto options = np::vertex_is_constrained_map(m.is_held).lambda(lambda).summary(std::ref(m.summary));
+      ASSERT_EQ(m.run_with<ARAP>(options, is_hierarchical), OK);
+      EXPECT_TRUE(m.summary.converged && m.is_valid());
+      m.expect_places_are_held();
+    }
+}
+
+// With lambda = 0 and two vertices held, the energy is that of least squares conformal maps, which is quadratic: any two
+// places lead to similar maps.
+TEST(Held_vertices_of_ARAP, pin_a_conformal_map)
+{
+  Constrained_mesh m(delaunay_patch(800, 3, wavy)), turned(delaunay_patch(800, 3, wavy));
+  const auto a = Mesh::Vertex_index(11), b = Mesh::Vertex_index(500);
+  const auto run = [&](Constrained_mesh& one, const Kernel_point& place_of_a, const Kernel_point& place_of_b) {
+    one.is_held[a] = one.is_held[b] = true;
+    one.uvmap[a] = place_of_a;
+    one.uvmap[b] = place_of_b;
+    return one.run_with<ARAP>(np::vertex_is_constrained_map(one.is_held).lambda(0.).tolerance(1e-12).flip_policy(
+        Flip_policy::KEEP));
+  };
+  ASSERT_EQ(run(m, Kernel_point(0, 0), Kernel_point(1, 0)), OK);
+  ASSERT_EQ(run(turned, Kernel_point(1, 2), Kernel_point(1, 4)), OK);
+  for (const auto v : vertices(m.mesh)) {
+    EXPECT_NEAR(turned.uvmap[v].x(), 1 - 2 * m.uvmap[v].y(), 1e-5);
+    EXPECT_NEAR(turned.uvmap[v].y(), 2 + 2 * m.uvmap[v].x(), 1e-5);
+  }
+}
+
+} // namespace
