@@ -58,15 +58,6 @@ public:
     transpose();
   }
 
-  // Makes rows of the fine grid 0, but for those of coarse vertices.
-  void clear_rows(const std::vector<Index>& rows)
-  {
-    for (const Index v : rows)
-      if (v >= m_coarse_size && v < m_rows.size())
-        m_rows[v].weights = { 0, 0, 0 };
-    transpose();
-  }
-
   std::size_t coarse_size() const { return m_coarse_size; }
   std::size_t fine_size() const { return m_rows.size(); }
 

@@ -8,7 +8,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Pruned_prolongation.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Galerkin_product.h>
@@ -43,13 +42,10 @@ public:
     m_grids.emplace_back();
     for (std::size_t l = 0; l <= level.index(); ++l)
       m_group_ends.push_back(Index(m_hierarchy.number_of_vertices(l)));
-    const std::vector<Index> fixed = fixed_vertices(level);
     for (std::size_t fine = level.index(); fine > 0 && m_hierarchy.number_of_vertices(fine) > options.coarsest_size;) {
       const std::size_t coarse = fine > options.groups_per_grid ? fine - options.groups_per_grid : 0;
       m_grids.back().prolongation =
           std::make_unique<Pruned_prolongation>(m_hierarchy, coarse, fine, m_loops, Pruning::TRIANGLE);
-      if (!fixed.empty())
-        m_grids.back().prolongation->clear_rows(fixed);
       m_grids.emplace_back();
       fine = coarse;
     }

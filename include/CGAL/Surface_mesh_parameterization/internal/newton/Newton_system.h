@@ -36,7 +36,7 @@ public:
   }
 
   // Lets no solution move the given vertices. They have to be vertices of the coarsest level, so that all grids have
-  // them, or such whose places are given.
+  // them, or lie on the border between such vertices, from which the grids interpolate there.
   void fix_vertices(std::vector<Index> vertices) { m_fixed = std::move(vertices); }
 
   // The part of what makes them indefinite that the next Hessians keep, see Jacobian_hessian. Without it Newton's
