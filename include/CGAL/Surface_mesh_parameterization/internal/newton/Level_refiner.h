@@ -208,7 +208,7 @@ private:
     Newton_method newton(m_energy, m_barrier.get(), m_options.newton);
     newton.fix_vertices(fixed_vertices(m_level));
     relaxation.set_turn_barrier(newton.turn_barrier());
-    std::vector<double> decreases;      // by the last steps, all but the first of them regular
+    std::vector<double> decreases;      // by the last steps, all of them regular
     while (!m_is_stopped && m_summary.iterations < m_refinement.number_of_iterations && !m_summary.converged) {
       const double negligible =
           m_energy.is_flip_free() ? m_options.negligible_part * m_refinement.tolerance * excess() : 0;
@@ -223,9 +223,10 @@ private:
       if (step.length < m_options.short_step || !is_little(step.decrease, m_options.great_decrease))
         sweep(relaxation);
       const double decrease = step.decrease + step.slack + (before_sweep - m_current);
-      if (!is_regular(step))
+      if (is_regular(step))
+        decreases.push_back(decrease);
+      else
         decreases.clear();
-      decreases.push_back(decrease);
       m_summary.converged = is_little(decrease, least_decrease) || remainder_of(decreases) <= least_decrease * excess();
       tell(part_done(decrease, least_decrease));
     }

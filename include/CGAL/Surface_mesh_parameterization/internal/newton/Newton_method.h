@@ -187,15 +187,16 @@ private:
     double length = (std::min)(1., m_options.part_of_longest_step * longest_step(uv, direction));
     m_trial.resize(uv.size());
     for (int i = 0; i < m_options.most_halvings; ++i, length *= 0.5) {
-      m_level.for_each_vertex(
-          [&](Index v) { m_trial[v] = uv[v] + Vector_2(length * direction[v].x, length * direction[v].y); });
+      go(uv, length, direction, m_trial);
       const double decrease = energy - objective(m_trial);
       if (!(decrease > -m_options.sufficient_decrease * length * slope))
         continue;
-      if (is_valid(uv)) {
+      if (is_valid(uv, m_trial)) {
         uv.swap(m_trial);
         result.decrease = decrease;
         result.length = length;
+        if (!(decrease > m_options.poor_part_of_prediction * -0.5 * length * slope))
+          shorten_step(uv, direction, energy, slope, result);
         return;
       }
       if (m_lost_gaps > 0 && lets_gaps_close())
@@ -203,14 +204,35 @@ private:
     }
   }
 
-  // Whether the trial, to which a step from `uv` led, is a valid map.
-  bool is_valid(const Level::Uv& uv)
+  // After a step that gained little because it went too far: goes back to the minimum of the parabola that has the
+  // slope at its start and the energy at its end, if that is lower.
+  void shorten_step(Level::Uv& uv, const Block_vectors& direction, double energy, double slope, Step& result)
+  {
+    const double promise = -result.length * slope, length = 0.5 * result.length * promise / (promise - result.decrease);
+    Level::Uv trial(uv.size());
+    go(m_trial, length, direction, trial);
+    const double decrease = energy - objective(trial);
+    if (decrease > result.decrease && is_valid(m_trial, trial)) {
+      uv.swap(trial);
+      result.decrease = decrease;
+      result.length = length;
+    }
+  }
+
+  void go(const Level::Uv& start, double length, const Block_vectors& direction, Level::Uv& end) const
+  {
+    m_level.for_each_vertex(
+        [&](Index v) { end[v] = start[v] + Vector_2(length * direction[v].x, length * direction[v].y); });
+  }
+
+  // Whether the map to which a step leads is valid.
+  bool is_valid(const Level::Uv& start, const Level::Uv& end)
   {
     if (!m_energy.is_flip_free())
       return true;
-    m_lost_gaps = m_turn_barrier.number_of_lost_gaps(uv, m_trial);
-    return m_lost_gaps == 0 && is_map_valid(m_level.rings(), m_trial, m_level.loops()) &&
-           (!m_barrier || m_barrier->keeps_apart(m_trial));
+    m_lost_gaps = m_turn_barrier.number_of_lost_gaps(start, end);
+    return m_lost_gaps == 0 && is_map_valid(m_level.rings(), end, m_level.loops()) &&
+           (!m_barrier || m_barrier->keeps_apart(end));
   }
 
   const Level_energy& m_energy;
@@ -219,7 +241,7 @@ private:
   Border_barrier* m_barrier;
   Turn_barrier m_turn_barrier;
   Contacts m_contacts;
-  std::size_t m_lost_gaps = 0;      // by the last trial
+  std::size_t m_lost_gaps = 0;      // by the last step that was tried
   Newton_system m_system;
   Newton_system::Accuracy m_accuracy;
   Level::Uv m_trial;

@@ -22,8 +22,8 @@ struct Newton_options
   // V-cycles than these: almost conformal motions are all that is left then.
   std::size_t most_v_cycles = 9;
   // The coarse grids of an earlier map serve as long as they need no more cycles than these: to make them costs as much
-  // as three. Without coarse grids the matrix is factorized for each map: what the factors of an earlier one miss is
-  // little enough in a cycle to be taken for convergence.
+  // as three. A finest level without coarse grids has its matrix factorized for each map: what the factors of an earlier
+  // one miss is little enough in a cycle to be taken for convergence.
   std::size_t most_cycles_without_setup = 8;
   // The part of what makes the Hessian indefinite that is kept at first, where it is kept: of energies that keep
   // triangles positive, and of others.
@@ -41,6 +41,8 @@ struct Newton_options
   // The line search. A step ends at this part of the way to the first triangle that vanishes, and must lower the energy
   // by that part of what the slope promises.
   double part_of_longest_step = 0.9, sufficient_decrease = 1e-4;
+  // A step that lowers the energy by less than this part of what the model said has gone too far.
+  double poor_part_of_prediction = 0.3;
   int most_halvings = 12;
 
   // The barrier at the full turn comes into being when a step would pass it. Then it may cost that part of what the

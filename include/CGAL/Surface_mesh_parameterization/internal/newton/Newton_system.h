@@ -91,7 +91,8 @@ public:
     const std::vector<double>& scale = m_multigrid.matrix().scale;
     for_each_vertex([&](Index v) { m_residual[v] = -scale[v] * m_gradient[v]; });
     const std::size_t cycles = solve_for_residual(accuracy);
-    m_needs_setup = m_multigrid.is_direct() || cycles > m_options.most_cycles_without_setup;
+    m_needs_setup =
+        (m_multigrid.is_direct() && m_level.is_finest()) || cycles > m_options.most_cycles_without_setup;
     if (cycles > m_options.most_v_cycles && m_energy.is_scale_invariant())
       m_multigrid.use_k_cycles();
     return cycles;
