@@ -7,6 +7,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/Corner_places.h>
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -54,21 +56,29 @@ auto uncut_vertex(Vertex v, const Seam_mesh<TriangleMesh, SeamEdgeMap, SeamVerte
   return target(towards_v, mesh.mesh());
 }
 
-template <class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
-void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, VertexParameterizedMap vpmap)
+// Writes the vertices, and numbers them from 1.
+template <class TriangleMesh, class VertexIndexMap>
+void write_vertices(std::ostream& os, const TriangleMesh& mesh, VertexIndexMap index_of)
 {
-  const auto& uncut = uncut_mesh(mesh);
-  const auto point_map = get(CGAL::vertex_point, uncut);
-  const auto index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), uncut);
-  const auto texture_index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
-  const std::streamsize old_precision = os.precision((std::numeric_limits<double>::max_digits10));
-
-  std::size_t index = 0, texture_index = 0;
-  for (const auto v : vertices(uncut)) {
+  const auto point_map = get(CGAL::vertex_point, mesh);
+  std::size_t index = 0;
+  for (const auto v : vertices(mesh)) {
     const auto& p = get(point_map, v);
     os << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
     put(index_of, v, ++index);
   }
+}
+
+template <class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
+void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, VertexParameterizedMap vpmap)
+{
+  const auto& uncut = uncut_mesh(mesh);
+  const auto index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), uncut);
+  const auto texture_index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+  const std::streamsize old_precision = os.precision((std::numeric_limits<double>::max_digits10));
+
+  write_vertices(os, uncut, index_of);
+  std::size_t texture_index = 0;
   for (const auto v : vertices(mesh))
     if (get(vpmap, v)) {
       const auto& p = get(uvmap, v);
@@ -84,6 +94,29 @@ void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, Ve
       os << ' ' << get(index_of, uncut_vertex(v, mesh));
       if (has_texture)
         os << '/' << get(texture_index_of, v);
+    }
+    os << '\n';
+  }
+  os.precision(old_precision);
+}
+
+template <class TriangleMesh, class HalfedgeUVMap>
+void write_OBJ(std::ostream& os, const TriangleMesh& mesh, HalfedgeUVMap uvmap)
+{
+  const auto index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+  const std::streamsize old_precision = os.precision((std::numeric_limits<double>::max_digits10));
+  const Corner_places corners(mesh, uvmap);
+
+  write_vertices(os, mesh, index_of);
+  std::size_t corner = 0;
+  for (const Corner_places::Place& place : corners.places)
+    os << "vt " << place.uv.x() << ' ' << place.uv.y() << '\n';
+  for (const auto f : faces(mesh)) {
+    os << 'f';
+    for (const auto v : vertices_around_face(halfedge(f, mesh), mesh)) {
+      os << ' ' << get(index_of, v);
+      if (const Index place = corners.place_of[corner++]; place != no_index)
+        os << '/' << place + 1;
     }
     os << '\n';
   }
@@ -115,6 +148,28 @@ void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, Ve
                            internal::Readable_uv_map_check<VertexUVMap, TriangleMesh>>   Check;
   if constexpr (Check::value)
     internal::write_OBJ(os, mesh, uvmap, vpmap);
+  else
+    Check::tell();
+}
+
+/// \ingroup PkgHierarchicalParameterizationIO
+///
+/// writes a mesh with a place for every corner, as `atlas_parameterization()` makes it, as Wavefront OBJ: `v` lines and
+/// faces in the order of `vertices(mesh)` and `faces(mesh)`. Only the texture coordinates are cut: corners of a vertex
+/// that have the same place share a `vt` line, and a vertex on a seam has several.
+///
+/// \param os the stream; its state tells whether writing succeeded
+/// \param mesh a model of `FaceListGraph` with an internal vertex point map
+/// \param uvmap a readable property map from halfedges to points of the plane: the place of the corner to which a
+///        halfedge leads in its face. A face with a corner whose place is not finite is written without texture
+///        coordinates
+template <class TriangleMesh, class HalfedgeUVMap>
+void write_OBJ(std::ostream& os, const TriangleMesh& mesh, HalfedgeUVMap uvmap)
+{
+  typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
+                           internal::Halfedge_uv_map_check<HalfedgeUVMap, TriangleMesh, true>>   Check;
+  if constexpr (Check::value)
+    internal::write_OBJ(os, mesh, uvmap);
   else
     Check::tell();
 }

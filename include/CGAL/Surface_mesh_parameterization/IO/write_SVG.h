@@ -10,6 +10,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -123,6 +126,27 @@ private:
   CGAL::Bbox_2 m_box;
 };
 
+// A face with its image, by a map from halfedges or from vertices.
+template <class Face, class TriangleMesh, class UVMap>
+Mapped_triangle mapped_triangle(Face f, const TriangleMesh& mesh, UVMap uvmap)
+{
+  if constexpr (Readable_uv_map_check<UVMap, TriangleMesh>::value)
+    return Mapped_triangle(f, mesh, uvmap);
+  else {
+    const auto point_map = get(CGAL::vertex_point, mesh);
+    std::array<Point_3, 3> points;
+    std::array<Point_2, 3> uv;
+    std::size_t i = 0;
+    for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh)) {
+      const auto& p = get(point_map, target(h, mesh));
+      const auto& q = get(uvmap, h);
+      points[i] = Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+      uv[i++] = Point_2(CGAL::to_double(q.x()), CGAL::to_double(q.y()));
+    }
+    return Mapped_triangle(points, uv);
+  }
+}
+
 } // namespace internal
 
 namespace IO {
@@ -135,16 +159,18 @@ namespace IO {
 /// \param os the stream; its state tells whether writing succeeded
 /// \param mesh a triangle mesh, a model of `FaceGraph` with an internal vertex point map
 /// \param face_range the faces to draw; their map must be positive
-/// \param uvmap a readable property map from vertices to points of the plane
-template <class TriangleMesh, class FaceRange, class VertexUVMap>
-void write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face_range, VertexUVMap uvmap)
+/// \param uvmap a readable property map from vertices to points of the plane, or from halfedges: then it has the place
+///        of the corner to which a halfedge leads in its face, as `atlas_parameterization()` makes it
+template <class TriangleMesh, class FaceRange, class UVMap>
+void write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face_range, UVMap uvmap)
 {
   typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
-                           internal::Readable_uv_map_check<VertexUVMap, TriangleMesh>>   Check;
+                           std::disjunction<internal::Halfedge_uv_map_check<UVMap, TriangleMesh, true>,
+                                            internal::Readable_uv_map_check<UVMap, TriangleMesh>>>   Check;
   if constexpr (Check::value) {
     internal::Triangle_drawing drawing;
     for (const auto f : face_range) {
-      const internal::Mapped_triangle t(f, mesh, uvmap);
+      const internal::Mapped_triangle t = internal::mapped_triangle(f, mesh, uvmap);
       drawing.add(t.uv, internal::Map_invariants(t).angle_distortion());
     }
     drawing.write(os);

@@ -1,0 +1,156 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_ATLAS_QUALITY_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_ATLAS_QUALITY_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+namespace internal {
+
+// Triangle f of an atlas, with its image.
+inline Mapped_triangle mapped_triangle(const Atlas& atlas, Index f)
+{
+  std::array<Point_3, 3> points;
+  std::array<Point_2, 3> uv;
+  for (Index i = 0; i < 3; ++i) {
+    const Index v = atlas.mesh.vertex[3 * f + i];
+    points[i] = atlas.mesh.points[v];
+    uv[i] = atlas.uv[v];
+  }
+  return Mapped_triangle(points, uv);
+}
+
+// The number of pairs of some triangles that overlap, within charts and between them. Where there is no flip and one
+// chart, its borders tell mostly that there is none.
+inline std::size_t number_of_overlapping_pairs(const Atlas& atlas, const std::vector<Index>& faces, bool has_flips)
+{
+  std::vector<Border_edge> edges;
+  std::vector<Triangle_2> triangles;
+  for (const Index f : faces) {
+    for (Index h = 3 * f; h < 3 * f + 3 && !has_flips; ++h)
+      if (atlas.mesh.is_border(h))
+        edges.push_back({ atlas.mesh.source(h), atlas.mesh.target(h) });
+    triangles.push_back(mapped_triangle(atlas, f).uv);
+  }
+  return !has_flips && are_borders_one_to_one(edges, atlas.uv) ? 0 : number_of_overlapping_pairs(triangles);
+}
+
+inline Parameterization_quality quality(const Atlas& atlas, const std::vector<Index>& faces)
+{
+  Unit_scale scale;
+  for (const Index f : faces)
+    scale.include(mapped_triangle(atlas, f));
+  Quality_sums sums(scale);
+  std::vector<Index> finite_faces;
+  for (const Index f : faces) {
+    const Mapped_triangle t = mapped_triangle(atlas, f);
+    sums.add(t);
+    if (t.is_finite())
+      finite_faces.push_back(f);
+  }
+  Parameterization_quality result = sums.quality();
+  result.overlaps = number_of_overlapping_pairs(atlas, finite_faces, result.flips > 0);
+  return result;
+}
+
+// Reads a mesh, and the places of some of its faces. Returns the numbers of these faces; none if the mesh cannot be
+// read.
+template <class TriangleMesh, class FaceRange, class HalfedgeUVMap>
+std::vector<Index> read_map(const TriangleMesh& mesh, const FaceRange& face_range, HalfedgeUVMap uvmap, Atlas& atlas)
+{
+  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor   edge_descriptor;
+  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();     // shares no place with a neighbor
+  std::vector<Index> measured;
+  if (read_corner_mesh(mesh, CGAL::Constant_property_map<edge_descriptor, bool>(false), atlas.mesh).code != OK)
+    return measured;
+  const auto is_measured = get(CGAL::dynamic_face_property_t<bool>(), mesh);
+  for (const auto f : faces(mesh))
+    put(is_measured, f, false);
+  for (const auto f : face_range)
+    put(is_measured, f, true);
+
+  std::vector<Point_2> corners;
+  for_each_corner(mesh, [&](auto h, Index i) {
+    if (!get(is_measured, face(h, mesh))) {
+      corners.emplace_back(nowhere, nowhere);
+      return;
+    }
+    const auto& p = get(uvmap, h);
+    corners.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+    if (i % 3 == 0)
+      measured.push_back(i / 3);
+  });
+  make_charts(corners, atlas);
+  return measured;
+}
+
+} // namespace internal
+
+/// \ingroup PkgHierarchicalParameterizationAtlas
+///
+/// measures the map of some faces that has a place for every corner, as `atlas_parameterization()` makes it: over all
+/// charts. Overlaps are those within charts and between them.
+///
+/// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map
+/// \param face_range the faces to measure, at least one
+/// \param uvmap a readable property map from halfedges to points of the plane: the place of the corner to which a
+///        halfedge leads in its face
+template <class TriangleMesh, class FaceRange, class HalfedgeUVMap>
+Parameterization_quality atlas_quality(const TriangleMesh& mesh, const FaceRange& face_range, HalfedgeUVMap uvmap)
+{
+  typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
+                           internal::Halfedge_uv_map_check<HalfedgeUVMap, TriangleMesh, true>>   Check;
+  Parameterization_quality result;
+  if constexpr (Check::value) {
+    internal::Atlas atlas;
+    const std::vector<internal::Index> measured = internal::read_map(mesh, face_range, uvmap, atlas);
+    if (!measured.empty())
+      result = internal::quality(atlas, measured);
+  } else
+    Check::tell();
+  return result;
+}
+
+/// \ingroup PkgHierarchicalParameterizationAtlas
+///
+/// measures the map of all faces of a mesh.
+template <class TriangleMesh, class HalfedgeUVMap>
+Parameterization_quality atlas_quality(const TriangleMesh& mesh, HalfedgeUVMap uvmap)
+{
+  if constexpr (internal::Mesh_check<TriangleMesh>::value)
+    return atlas_quality(mesh, faces(mesh), uvmap);
+  else {
+    internal::Mesh_check<TriangleMesh>::tell();
+    return Parameterization_quality();
+  }
+}
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_ATLAS_QUALITY_H
