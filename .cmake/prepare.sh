@@ -41,7 +41,8 @@ install_missing() {
 # CMake by itself would keep the one of the last time.
 configure() { cmake -G Ninja -S "$root" -B "$1" -U CGAL_DIR "${@:2}"; }
 
-build_packages=(g++ ninja-build cmake libcgal-dev libeigen3-dev nlohmann-json3-dev libtbb-dev libboost-program-options-dev)
+build_packages=(g++ ninja-build cmake libcgal-dev libeigen3-dev nlohmann-json3-dev libtbb-dev libtinygltf-dev
+  libboost-program-options-dev)
 
 # clang with its sanitizers, which some releases have in a package of their own.
 install_clang() {

@@ -10,6 +10,7 @@
 #include "errors.h"
 #include "has_suffix.h"
 #include "options.h"
+#include "write_GLB.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -72,7 +73,10 @@ bool is_standard_output_taken(const Options& options)
 
 void check_files(const Options& options)
 {
-  check_suffix("--output", options.output, { ".obj", ".ply" });
+  check_suffix("--output", options.output, { ".obj", ".ply", ".glb" });
+  if (has_suffix(options.output, ".glb") && !can_write_GLB())
+    throw Usage_error{ "--output: '" + options.output + "' needs TinyGLTF (libtinygltf-dev in Debian), without which "
+                       "this program was built" };
   check_suffix("--picture", options.picture, { ".svg" });
 
   const std::vector<Named_place> outputs = output_places(options);

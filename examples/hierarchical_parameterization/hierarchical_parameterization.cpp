@@ -7,14 +7,12 @@
 #include "check_files.h"
 #include "errors.h"
 #include "input.h"
+#include "lay_out.h"
 #include "one_line.h"
 #include "options.h"
 #include "report.h"
 #include "write_file.h"
 #include "write_map.h"
-
-#include <CGAL/Surface_mesh_parameterization/error_message.h>
-#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/assertions_behaviour.h>
@@ -45,18 +43,31 @@ void print_error(const std::string& name, const std::string& message)
   std::cerr << one_line(name + ": " + message) << '\n';
 }
 
-void print_summary(const Input& input, const Run_record& run, std::FILE* out)
+std::string atlas_text(const SMP::Atlas_summary& atlas)
+{
+  char text[128];
+  std::snprintf(text, sizeof text, "%zu chart%s, seams of length %.6g, %.2f of the square used, ", atlas.charts.size(),
+                atlas.charts.size() == 1 ? "" : "s", atlas.cut.seam_length, atlas.used_part);
+  return text;
+}
+
+void print_summary(const Input& input, const Options& options, const Run_record& run)
 {
   const std::string name = one_line(input.name);
-  if (input.number_of_components > 1)
+  if (input.number_of_components > 1 && !options.takes_all_components)
     std::cerr << name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
-  const std::string levels = run.summary.levels.empty() ? "" : std::to_string(run.summary.levels.size()) + " levels, ";
-  std::fprintf(out,
+  if (input.number_of_pieces > 0)
+    std::cerr << name << ": has " << input.number_of_pieces
+              << " components whose borders coincide with those of others; --stitch joins them\n";
+  const std::string levels = run.summary.levels.empty() || run.atlas
+                                 ? ""
+                                 : std::to_string(run.summary.levels.size()) + " levels, ";
+  std::fprintf(is_standard_output_taken(options) ? stderr : stdout,
                "%s: %zu triangles, %s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %zu "
                "overlapping pairs, %.3f s\n",
-               name.c_str(), input.faces.size(), levels.c_str(), run.summary.converged ? "converged" : "not converged",
-               run.quality->mips, run.quality->mips_excess, run.quality->symmetric_dirichlet, run.quality->flips,
-               run.quality->overlaps, run.summary.seconds_hierarchy + run.summary.seconds_parameterize);
+               name.c_str(), input.faces.size(), (run.atlas ? atlas_text(*run.atlas) : levels).c_str(),
+               run.summary.converged ? "converged" : "not converged", run.quality->mips, run.quality->mips_excess,
+               run.quality->symmetric_dirichlet, run.quality->flips, run.quality->overlaps, run.seconds_of_map());
 }
 
 // What is printed may be buffered: whether it arrives is known at the end only.
@@ -65,13 +76,6 @@ void finish_standard_output()
   std::cout.flush();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) || !std::cout)
     throw std::runtime_error("the standard output cannot be written");
-}
-
-// The advice is what the user has not tried.
-std::string flips_message(std::size_t flips, SMP::Flip_policy policy)
-{
-  return "the map has " + std::to_string(flips) + " triangles flipped" +
-         (policy == SMP::Flip_policy::FAIL ? "; --flips repair or keep" : " that cannot be repaired; --flips keep");
 }
 
 // Both files, or none.
@@ -90,34 +94,19 @@ void run_input(const std::string& file, const Options& options, Input& input, Ru
 {
   CGAL::Real_timer timer;
   timer.start();
-  read_input(file, options.triangulate, input);
+  read_input(file, options, input);
   run.seconds_read = timer.time();
 
   if (!options.levels.empty())
     std::filesystem::create_directories(options.levels);
-  input.uvmap = input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
-  if (!options.start.empty())
-    read_start(options.start, input);
-  run.summary = options.method->run(input, options);
-  if (run.summary.error.code == SMP::ERROR_NO_1_TO_1_MAPPING && run.summary.flips > 0)
-    throw Method_error{ flips_message(run.summary.flips, options.flip_policy), SMP::ERROR_NO_1_TO_1_MAPPING };
-  if (run.summary.error.code != SMP::OK)
-    throw Method_error{ SMP::error_message(run.summary.error), run.summary.error.code };
-  const SMP::Parameterization_quality quality = SMP::parameterization_quality(input.mesh, input.faces, input.uvmap);
-  if (quality.flips > 0 && options.method->is_flip_free)
-    throw Method_error{ "no map without flips was found: " + std::to_string(quality.flips) +
-                            " triangles are not positive",
-                        SMP::ERROR_NO_1_TO_1_MAPPING };
-  if (quality.overlaps > 0 && options.is_globally_injective)
-    throw Method_error{ "no map without overlaps was found: " + std::to_string(quality.overlaps) +
-                            " pairs of triangles overlap",
-                        SMP::ERROR_NO_1_TO_1_MAPPING };
+  lay_out(input, options, run);
 
   const double seconds_before_writing = timer.time();
   write_files(options, input);
   run.seconds_write = timer.time() - seconds_before_writing;
-  run.quality = quality;
-  run.status = run.summary.converged ? "ok" : "not_converged";
+  if (!options.quiet)
+    print_summary(input, options, run);
+  check_complete(input, options, run);
 }
 
 // Runs one input; appends its line to the report.
@@ -136,8 +125,6 @@ Exit_status run(const std::string& file, const Options& options, std::string& re
   Exit_status exit_status = WRITTEN;
   try {
     run_input(file, options, input, run);
-    if (!options.quiet)
-      print_summary(input, run, is_standard_output_taken(options) ? stderr : stdout);
   } catch (const Input_error& error) {
     exit_status = fail(BAD_INPUT, error.code == SMP::OK ? "unreadable" : error_name(error.code), error.message);
   } catch (const Method_error& error) {
@@ -159,6 +146,7 @@ Exit_status run(const std::string& file, const Options& options, std::string& re
   run.vertices = input.mesh.number_of_vertices();
   run.faces = input.mesh.number_of_faces();
   run.borders = input.number_of_borders;
+  run.components = input.number_of_components;
   report += report_line(run);
   return exit_status;
 }

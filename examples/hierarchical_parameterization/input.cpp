@@ -7,11 +7,12 @@
 
 #include "../Surface_mesh_parameterization/face_mesh.h"
 #include "Polygon_soup.h"
+#include "components.h"
 #include "has_suffix.h"
+#include "stitch.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/longest_border.h>
 
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/utility.h>
@@ -115,9 +116,11 @@ void triangulate(Polygon_soup& soup)
         CGAL::parameters::use_delaunay_triangulation(false).use_2d_constrained_delaunay_triangulation(false));
     if (!is_triangulation(triangles, int(polygon.size())))
       throw Input_error{ face_text(f) + " cannot be triangulated", SMP::ERROR_NON_TRIANGULAR_MESH };
-    for (const CGAL::Triple<int, int, int>& t : triangles)
-      result.push_back(
-          { polygon[std::size_t(t.first)], polygon[std::size_t(t.second)], polygon[std::size_t(t.third)] });
+    for (const CGAL::Triple<int, int, int>& t : triangles) {
+      result.emplace_back();
+      for (const int corner : { t.first, t.second, t.third })
+        result.back().push_back(polygon[std::size_t(corner)]);
+    }
   }
   soup.polygons = std::move(result);
 }
@@ -160,39 +163,74 @@ Mesh built_in_face()
   return mesh;
 }
 
-void choose_component(Input& input)
+namespace {
+
+const Component& largest(const std::vector<Component>& components)
 {
-  const Mesh& mesh = input.mesh;
-  auto component_of = input.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component").first;
-  input.number_of_components = CGAL::Polygon_mesh_processing::connected_components(mesh, component_of);
-
-  std::vector<std::size_t> sizes(input.number_of_components, 0);
-  for (const Mesh::Face_index f : mesh.faces())
-    ++sizes[component_of[f]];
-  const std::size_t largest = std::size_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
-  for (const Mesh::Face_index f : mesh.faces())
-    if (component_of[f] == largest)
-      input.faces.push_back(f);
-
-  const auto longest = SMP::internal::longest_border(mesh, [&](Mesh::Halfedge_index h) {
-    return component_of[mesh.face(mesh.opposite(h))] == largest;
+  return *std::max_element(components.begin(), components.end(), [](const Component& a, const Component& b) {
+    return a.faces.size() < b.faces.size();
   });
-  input.border = longest.halfedge;
-  input.number_of_borders = longest.number_of_borders;
-  input.mesh.remove_property_map(component_of);
-  if (input.number_of_borders == 0)
-    throw Input_error{ "is closed: a surface needs a border to be laid out; cut it open first, by leaving out a face "
-                       "or by doubling the vertices along a path of edges",
-                       SMP::ERROR_NO_TOPOLOGICAL_DISC };
 }
 
-void read_input(const std::string& file, bool is_triangulated, Input& input)
+void take_as_chart(const Component& component, Input& input)
+{
+  if (component.number_of_borders == 0)
+    throw Input_error{ "is closed: a chart needs a border; --cut auto makes one, or cut it open first, by leaving out a "
+                       "face or by doubling the vertices along a path of edges",
+                       SMP::ERROR_NO_TOPOLOGICAL_DISC };
+  input.faces = component.faces;
+  input.number_of_borders = component.number_of_borders;
+  std::vector<bool> is_inside(input.mesh.number_of_faces(), false);
+  for (const Mesh::Face_index f : component.faces)
+    is_inside[f] = true;
+  input.border = SMP::internal::longest_border(input.mesh, [&](Mesh::Halfedge_index h) {
+    return is_inside[input.mesh.face(input.mesh.opposite(h))];
+  }).halfedge;
+}
+
+void take_as_atlas(const std::vector<Component>& components, bool cuts, Input& input)
+{
+  input.is_atlas = true;
+  for (const Component& c : components)
+    if (c.needs_cut() && !cuts)
+      input.left_out.push_back(c.faces.front());
+    else {
+      input.faces.insert(input.faces.end(), c.faces.begin(), c.faces.end());
+      input.number_of_borders += c.number_of_borders;
+    }
+  if (input.faces.empty())
+    throw Input_error{ "has closed components and such with handles only; --cut auto cuts them",
+                       SMP::ERROR_NO_TOPOLOGICAL_DISC };
+  std::sort(input.faces.begin(), input.faces.end());
+}
+
+} // namespace
+
+void choose_component(Input& input)
+{
+  const std::vector<Component> components = find_components(input.mesh);
+  input.number_of_components = components.size();
+  take_as_chart(largest(components), input);
+}
+
+void read_input(const std::string& file, const Input_options& options, Input& input)
 {
   if (file.empty())
     input.mesh = built_in_face();
   else
-    input.mesh = read_mesh(file, is_triangulated);
-  choose_component(input);
+    input.mesh = read_mesh(file, options.is_triangulated);
+  if (options.is_stitched)
+    stitch(input.mesh);
+  std::vector<Component> components = find_components(input.mesh);
+  input.number_of_components = components.size();
+  if (components.size() > 1 && !options.is_stitched)
+    input.number_of_pieces = number_of_separate_pieces(input.mesh);
+  if (!options.takes_all_components)
+    components = { largest(components) };
+  if (components.size() == 1 && !(components[0].needs_cut() && options.cuts))
+    take_as_chart(components[0], input);
+  else
+    take_as_atlas(components, options.cuts, input);
 }
 
 void read_start(const std::string& file, Input& input)

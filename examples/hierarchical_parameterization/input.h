@@ -25,23 +25,38 @@ Mesh read_mesh(const std::string& file, bool is_triangulated);
 // Without a file: see face_mesh.h.
 Mesh built_in_face();
 
-// A mesh, and the part of it that is parameterized: its largest component.
+// What of a file is parameterized.
+struct Input_options
+{
+  bool is_triangulated = false;          // polygons are cut into triangles
+  bool is_stitched = false;              // borders that coincide are joined
+  bool takes_all_components = false;     // or the one with the most faces
+  bool cuts = false;                     // components that are closed or have handles
+};
+
+// A mesh, and the part of it that is parameterized: as one chart, whose map gives the vertices places, or as an atlas,
+// whose map gives the corners of the faces places.
 struct Input
 {
   std::string name;
   Mesh mesh;
-  std::vector<Mesh::Face_index> faces;     // of the largest component
-  Mesh::Halfedge_index border;             // on its longest border
-  UV_map uvmap;                            // of the vertices; a method fills it in
-  std::size_t number_of_borders = 0;
-  std::size_t number_of_components = 0;
+  std::vector<Mesh::Face_index> faces;     // that are parameterized
+  bool is_atlas = false;
+  Mesh::Halfedge_index border;             // of one chart: on its longest border
+  UV_map uvmap;                            // of one chart; a method fills it in
+  Corner_map corner_map;                   // of an atlas; no corner of a face that has no map has a finite place
+  std::size_t number_of_borders = 0;       // of the part, before it is cut
+  std::size_t number_of_components = 0;    // of the mesh
+  std::size_t number_of_pieces = 0;        // components that is_stitched would join with others
+  std::vector<Mesh::Face_index> left_out;  // a face of each component that would have to be cut, but may not be
 };
 
-// Finds the component with the most faces and its borders.
+// Takes the component with the most faces as one chart. Throws an Input_error if it is closed.
 void choose_component(Input& input);
 
-// The named file, the standard input, or the built-in face if there is no name. Throws an Input_error.
-void read_input(const std::string& file, bool is_triangulated, Input& input);
+// The named file, the standard input, or the built-in face if there is no name. One component that needs no cut becomes
+// one chart, whatever the options are. Throws an Input_error.
+void read_input(const std::string& file, const Input_options& options, Input& input);
 
 // Reads the places of the input's vertices into its uvmap: from PLY with the vertex properties u and v, or s and t, or
 // from OBJ with texture coordinates that do not differ at the corners of a vertex.

@@ -18,22 +18,30 @@ const std::vector<Method>& methods()
   static const std::size_t newton_steps = SMP::Refinement_options().number_of_iterations;
   constexpr std::size_t linear_steps = 300;
   static const std::vector<Method> all = {
-    { "mips", "least distortion of angles, free border", run_mips, true, 1e-6, newton_steps, one, true, true },
-    { "symmetric-dirichlet", "least distortion of lengths, free border", run_symmetric_dirichlet, true, 1e-6,
-      newton_steps, area, true, true },
-    { "uniform", "every vertex the mean of its neighbors, border on a circle", run_uniform, false, 1e-8, linear_steps, one },
-    { "chordal", "the same, weighted by the inverse lengths of the edges", run_chordal, false, 1e-8, linear_steps, one },
-    { "harmonic", "the same, weighted by cotangents", run_harmonic, false, 1e-8, linear_steps, one },
-    { "shape-preserving", "the same, by Floater's weights", run_shape_preserving, false, 1e-8, linear_steps, one },
-    { "barycentric", "CGAL's Tutte map, border on a circle", run_barycentric, false, 1e-10, linear_steps, one, false },
-    { "mean-value", "CGAL's mean value coordinates, border on a circle", run_mean_value, false, 1e-10, linear_steps, one,
-      false },
-    { "conformal", "CGAL's discrete conformal map, border on a circle", run_conformal, false, 1e-10, linear_steps, one, false },
-    { "authalic", "CGAL's discrete authalic map, border on a circle", run_authalic, false, 1e-10, linear_steps, one, false },
-    { "iterative-authalic", "CGAL's iterative authalic map, border on a circle", run_iterative_authalic, false, 1e-10,
+    { "mips", "least distortion of angles, free border", run_mips, run_mips_atlas, true, 1e-6, newton_steps, one, true,
+      true },
+    { "symmetric-dirichlet", "least distortion of lengths, free border", run_symmetric_dirichlet,
+      run_symmetric_dirichlet_atlas, true, 1e-6, newton_steps, area, true, true },
+    { "uniform", "every vertex the mean of its neighbors, border on a circle", run_uniform, run_uniform_atlas, false,
+      1e-8, linear_steps, one },
+    { "chordal", "the same, weighted by the inverse lengths of the edges", run_chordal, run_chordal_atlas, false, 1e-8,
+      linear_steps, one },
+    { "harmonic", "the same, weighted by cotangents", run_harmonic, run_harmonic_atlas, false, 1e-8, linear_steps, one },
+    { "shape-preserving", "the same, by Floater's weights", run_shape_preserving, run_shape_preserving_atlas, false,
+      1e-8, linear_steps, one },
+    { "barycentric", "CGAL's Tutte map, border on a circle", run_barycentric, run_barycentric_atlas, false, 1e-10,
       linear_steps, one, false },
-    { "lscm", "CGAL's least squares conformal map, free border", run_lscm, false, 1e-10, linear_steps, one, false },
-    { "arap", "as rigid as possible, free border", run_arap, false, 1e-6, newton_steps, area, true, true }
+    { "mean-value", "CGAL's mean value coordinates, border on a circle", run_mean_value, run_mean_value_atlas, false,
+      1e-10, linear_steps, one, false },
+    { "conformal", "CGAL's discrete conformal map, border on a circle", run_conformal, run_conformal_atlas, false, 1e-10,
+      linear_steps, one, false },
+    { "authalic", "CGAL's discrete authalic map, border on a circle", run_authalic, run_authalic_atlas, false, 1e-10,
+      linear_steps, one, false },
+    { "iterative-authalic", "CGAL's iterative authalic map, border on a circle", run_iterative_authalic,
+      run_iterative_authalic_atlas, false, 1e-10, linear_steps, one, false },
+    { "lscm", "CGAL's least squares conformal map, free border", run_lscm, run_lscm_atlas, false, 1e-10, linear_steps,
+      one, false },
+    { "arap", "as rigid as possible, free border", run_arap, run_arap_atlas, false, 1e-6, newton_steps, area, true, true }
   };
   return all;
 }

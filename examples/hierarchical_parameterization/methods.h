@@ -6,6 +6,8 @@
 #ifndef METHODS_H
 #define METHODS_H
 
+#include "Mesh.h"
+
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
@@ -13,6 +15,12 @@
 #include <cstddef>
 #include <string>
 #include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+struct Atlas_summary;
+
+} // namespace CGAL::Surface_mesh_parameterization
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
@@ -34,11 +42,16 @@ struct Method_options
 // Fills in the map of the input. May throw a Usage_error.
 typedef SMP::Parameterization_summary Run_method(Input&, const Method_options&);
 
+// Cuts a whole mesh, lays out its charts, and packs them. Runs of one chart only, and what they need, are no matter
+// here: the options `levels`, `start` and `flat`.
+typedef SMP::Atlas_summary Run_atlas(const Mesh&, Corner_map, const Method_options&);
+
 // A method that --method can name. A new one is a row in methods().
 struct Method
 {
   std::string name, description;
   Run_method* run;
+  Run_atlas* run_atlas;
   bool is_flip_free;                          // whether flips are a failure
   double tolerance;                           // the defaults of the options
   std::size_t iterations;
@@ -57,5 +70,9 @@ Run_method run_mips, run_symmetric_dirichlet;
 Run_method run_uniform, run_chordal, run_harmonic, run_shape_preserving;
 Run_method run_barycentric, run_mean_value, run_conformal, run_authalic, run_iterative_authalic, run_lscm;
 Run_method run_arap;
+Run_atlas run_mips_atlas, run_symmetric_dirichlet_atlas, run_arap_atlas;
+Run_atlas run_uniform_atlas, run_chordal_atlas, run_harmonic_atlas, run_shape_preserving_atlas;
+Run_atlas run_barycentric_atlas, run_mean_value_atlas, run_conformal_atlas, run_authalic_atlas;
+Run_atlas run_iterative_authalic_atlas, run_lscm_atlas;
 
 #endif // METHODS_H

@@ -28,27 +28,53 @@ std::string list_of_methods(const std::string& separator, const Describe& descri
   return list;
 }
 
+// Which part of a mesh is laid out, and whether it may be cut: what the command line says, or the defaults.
+void read_part(const std::string& components, const std::string& cut, Options& options)
+{
+  if (!components.empty() && components != "all" && components != "largest")
+    throw Usage_error{ "unknown components '" + components + "'; there are: all, largest" };
+  if (!cut.empty() && cut != "auto" && cut != "none")
+    throw Usage_error{ "unknown way to cut '" + cut + "'; there are: auto, none" };
+  const std::string option_of_one_chart = options.flat              ? "--flat"
+                                          : !options.levels.empty() ? "--levels"
+                                          : !options.start.empty()  ? "--start"
+                                                                    : "";
+  if (!option_of_one_chart.empty() && (components == "all" || cut == "auto"))
+    throw Usage_error{ (components == "all" ? "--components all" : "--cut auto") + std::string(": not with ") +
+                       option_of_one_chart + ", which takes one chart" };
+  options.takes_all_components = components.empty() ? option_of_one_chart.empty() : components == "all";
+  options.cuts = cut.empty() ? option_of_one_chart.empty() : cut == "auto";
+}
+
 } // namespace
 
 bool read_options(int argc, char** argv, Options& options)
 {
   namespace po = boost::program_options;
-  std::string method, weights, flips;
+  std::string method, weights, flips, components, cut;
   po::options_description described("Options");
   auto add = described.add_options();
   add("help,h", "print this text");
   add("version", "print the version");
   add("method", po::value(&method)->default_value("mips"), "one of those above");
   add("output", po::value(&options.output),
-      "write the mesh with its map as OBJ, or as PLY with the vertex properties u and v; as OBJ if the name has no "
-      "ending");
+      "write the mesh with its map as OBJ, PLY or binary glTF (.glb); as OBJ if the name has no ending. PLY has the "
+      "vertex properties u and v, or the list texcoord of each face if corners of a vertex may have several places");
+  add("components", po::value(&components),
+      "all (default): lay out every component, and pack the charts into the unit square; or largest: the one with the "
+      "most faces. The default is largest with --flat, --levels and --start, which take one chart");
+  add("cut", po::value(&cut),
+      "auto (default): cut components that are closed or have handles along short seams; or none: leave them out. The "
+      "default is none with --flat, --levels and --start");
+  add("stitch", po::bool_switch(&options.is_stitched),
+      "join borders whose points coincide, as where every face has points of its own");
   add("start", po::value(&options.start),
       "mips, symmetric-dirichlet, arap: start from the map that this file has for the vertices of INPUT: PLY with u and "
       "v, or OBJ, as --output writes them");
   add("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion");
   add("report", po::value(&options.report), "write figures as JSON, one line per input");
   add("levels", po::value(&options.levels), "write every level of the hierarchy as OBJ into this folder");
-  add("triangulate", po::bool_switch(&options.triangulate), "cut faces of more than three corners into triangles");
+  add("triangulate", po::bool_switch(&options.is_triangulated), "cut faces of more than three corners into triangles");
   add("flat", po::bool_switch(&options.flat),
       "run the method without the hierarchy; those of CGAL as they are shipped");
   add("tolerance", po::value(&options.tolerance),
@@ -88,11 +114,14 @@ bool read_options(int argc, char** argv, Options& options)
   if (values.count("help")) {
     std::cout << "Usage: hierarchical_parameterization [INPUT ...] [OPTION ...]\n\n"
                  "Lays triangulated surfaces (OFF, OBJ, PLY or STL) in the plane, coarse to fine.\n"
+                 "One component that has a border and no handles becomes one chart. Anything else becomes an atlas: cut "
+                 "into charts, all at one scale, in the unit square.\n"
                  "Without INPUT: a built-in face of 1042 vertices. INPUT may be -, the standard input.\n"
                  "The file of --output, --picture or --report may be -, the standard output; the summary goes to "
                  "stderr then.\n\n"
                  "Examples:\n"
                  "  hierarchical_parameterization scan.ply --output scan.obj --picture map.svg\n"
+                 "  hierarchical_parameterization --method symmetric-dirichlet statue.stl --output statue.glb\n"
                  "  hierarchical_parameterization --method symmetric-dirichlet --globally-injective scan.ply --output "
                  "map.ply\n"
                  "  find charts -name '*.off' | xargs -P 8 -n 100 hierarchical_parameterization --quiet --threads 1\n\n"
@@ -105,7 +134,7 @@ bool read_options(int argc, char** argv, Options& options)
               << described
               << "\n"
                  "Exit status: 0 maps written, 1 wrong usage, 2 an input cannot be read or is no surface to "
-                 "parameterize, 3 a method failed or a file cannot be written.\n";
+                 "parameterize, or a part of it was left out, 3 a method failed or a file cannot be written.\n";
     return false;
   }
   if (values.count("version")) {
@@ -140,6 +169,7 @@ bool read_options(int argc, char** argv, Options& options)
     throw Usage_error{ "--start: not with --flat" };
   if (!options.start.empty() && !options.levels.empty())
     throw Usage_error{ "--start: the levels below the finest, which --levels writes, have no maps then" };
+  read_part(components, cut, options);
   if (options.threads < 0)
     throw Usage_error{ "the number of threads must not be negative" };
   if (!options.levels.empty() && !options.method->has_levels)

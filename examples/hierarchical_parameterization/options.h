@@ -6,18 +6,18 @@
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
+#include "input.h"
 #include "methods.h"
 
 #include <string>
 #include <vector>
 
-struct Options : Method_options
+struct Options : Method_options, Input_options
 {
   std::vector<std::string> inputs;
   const Method* method;
   std::string output, picture, report;
   int threads;
-  bool triangulate;
 };
 
 // Returns whether there is something to do: not after --help and --version. Throws a Usage_error.

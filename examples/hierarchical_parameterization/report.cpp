@@ -9,6 +9,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -54,6 +55,17 @@ std::string report_line(const Run_record& run)
     { "quality", nullptr } };
   if (!run.error.empty())
     report["error"] = run.error;
+  if (run.atlas) {
+    report["seconds"]["cut"] = run.atlas->seconds_cut;
+    report["seconds"]["pack"] = run.atlas->seconds_pack;
+    report["atlas"] = { { "components", run.components },
+                        { "charts", run.atlas->charts.size() },
+                        { "charts_without_map", std::count_if(run.atlas->charts.begin(), run.atlas->charts.end(),
+                                                              [](const auto& c) { return !c.summary.is_ok(); }) },
+                        { "seam_edges", run.atlas->cut.seam_edges },
+                        { "seam_length", run.atlas->cut.seam_length },
+                        { "used_part", run.atlas->used_part } };
+  }
   for (const SMP::Level_summary& level : summary.levels)
     report["levels"].push_back({ { "vertices", level.vertices },
                                  { "faces", level.faces },

@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
 #include <cstddef>
@@ -20,11 +21,18 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 struct Run_record
 {
   std::string input, method;                                // names
-  std::size_t vertices = 0, faces = 0, borders = 0;
-  SMP::Parameterization_summary summary;
+  std::size_t vertices = 0, faces = 0, borders = 0, components = 0;
+  SMP::Parameterization_summary summary;                    // of several charts: see lay_out()
+  std::optional<SMP::Atlas_summary> atlas;                  // if that is what was made
   std::optional<SMP::Parameterization_quality> quality;     // of a map that was written
   double seconds_read = 0, seconds_write = 0;
   std::string status, error;                                // no error: an empty text
+
+  double seconds_of_map() const
+  {
+    return atlas ? atlas->seconds_cut + atlas->seconds_parameterize + atlas->seconds_pack
+                 : summary.seconds_hierarchy + summary.seconds_parameterize;
+  }
 };
 
 // One line of JSON. What is not finite, or was not measured, is null.

@@ -3,6 +3,7 @@
 //
 // The methods that are CGAL's.
 
+#include "Confinement.h"
 #include "Level_visitor.h"
 #include "input.h"
 #include "methods.h"
@@ -16,14 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 
-#include <unistd.h>
-
-#include <filesystem>
 #include <functional>
-#include <iostream>
-#include <streambuf>
-#include <string>
-#include <system_error>
 
 namespace {
 
@@ -41,35 +35,6 @@ SMP::Parameterization_summary run_wrapped(Input& input, const Method_options& op
   SMP::parameterize(input.mesh, hierarchical, input.border, input.uvmap);
   return summary;
 }
-
-// While it lives, the current folder is a new one, which goes with it, and the standard output is switched off.
-class Confinement
-{
-public:
-  Confinement()
-    : m_outside(std::filesystem::current_path()),
-      m_folder(std::filesystem::temp_directory_path() / ("hierarchical_parameterization_" + std::to_string(getpid()))),
-      m_output(std::cout.rdbuf(nullptr))
-  {
-    std::filesystem::create_directory(m_folder);
-    std::filesystem::current_path(m_folder);
-  }
-
-  ~Confinement()
-  {
-    std::error_code unused_error;
-    std::filesystem::current_path(m_outside, unused_error);
-    std::filesystem::remove_all(m_folder, unused_error);
-    std::cout.rdbuf(m_output);
-  }
-
-  Confinement(const Confinement&) = delete;
-  Confinement& operator=(const Confinement&) = delete;
-
-private:
-  std::filesystem::path m_outside, m_folder;
-  std::streambuf* m_output;
-};
 
 } // namespace
 

@@ -11,7 +11,7 @@
 class Output_files;
 struct Input;
 
-// Writes the mesh with its map: as PLY if the name says so, otherwise as OBJ.
+// Writes the mesh with its map: as PLY or glTF if the name says so, otherwise as OBJ.
 void write_mesh(Output_files& files, const std::string& name, Input& input);
 
 // Draws the map as SVG.

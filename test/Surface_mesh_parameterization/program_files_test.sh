@@ -124,7 +124,7 @@ exec 8>&-
 # ---- endings ----
 
 in_new_folder endings
-for output in map.glb map.stl map.off map.obj.gz map. map.svg; do wrong square.obj --output $output; done
+for output in map.gltf map.stl map.off map.obj.gz map. map.svg; do wrong square.obj --output $output; done
 for picture in map.png map.obj map.svgz; do wrong square.obj --picture $picture; done
 expect 0 square.obj --output MAP.PLY --picture MAP.SVG
 grep -q '^ply' MAP.PLY || fail "MAP.PLY is not PLY"

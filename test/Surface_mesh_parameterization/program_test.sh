@@ -106,7 +106,7 @@ expect 0
 [ ! -s stderr ] || fail "a run in a pipe printed $(cat stderr) on stderr"
 expect 0 --help
 
-# A square of two triangles, with a triangle apart and an isolated vertex: the larger component is laid out.
+# A square of two triangles, with a triangle apart and an isolated vertex.
 cat >components.off <<END
 OFF
 8 3 0
@@ -122,7 +122,7 @@ OFF
 3 1 2 3
 3 1 3 4
 END
-expect 0 components.off --output components.obj --report report.json
+expect 0 components.off --components largest --output components.obj --report report.json
 [ "$(grep -c '^v ' components.obj)/$(grep -c '^vt ' components.obj)/$(grep -c '^f ' components.obj)" = 8/4/3 ] || fail "components.obj is wrong"
 
 # A run may start from a map that another one wrote, if it is one of the same vertices.
@@ -164,20 +164,20 @@ expect 1 --tolerance nonsense
 expect 1 a.off b.off --output one.obj
 
 # No surface to parameterize.
-bad() { expect 2 "$1" --output bad.obj --picture bad.svg; [ ! -e bad.obj ] && [ ! -e bad.svg ] || fail "'$1' wrote a file"; }
+bad() { expect 2 "$@" --output bad.obj --picture bad.svg; [ ! -e bad.obj ] && [ ! -e bad.svg ] || fail "'$1' wrote a file"; }
 bad missing.off
 : >empty.off; bad empty.off
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' >range.off; bad range.off
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n' >truncated.off; bad truncated.off
 printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' >quad.off; bad quad.off
-printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >closed.off; bad closed.off
+printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >closed.off; bad closed.off --cut none
 printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n' >edge.off; bad edge.off
 printf 'OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n' >umbrellas.off; bad umbrellas.off
 printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 3 2\n3 0 2 3\n' >orientation.off; bad orientation.off
 printf 'OBJ\n' >text.txt; bad text.txt
 
 # Several inputs: a line each, the worst status.
-"$program" components.off closed.off face.obj --report report.json >/dev/null 2>&1
+"$program" components.off quad.off face.obj --report report.json >/dev/null 2>&1
 [ $? -eq 2 ] || fail "the worst status of several inputs is not reported"
 
 # What cannot be written is an error, and leaves nothing behind.

@@ -267,7 +267,7 @@ const Row no_surfaces[] = {
     [] {
       return OFF(with_face(triangle(), { 0, 2, 1 }));
     },
-    bad_input, no_disk, "closed" },
+    bad_input, no_disk, "closed", "--cut none" },
   { "vertex_twice_in_a_face.off",
     [] {
       return OFF(with_face(patch(), { 3, 4, 3 }));
@@ -276,11 +276,14 @@ const Row no_surfaces[] = {
   { "quads.off", [] { return OFF(quads()); }, bad_input, no_triangle,
     "face 0 has 4 corners instead of three; --triangulate" },
   { "one_quad.obj", [] { return OBJ(joined(patch(), quads())); }, bad_input, no_triangle, "face 72 has 4 corners" },
-  { "closed.off", [] { return OFF(octasphere(2)); }, bad_input, no_disk, "cut it open" },
-  { "closed_torus.off", [] { return OFF(torus(8, 6)); }, bad_input, no_disk, "cut it open" },
+  { "closed.off", [] { return OFF(octasphere(2)); }, bad_input, no_disk, "cut it open", "--cut none" },
+  { "closed_torus.off", [] { return OFF(torus(8, 6)); }, bad_input, no_disk, "cut it open", "--cut none" },
+  { "closed_torus_flat.off", [] { return OFF(torus(8, 6)); }, bad_input, no_disk, "cut it open", "--flat" },
   { "closed_with_a_patch.off", [] { return OFF(joined(triangle(), octasphere(1))); }, bad_input, no_disk,
-    "cut it open" },
-  { "handle.off", [] { return OFF(without_face(torus(8, 6), 0)); }, bad_input, no_disk, "handle" }
+    "cut it open", "--components largest --cut none" },
+  { "closed_ones.off", [] { return OFF(joined(torus(8, 6), octasphere(1))); }, bad_input, no_disk, "--cut auto",
+    "--cut none" },
+  { "handle.off", [] { return OFF(without_face(torus(8, 6), 0)); }, bad_input, no_disk, "handle", "--cut none" }
 };
 
 const Row surfaces[] = {
@@ -327,9 +330,22 @@ const Row surfaces[] = {
       return OFF(joined(patch(), m));
     },
     good, ok },
-  { "components.off", [] { return OFF(joined(joined(triangle(), patch()), tetrahedron())); }, good, ok,
-    "3 components; the largest" },
-  { "quiet_components.off", [] { return OFF(joined(triangle(), patch())); }, good, ok, "", "--quiet" }
+  { "components.off", [] { return OFF(joined(joined(triangle(), patch()), tetrahedron())); }, good, ok },
+  { "largest_component.off", [] { return OFF(joined(joined(triangle(), patch()), tetrahedron())); }, good, ok,
+    "3 components; the largest", "--components largest" },
+  { "quiet_component.off", [] { return OFF(joined(triangle(), patch())); }, good, ok, "",
+    "--components largest --quiet" },
+  { "face_and_its_back.off",
+    [] {
+      return OFF(with_face(triangle(), { 0, 2, 1 }));
+    },
+    good, any },
+  { "closed.off", [] { return OFF(octasphere(2)); }, good, ok },
+  { "closed_torus.off", [] { return OFF(torus(8, 6)); }, good, ok },
+  { "closed_with_a_patch.off", [] { return OFF(joined(triangle(), octasphere(1))); }, good, ok },
+  { "handle.off", [] { return OFF(without_face(torus(8, 6), 0)); }, good, ok },
+  { "pieces.off", [] { return OFF(joined(triangle(), triangle())); }, good, any, "2 components whose borders coincide" },
+  { "quiet_pieces.off", [] { return OFF(joined(triangle(), triangle())); }, good, any, "", "--quiet" }
 };
 
 INSTANTIATE_TEST_SUITE_P(off, Program_input, testing::ValuesIn(off_files), test_name);

@@ -1,0 +1,86 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The connected components of a surface.
+
+#include "components.h"
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+std::vector<std::size_t> number_components(const Mesh& mesh)
+{
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> number(mesh.number_of_faces(), none);
+  std::vector<Mesh::Face_index> reached;
+  std::size_t number_of_components = 0;
+  for (const Mesh::Face_index start : mesh.faces()) {
+    if (number[start] != none)
+      continue;
+    number[start] = number_of_components;
+    for (reached.assign(1, start); !reached.empty();) {
+      const Mesh::Face_index f = reached.back();
+      reached.pop_back();
+      for (const Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
+        if (const Mesh::Face_index g = mesh.face(mesh.opposite(h)); g != Mesh::null_face() && number[g] == none) {
+          number[g] = number_of_components;
+          reached.push_back(g);
+        }
+    }
+    ++number_of_components;
+  }
+  return number;
+}
+
+std::vector<Component> find_components(const Mesh& mesh)
+{
+  const std::vector<std::size_t> number = number_components(mesh);
+  std::vector<Component> components;
+  for (const Mesh::Face_index f : mesh.faces()) {
+    if (number[f] == components.size())
+      components.emplace_back();
+    components[number[f]].faces.push_back(f);
+  }
+
+  const auto number_at = [&](Mesh::Halfedge_index h) {
+    return number[mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h)];
+  };
+  std::vector<bool> is_visited(mesh.number_of_halfedges(), false);
+  for (const Mesh::Halfedge_index start : mesh.halfedges()) {
+    if (!mesh.is_border(start) || is_visited[start])
+      continue;
+    ++components[number_at(start)].number_of_borders;
+    for (const Mesh::Halfedge_index h : mesh.halfedges_around_face(start))
+      is_visited[h] = true;
+  }
+
+  std::vector<std::ptrdiff_t> characteristic;
+  for (const Component& c : components)
+    characteristic.push_back(std::ptrdiff_t(c.faces.size()));
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    if (!mesh.is_isolated(v))
+      ++characteristic[number_at(mesh.halfedge(v))];
+  for (const Mesh::Edge_index e : mesh.edges())
+    --characteristic[number_at(mesh.halfedge(e))];
+  for (std::size_t i = 0; i < components.size(); ++i)
+    components[i].number_of_handles =
+        std::size_t(2 - characteristic[i] - std::ptrdiff_t(components[i].number_of_borders)) / 2;
+  return components;
+}
+
+Mesh mesh_of(const Mesh& mesh, const std::vector<Mesh::Face_index>& faces)
+{
+  Mesh result;
+  std::vector<Mesh::Vertex_index> image(mesh.number_of_vertices(), Mesh::null_vertex()), corners;
+  for (const Mesh::Face_index f : faces) {
+    corners.clear();
+    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f))) {
+      if (image[v] == Mesh::null_vertex())
+        image[v] = result.add_vertex(mesh.point(v));
+      corners.push_back(image[v]);
+    }
+    result.add_face(corners);
+  }
+  return result;
+}

@@ -1,0 +1,28 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Lays out whole surfaces.
+
+#ifndef RUN_ATLAS_H
+#define RUN_ATLAS_H
+
+#include "Chart_visitor.h"
+#include "methods.h"
+
+#include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
+
+#include <unistd.h>
+
+// The options that all methods have are added to `np`, which the charts get.
+template <template <class...> class Method, class ConcurrencyTag, class NamedParameters>
+SMP::Atlas_summary run_atlas(const Mesh& mesh, Corner_map corner_map, const Method_options& options,
+                             const NamedParameters& np)
+{
+  const Chart_visitor visitor(mesh.number_of_faces(), !options.quiet && isatty(STDERR_FILENO));
+  return SMP::atlas_parameterization<Method, ConcurrencyTag>(
+      mesh, corner_map, SMP::parameters::default_values(),
+      np.tolerance(options.tolerance).number_of_iterations(options.iterations).fill_holes(options.fills_holes)
+          .random_seed(options.seed).visitor(visitor));
+}
+
+#endif // RUN_ATLAS_H

@@ -1,0 +1,20 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Surfaces whose points are there several times.
+
+#ifndef STITCH_H
+#define STITCH_H
+
+#include "Mesh.h"
+
+#include <cstddef>
+
+// Joins border edges that have the same two end points, exactly, and opposite directions; not where three or more
+// coincide. Faces keep their order, and so do the vertices that are left.
+void stitch(Mesh& mesh);
+
+// How many components have a border edge that stitch() may join with one of another component.
+std::size_t number_of_separate_pieces(const Mesh& mesh);
+
+#endif // STITCH_H
