@@ -16,17 +16,26 @@
 
 void stitch(Mesh& mesh)
 {
+  std::vector<Kernel::Point_3> first_corners;
+  for (const Mesh::Face_index f : mesh.faces())
+    first_corners.push_back(mesh.point(mesh.target(mesh.halfedge(f))));
   CGAL::Polygon_mesh_processing::stitch_borders(mesh);
+
   // Not by collect_garbage(), which puts the last vertices into the places of those that are gone.
   Mesh compact;
-  std::vector<Mesh::Vertex_index> image(mesh.number_of_vertices() + mesh.number_of_removed_vertices()), corners;
+  std::vector<Mesh::Vertex_index> image(mesh.number_of_vertices() + mesh.number_of_removed_vertices());
   for (const Mesh::Vertex_index v : mesh.vertices())
     image[v] = compact.add_vertex(mesh.point(v));
   for (const Mesh::Face_index f : mesh.faces()) {
-    corners.clear();
-    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      corners.push_back(image[v]);
-    compact.add_face(corners);
+    std::array<Mesh::Vertex_index, 3> corners;
+    std::size_t i = 0, first = 0;
+    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f))) {
+      if (mesh.point(v) == first_corners[f])
+        first = i;
+      corners[i++] = image[v];
+    }
+    std::rotate(corners.begin(), corners.begin() + std::ptrdiff_t(first), corners.end());
+    compact.add_face(corners[0], corners[1], corners[2]);
   }
   mesh = compact;
 }

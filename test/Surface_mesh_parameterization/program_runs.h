@@ -62,24 +62,26 @@ inline std::string field(const std::string& report, const std::string& name)
   return report.substr(begin, report.find_first_of(",}", begin) - begin);
 }
 
-// A folder of its own for each test, which goes with it.
-class Program_input : public testing::TestWithParam<Row>
+// A folder of its own, which goes with it, in which the program runs.
+class Program_folder
 {
-protected:
-  Program_input()
-    : m_folder(fs::path(testing::TempDir()) /
-               (std::string("program_input_") + test_name({ GetParam(), 0 }) + "_" + std::to_string(getpid())))
+public:
+  explicit Program_folder(const std::string& name)
+    : m_folder(fs::path(testing::TempDir()) / ("program_" + name + "_" + std::to_string(getpid())))
   {
     fs::create_directories(m_folder);
   }
 
-  ~Program_input() override { fs::remove_all(m_folder); }
+  ~Program_folder() { fs::remove_all(m_folder); }
+  Program_folder(const Program_folder&) = delete;
+  Program_folder& operator=(const Program_folder&) = delete;
 
-  // Runs the program. Returns its exit status; 124 after a minute, 128 and more after a crash.
-  int run(const std::string& arguments) const
+  // Runs the program, after a command of the shell. Returns its exit status; 124 after a minute, 128 and more after a
+  // crash.
+  int run(const std::string& arguments, const std::string& before = "") const
   {
-    const std::string command = GetParam().before + "cd '" + m_folder.string() + "' && timeout 60 '" PROGRAM "' " +
-                                arguments + " >stdout.txt 2>stderr.txt";
+    const std::string command = before + "cd '" + m_folder.string() + "' && timeout 60 '" PROGRAM "' " + arguments +
+                                " >stdout.txt 2>stderr.txt";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
@@ -95,6 +97,14 @@ protected:
   }
 
   fs::path m_folder;
+};
+
+class Program_input : public testing::TestWithParam<Row>, public Program_folder
+{
+protected:
+  Program_input() : Program_folder("input_" + test_name({ GetParam(), 0 })) { }
+
+  int run(const std::string& arguments) const { return Program_folder::run(arguments, GetParam().before); }
 };
 
 constexpr int good = 0, bad_input = 2, failed = 3;

@@ -25,6 +25,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string>
@@ -110,6 +111,44 @@ TEST(Write_OBJ, writes_what_can_be_read_back)
     for (const auto v : CGAL::vertices_around_face(mapped.mesh.halfedge(f), mapped.mesh)) {
       EXPECT_EQ(lines.faces[f][i].vertex, std::size_t(v) + 1);
       EXPECT_EQ(lines.faces[f][i++].texture_vertex, std::size_t(f) < 24 ? std::size_t(v) + 1 : 0);
+    }
+  }
+}
+
+// ---- maps of corners ----
+
+// A square of two charts, and a face without a map.
+TEST(Write_OBJ_of_corners, shares_places_within_a_chart)
+{
+  Surface_mesh mesh = make<Surface_mesh>(grid(4, 3, wavy));
+  const auto uv = mesh.add_property_map<Surface_mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  const auto is_right = [&](Surface_mesh::Face_index f) {
+    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      if (mesh.point(v).x() > 0.6)
+        return true;
+    return false;
+  };
+  for (const auto f : faces(mesh))
+    for (const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+      uv[h] = Kernel::Point_2(std::size_t(mesh.target(h)) / 3., is_right(f) ? 1 : 0);
+  const Surface_mesh::Face_index without_map(5);
+  uv[mesh.halfedge(without_map)] = Kernel::Point_2(std::numeric_limits<double>::quiet_NaN(), 0);
+
+  std::ostringstream file;
+  SMP::IO::write_OBJ(file, mesh, uv);
+  const Lines lines(file.str());
+  ASSERT_EQ(lines.points.size(), 20u);
+  EXPECT_EQ(lines.uv.size(), 20u + 4);      // four vertices lie on the seam
+  ASSERT_EQ(lines.faces.size(), 24u);
+  for (const auto f : faces(mesh)) {
+    std::size_t i = 0;
+    for (const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh)) {
+      const Corner& corner = lines.faces[f].at(i++);
+      EXPECT_EQ(corner.vertex, std::size_t(mesh.target(h)) + 1);
+      if (f == without_map)
+        EXPECT_EQ(corner.texture_vertex, 0u);
+      else
+        EXPECT_EQ(lines.uv.at(corner.texture_vertex - 1), uv[h]);
     }
   }
 }

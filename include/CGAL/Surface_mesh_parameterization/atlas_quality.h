@@ -46,19 +46,34 @@ inline Mapped_triangle mapped_triangle(const Atlas& atlas, Index f)
   return Mapped_triangle(points, uv);
 }
 
-// The number of pairs of some triangles that overlap, within charts and between them. Where there is no flip and one
-// chart, its borders tell mostly that there is none.
+// The number of pairs of some triangles that overlap, within charts and between them. Where there is no flip the
+// borders tell mostly that there is none.
 inline std::size_t number_of_overlapping_pairs(const Atlas& atlas, const std::vector<Index>& faces, bool has_flips)
 {
-  std::vector<Border_edge> edges;
-  std::vector<Triangle_2> triangles;
-  for (const Index f : faces) {
-    for (Index h = 3 * f; h < 3 * f + 3 && !has_flips; ++h)
-      if (atlas.mesh.is_border(h))
-        edges.push_back({ atlas.mesh.source(h), atlas.mesh.target(h) });
-    triangles.push_back(mapped_triangle(atlas, f).uv);
+  if (!has_flips) {
+    std::vector<Index> chart_of_face(atlas.mesh.number_of_faces(), no_index), chart_of_edge;
+    std::vector<Border_edge> edges;
+    Index number_of_charts = 0;
+    for (const std::vector<Index>& chart : atlas.charts)
+      for (const Index f : chart)
+        chart_of_face[f] = Index(&chart - atlas.charts.data());
+    std::vector<Index> number_of(atlas.charts.size(), no_index);      // of the charts with measured faces
+    for (const Index f : faces)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (atlas.mesh.is_border(h)) {
+          Index& number = number_of[chart_of_face[f]];
+          if (number == no_index)
+            number = number_of_charts++;
+          edges.push_back({ atlas.mesh.source(h), atlas.mesh.target(h) });
+          chart_of_edge.push_back(number);
+        }
+    if (are_charts_one_to_one(edges, chart_of_edge, atlas.uv))
+      return 0;
   }
-  return !has_flips && are_borders_one_to_one(edges, atlas.uv) ? 0 : number_of_overlapping_pairs(triangles);
+  std::vector<Triangle_2> triangles;
+  for (const Index f : faces)
+    triangles.push_back(mapped_triangle(atlas, f).uv);
+  return number_of_overlapping_pairs(triangles);
 }
 
 inline Parameterization_quality quality(const Atlas& atlas, const std::vector<Index>& faces)

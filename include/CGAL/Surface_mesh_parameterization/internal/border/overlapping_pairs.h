@@ -26,6 +26,11 @@ std::size_t number_of_overlapping_pairs(const std::vector<Triangle_2>& triangles
 // it, so many triangles lie over it.
 bool are_borders_one_to_one(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv);
 
+// The same of several charts, each connected, that share no vertex: also that no two overlap. `chart_of` are the charts
+// of the edges, from 0.
+bool are_charts_one_to_one(const std::vector<Border_edge>& edges, const std::vector<Index>& chart_of,
+                           const std::vector<Point_2>& uv);
+
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
 #ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE

@@ -57,8 +57,17 @@ std::size_t number_of_overlapping_pairs(const std::vector<Triangle_2>& triangles
   return pairs;
 }
 
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool are_borders_one_to_one(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv)
+// A closed curve of a border.
+struct Border_curve
+{
+  std::size_t first_edge;
+  Index least;            // its least vertex, which is an extreme one
+  bool turns_left;
+};
+
+// Returns whether the edges form closed curves that share no vertex.
+inline bool follow_curves(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv,
+                          std::vector<Border_curve>& curves)
 {
   std::vector<Index> next(uv.size(), no_index);
   for (const Border_edge& e : edges) {
@@ -66,28 +75,79 @@ bool are_borders_one_to_one(const std::vector<Border_edge>& edges, const std::ve
       return false;
     next[e.source] = e.target;
   }
-  if (has_crossings(edges, uv))
-    return false;
-
   const auto is_less = [&](Index a, Index b) { return is_less_xy(uv[a], uv[b]); };
   std::vector<bool> is_seen(uv.size(), false);
-  int left_turning = 0;
-  for (const Border_edge& e : edges) {
-    if (is_seen[e.source])
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Index start = edges[i].source;
+    if (is_seen[start])
       continue;
-    Index before_least = e.source;     // the least vertex of the curve is an extreme one
-    Index v = e.source;
+    Index before_least = start, v = start;
     for (; next[v] != no_index && !is_seen[v]; v = next[v]) {
       is_seen[v] = true;
       if (is_less(next[v], next[before_least]))
         before_least = v;
     }
-    if (v != e.source)
+    if (v != start)
       return false;
     const Index least = next[before_least];
-    left_turning += is_left_turn(uv[before_least], uv[least], uv[next[least]]);
+    curves.push_back({ i, least, is_left_turn(uv[before_least], uv[least], uv[next[least]]) });
   }
-  return left_turning == 1;
+  return true;
+}
+
+// How often closed curves wind around a point that lies on none of them.
+inline int winding_number(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv, const Point_2& p)
+{
+  int result = 0;
+  for (const Border_edge& e : edges) {
+    const Point_2 &a = uv[e.source], &b = uv[e.target];
+    if (a.y() <= p.y() && p.y() < b.y())
+      result += is_left_turn(a, b, p);
+    else if (b.y() <= p.y() && p.y() < a.y())
+      result -= is_left_turn(b, a, p);
+  }
+  return result;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool are_charts_one_to_one(const std::vector<Border_edge>& edges, const std::vector<Index>& chart_of,
+                           const std::vector<Point_2>& uv)
+{
+  std::vector<Border_curve> curves;
+  if (edges.empty() || !follow_curves(edges, uv, curves) || has_crossings(edges, uv))
+    return false;
+
+  const std::size_t number_of_charts = 1 + *std::max_element(chart_of.begin(), chart_of.end());
+  std::vector<Index> outermost(number_of_charts, no_index);      // a vertex on the curve that turns left
+  for (const Border_curve& c : curves)
+    if (Index& v = outermost[chart_of[c.first_edge]]; c.turns_left) {
+      if (v != no_index)
+        return false;
+      v = c.least;
+    }
+  std::vector<std::vector<Border_edge>> edges_of(number_of_charts);
+  std::vector<Bbox_2> boxes(number_of_charts);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    edges_of[chart_of[i]].push_back(edges[i]);
+    boxes[chart_of[i]] += uv[edges[i].source].bbox();
+  }
+
+  // The borders do not meet: a chart that overlaps another one lies in it as a whole, or the other way round.
+  for (std::size_t i = 0; i < number_of_charts; ++i) {
+    if (outermost[i] == no_index)
+      return false;
+    const Point_2& p = uv[outermost[i]];
+    for (std::size_t j = 0; j < number_of_charts; ++j)
+      if (i != j && do_overlap(p.bbox(), boxes[j]) && winding_number(edges_of[j], uv, p) != 0)
+        return false;
+  }
+  return true;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool are_borders_one_to_one(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv)
+{
+  return are_charts_one_to_one(edges, std::vector<Index>(edges.size(), 0), uv);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
