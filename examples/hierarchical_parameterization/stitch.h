@@ -10,9 +10,8 @@
 
 #include <cstddef>
 
-// Joins border edges that have the same two end points, exactly, and opposite directions; not where three or more
-// coincide. Faces and their corners keep their order, and
-// so do the vertices that are left. Precondition: the faces are triangles.
+// Joins border edges of a triangle mesh that have the same two end points, exactly, and opposite directions; not where
+// three or more coincide. Faces and their corners keep their order, and so do the vertices that are left.
 void stitch(Mesh& mesh);
 
 // How many components have a border edge that stitch() may join with one of another component.

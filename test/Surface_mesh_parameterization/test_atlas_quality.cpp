@@ -48,7 +48,7 @@ struct Two_charts
     for (const auto f : mesh.faces())
       for (const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh)) {
         const Kernel::Point_3& p = mesh.point(mesh.target(h));
-        uv[h] = f < first_faces ? Kernel::Point_2(p.x(), p.y())
+        uv[h] = std::size_t(f) < first_faces ? Kernel::Point_2(p.x(), p.y())
                                 : Kernel::Point_2(second.x + second.scale * p.x(), second.y + second.scale * p.y());
       }
   }
@@ -114,7 +114,8 @@ TEST(Atlas_quality, of_charts_that_lie_one_in_the_other_the_other_way_round)
   for (const auto f : mesh.faces())
     for (const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh)) {
       const Kernel::Point_3& p = mesh.point(mesh.target(h));
-      const double scale = f < 8 ? 0.1 : 1, move = f < 8 ? 0.41 : 0;
+      const bool is_inner = std::size_t(f) < 8;
+      const double scale = is_inner ? 0.1 : 1, move = is_inner ? 0.41 : 0;
       uv[h] = Kernel::Point_2(move + scale * p.x(), move + scale * p.y());
     }
   EXPECT_GT(atlas_quality(mesh, uv).overlaps, 0u);
@@ -122,8 +123,7 @@ TEST(Atlas_quality, of_charts_that_lie_one_in_the_other_the_other_way_round)
 
 TEST(Atlas_quality, of_one_chart_is_that_of_its_vertices)
 {
-  const Surface_mesh uncurved = make<Surface_mesh>(grid(9, 7, wavy));
-  Surface_mesh mesh = uncurved;
+  Surface_mesh mesh = make<Surface_mesh>(grid(9, 7, wavy));
   const auto of_vertices = mesh.add_property_map<Surface_mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   const auto of_corners = mesh.add_property_map<Surface_mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   for (const auto v : mesh.vertices())
