@@ -12,7 +12,7 @@ program=$root/examples/hierarchical_parameterization
 clang++ -std=c++17 -O1 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all \
   -fsanitize-ignorelist="$root/test/sanitizer_ignorelist.txt" -DCGAL_EIGEN3_ENABLED \
   -I"$root/include" -I/usr/include/eigen3 "$root/test/Surface_mesh_parameterization/fuzz_program.cpp" \
-  "$program"/{Polygon_soup,input,read_soup}.cpp -o "$build/fuzz_program" -lgmp -lmpfr
+  "$program"/{Polygon_soup,components,input,read_soup,stitch}.cpp -o "$build/fuzz_program" -lgmp -lmpfr
 unlock
 cd "$build"
 if (($# == 0)); then set -- -max_total_time=60; fi

@@ -101,6 +101,9 @@ if command -v script >/dev/null; then
     on_terminal --method $method | tr '\r' '\n' | grep -q '^\[=*\] 100% level' || fail "no bar on a terminal: $method"
     [ -z "$(on_terminal --method $method --quiet)" ] || fail "--quiet shows something on a terminal: $method"
   done
+  printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >closed.off
+  on_terminal closed.off | tr '\r' '\n' | grep -q '^\[=*\] 100%' || fail "no bar on a terminal: an atlas"
+  [ -z "$(on_terminal closed.off --quiet)" ] || fail "--quiet shows something on a terminal: an atlas"
 fi
 expect 0
 [ ! -s stderr ] || fail "a run in a pipe printed $(cat stderr) on stderr"

@@ -357,6 +357,27 @@ TEST(Program_parts, that_may_not_be_cut_are_told_and_left_out)
   }
 }
 
+// A conformal map of a tube shrinks along it, until triangles flip.
+TEST(Program_parts, without_a_map_are_told_and_left_out)
+{
+  const Mesh tube_and_patch = joined(tube(3, 5), shifted(patch(), 20));
+  const Runs runs(tube_and_patch);
+  EXPECT_EQ(runs.run("in.off --method lscm --flips fail --output map.obj --report report.json"), failed);
+  EXPECT_EQ(runs.error().find("in.off: 1 of 2 charts have no map: the map has "), 0u) << runs.error();
+  EXPECT_NE(runs.error().find("; --flips repair or keep\n"), std::string::npos) << runs.error();
+  const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
+  EXPECT_EQ(mapped_faces(map),
+            flags(tube(3, 5).polygons.size(), tube_and_patch.polygons.size(), tube_and_patch.polygons.size()));
+  EXPECT_EQ(runs.report().at("atlas").at("charts_without_map"), 1);
+  EXPECT_EQ(runs.report().at("status"), "ERROR_NO_1_TO_1_MAPPING");
+
+  // Without any map there is no file.
+  runs.write_input("in.off", joined(tube(3, 5), shifted(tube(3, 5), 20)));
+  fs::remove(runs.m_folder / "map.obj");
+  EXPECT_EQ(runs.run("in.off --method lscm --flips fail --output map.obj"), failed);
+  EXPECT_FALSE(fs::exists(runs.m_folder / "map.obj"));
+}
+
 TEST(Program_parts, the_largest_may_be_cut)
 {
   const Mesh m = joined(shifted(patch(), 20), octasphere(3));
@@ -447,6 +468,9 @@ TEST(Program_pieces, a_cut_within_a_component_is_none)
   EXPECT_EQ(runs.run("in.off --stitch --report report.json"), good);
   EXPECT_EQ(runs.report().at("borders"), 2);
   EXPECT_EQ(runs.report().at("vertices"), strip.points.size());
+  runs.write_input("in.off", joined(open, shifted(patch(), 20)));
+  EXPECT_EQ(runs.run("in.off"), good);
+  EXPECT_EQ(runs.error(), "");
 }
 
 // ---- methods and options ----
