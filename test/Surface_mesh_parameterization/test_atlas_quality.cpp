@@ -106,6 +106,43 @@ TEST(Atlas_quality, counts_overlaps_between_charts)
   expect_overlaps(Two_charts({ 2, 0, 1 }).in_hole(), true);
 }
 
+// Squares as borders of charts: a hole turns right.
+struct Squares
+{
+  std::vector<internal::Border_edge> edges;
+  std::vector<internal::Index> chart_of;
+  std::vector<internal::Point_2> uv;
+
+  Squares& add(internal::Index chart, double x, double y, double side, bool is_hole = false)
+  {
+    const internal::Index first = internal::Index(uv.size());
+    uv.insert(uv.end(), { { x, y }, { x + side, y }, { x + side, y + side }, { x, y + side } });
+    for (internal::Index i = 0; i < 4; ++i) {
+      const internal::Index a = first + i, b = first + (i + 1) % 4;
+      edges.push_back(is_hole ? internal::Border_edge{ b, a } : internal::Border_edge{ a, b });
+      chart_of.push_back(chart);
+    }
+    return *this;
+  }
+
+  bool are_one_to_one() const { return internal::are_charts_one_to_one(edges, chart_of, uv); }
+};
+
+TEST(Atlas_quality, borders_tell_whether_charts_overlap)
+{
+  const Squares frame = Squares().add(0, 0, 0, 9).add(0, 3, 3, 3, true);
+  EXPECT_TRUE(frame.are_one_to_one());
+  EXPECT_TRUE(Squares(frame).add(1, 4, 4, 1).are_one_to_one());       // in the hole
+  EXPECT_TRUE(Squares(frame).add(1, 10, 4, 1).are_one_to_one());      // beside
+  EXPECT_TRUE(Squares(frame).add(1, -20, -20, 90).add(1, -1, -1, 12, true).are_one_to_one());      // around
+  EXPECT_FALSE(Squares(frame).add(1, 1, 1, 1).are_one_to_one());      // on the frame
+  EXPECT_FALSE(Squares(frame).add(1, 7, 4, 1).are_one_to_one());
+  EXPECT_FALSE(Squares(frame).add(1, 2, 2, 3).are_one_to_one());      // across
+  EXPECT_FALSE(Squares(frame).add(1, 9, 0, 1).are_one_to_one());      // touching
+  EXPECT_FALSE(Squares(frame).add(1, -1, -1, 12).are_one_to_one());   // over all
+  EXPECT_FALSE(Squares(frame).add(0, 10, 4, 1).are_one_to_one());     // of the same chart
+}
+
 TEST(Atlas_quality, of_charts_that_lie_one_in_the_other_the_other_way_round)
 {
   Surface_mesh mesh = make<Surface_mesh>(grid(2, 2, flat));
