@@ -18,6 +18,14 @@
 
 namespace {
 
+namespace po = boost::program_options;
+
+// What is chosen by words.
+struct Words
+{
+  std::string method, weights, flips, components, cut;
+};
+
 // One text of what `describe(method)` returns, for all of them.
 template <class Describe>
 std::string list_of_methods(const std::string& separator, const Describe& describe)
@@ -28,42 +36,21 @@ std::string list_of_methods(const std::string& separator, const Describe& descri
   return list;
 }
 
-// Which part of a mesh is laid out, and whether it may be cut: what the command line says, or the defaults.
-void read_part(const std::string& components, const std::string& cut, Options& options)
+// Texts for --help, and where the values go.
+po::options_description describe_options(Options& options, Words& words)
 {
-  if (!components.empty() && components != "all" && components != "largest")
-    throw Usage_error{ "unknown components '" + components + "'; there are: all, largest" };
-  if (!cut.empty() && cut != "auto" && cut != "none")
-    throw Usage_error{ "unknown way to cut '" + cut + "'; there are: auto, none" };
-  const std::string option_of_one_chart = options.flat              ? "--flat"
-                                          : !options.levels.empty() ? "--levels"
-                                          : !options.start.empty()  ? "--start"
-                                                                    : "";
-  if (!option_of_one_chart.empty() && (components == "all" || cut == "auto"))
-    throw Usage_error{ (components == "all" ? "--components all" : "--cut auto") + std::string(": not with ") +
-                       option_of_one_chart + ", which takes one chart" };
-  options.takes_all_components = components.empty() ? option_of_one_chart.empty() : components == "all";
-  options.cuts = cut.empty() ? option_of_one_chart.empty() : cut == "auto";
-}
-
-} // namespace
-
-bool read_options(int argc, char** argv, Options& options)
-{
-  namespace po = boost::program_options;
-  std::string method, weights, flips, components, cut;
   po::options_description described("Options");
   auto add = described.add_options();
   add("help,h", "print this text");
   add("version", "print the version");
-  add("method", po::value(&method)->default_value("mips"), "one of those above");
+  add("method", po::value(&words.method)->default_value("mips"), "one of those above");
   add("output", po::value(&options.output),
       "write the mesh with its map as OBJ, PLY or binary glTF (.glb); as OBJ if the name has no ending. PLY has the "
       "vertex properties u and v, or the list texcoord of each face if corners of a vertex may have several places");
-  add("components", po::value(&components),
+  add("components", po::value(&words.components),
       "all (default): lay out every component, and pack the charts into the unit square; or largest: the one with the "
       "most faces. The default is largest with --flat, --levels and --start, which take one chart");
-  add("cut", po::value(&cut),
+  add("cut", po::value(&words.cut),
       "auto (default): cut components that are closed or have handles along short seams; or none: leave them out. The "
       "default is none with --flat, --levels and --start");
   add("stitch", po::bool_switch(&options.is_stitched),
@@ -84,9 +71,9 @@ bool read_options(int argc, char** argv, Options& options)
   add("iterations", po::value(&options.iterations),
       "mips, symmetric-dirichlet, arap: the most steps of Newton's method on a level (default 200); others: of the "
       "linear solver, before a direct one takes over (default 300)");
-  add("weights", po::value(&weights),
+  add("weights", po::value(&words.weights),
       "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)");
-  add("flips", po::value(&flips)->default_value("repair"),
+  add("flips", po::value(&words.flips)->default_value("repair"),
       "of methods that can flip triangles: repair, fail (an error) or keep");
   add("globally-injective", po::bool_switch(&options.is_globally_injective),
       "mips, symmetric-dirichlet: keep the free border from running over itself");
@@ -98,6 +85,103 @@ bool read_options(int argc, char** argv, Options& options)
   add("threads", po::value(&options.threads)->default_value(0),
       "the most threads to use, if built with TBB; 0: as many as there are. The result is the same");
   add("quiet", po::bool_switch(&options.quiet), "print errors only");
+  return described;
+}
+
+void print_help(const po::options_description& described)
+{
+  std::cout << "Usage: hierarchical_parameterization [INPUT ...] [OPTION ...]\n\n"
+               "Lays triangulated surfaces (OFF, OBJ, PLY or STL) in the plane, coarse to fine.\n"
+               "One component that has a border and no handles becomes one chart. Anything else becomes an atlas: cut "
+               "into charts, all at one scale, in the unit square.\n"
+               "Without INPUT: a built-in face of 1042 vertices. INPUT may be -, the standard input.\n"
+               "The file of --output, --picture or --report may be -, the standard output; the summary goes to "
+               "stderr then.\n\n"
+               "Examples:\n"
+               "  hierarchical_parameterization scan.ply --output scan.obj --picture map.svg\n"
+               "  hierarchical_parameterization --method symmetric-dirichlet statue.stl --output statue.glb\n"
+               "  hierarchical_parameterization --method symmetric-dirichlet --globally-injective scan.ply --output "
+               "map.ply\n"
+               "  find charts -name '*.off' | xargs -P 8 -n 100 hierarchical_parameterization --quiet --threads 1\n\n"
+               "Methods:\n  "
+            << list_of_methods("\n  ",
+                               [](const Method& m) {
+                                 return m.name + ": " + m.description + (m.is_flip_free ? "; no triangle flips" : "");
+                               })
+            << "\n\n"
+            << described
+            << "\n"
+               "Exit status: 0 maps written, 1 wrong usage, 2 an input cannot be read or is no surface to "
+               "parameterize, or a part of it was left out, 3 a method failed or a file cannot be written.\n";
+}
+
+void read_words(const Words& words, Options& options)
+{
+  options.method = find_method(words.method);
+  if (!options.method)
+    throw Usage_error{ "unknown method '" + words.method +
+                       "'; there are: " + list_of_methods(", ", [](const Method& m) { return m.name; }) };
+  if (!words.weights.empty() && words.weights != "triangle" && words.weights != "area")
+    throw Usage_error{ "unknown weights '" + words.weights + "'; there are: triangle, area" };
+  options.triangle_weight = words.weights.empty()     ? options.method->triangle_weight
+                            : words.weights == "area" ? SMP::Triangle_weight::AREA
+                                                      : SMP::Triangle_weight::ONE;
+  if (words.flips != "fail" && words.flips != "repair" && words.flips != "keep")
+    throw Usage_error{ "unknown way with flips '" + words.flips + "'; there are: repair, fail, keep" };
+  options.flip_policy = words.flips == "fail"     ? SMP::Flip_policy::FAIL
+                        : words.flips == "repair" ? SMP::Flip_policy::REPAIR
+                                                  : SMP::Flip_policy::KEEP;
+}
+
+// Which part of a mesh is laid out, and whether it may be cut: what the command line says, or the defaults.
+void read_part(const std::string& components, const std::string& cut, Options& options)
+{
+  if (!components.empty() && components != "all" && components != "largest")
+    throw Usage_error{ "unknown components '" + components + "'; there are: all, largest" };
+  if (!cut.empty() && cut != "auto" && cut != "none")
+    throw Usage_error{ "unknown way to cut '" + cut + "'; there are: auto, none" };
+  const std::string option_of_one_chart = options.flat              ? "--flat"
+                                          : !options.levels.empty() ? "--levels"
+                                          : !options.start.empty()  ? "--start"
+                                                                    : "";
+  if (!option_of_one_chart.empty() && (components == "all" || cut == "auto"))
+    throw Usage_error{ (components == "all" ? "--components all" : "--cut auto") + std::string(": not with ") +
+                       option_of_one_chart + ", which takes one chart" };
+  options.takes_all_components = components.empty() ? option_of_one_chart.empty() : components == "all";
+  options.cuts = cut.empty() ? option_of_one_chart.empty() : cut == "auto";
+}
+
+// What does not go together.
+void check_options(const Options& options)
+{
+  if (!(options.tolerance >= 0))
+    throw Usage_error{ "the tolerance must not be negative" };
+  if (options.is_globally_injective && !options.method->is_flip_free)
+    throw Usage_error{ "--globally-injective: " + options.method->name + " does not promise maps without flips" };
+  if (!options.start.empty() && !options.method->takes_start)
+    throw Usage_error{ "--start: " + options.method->name + " does not improve a map" };
+  if (!options.start.empty() && options.flat)
+    throw Usage_error{ "--start: not with --flat" };
+  if (!options.start.empty() && !options.levels.empty())
+    throw Usage_error{ "--start: the levels below the finest, which --levels writes, have no maps then" };
+  if (options.threads < 0)
+    throw Usage_error{ "the number of threads must not be negative" };
+  if (!options.levels.empty() && !options.method->has_levels)
+    throw Usage_error{ "--levels: " + options.method->name + " parameterizes the finest level only" };
+  const bool has_files_of_one_input =
+    !(options.output.empty() && options.start.empty() && options.picture.empty() && options.levels.empty());
+  if (options.inputs.size() > 1 && has_files_of_one_input)
+    throw Usage_error{ "--output, --start, --picture and --levels take one input" };
+  if (std::find(options.inputs.begin(), options.inputs.end(), "") != options.inputs.end())
+    throw Usage_error{ "the name of an input is empty" };
+}
+
+} // namespace
+
+bool read_options(int argc, char** argv, Options& options)
+{
+  Words words;
+  const po::options_description described = describe_options(options, words);
   po::options_description all;
   all.add(described).add_options()("input", po::value(&options.inputs));
   po::variables_map values;
@@ -112,74 +196,20 @@ bool read_options(int argc, char** argv, Options& options)
     throw Usage_error{ error.what() };
   }
   if (values.count("help")) {
-    std::cout << "Usage: hierarchical_parameterization [INPUT ...] [OPTION ...]\n\n"
-                 "Lays triangulated surfaces (OFF, OBJ, PLY or STL) in the plane, coarse to fine.\n"
-                 "One component that has a border and no handles becomes one chart. Anything else becomes an atlas: cut "
-                 "into charts, all at one scale, in the unit square.\n"
-                 "Without INPUT: a built-in face of 1042 vertices. INPUT may be -, the standard input.\n"
-                 "The file of --output, --picture or --report may be -, the standard output; the summary goes to "
-                 "stderr then.\n\n"
-                 "Examples:\n"
-                 "  hierarchical_parameterization scan.ply --output scan.obj --picture map.svg\n"
-                 "  hierarchical_parameterization --method symmetric-dirichlet statue.stl --output statue.glb\n"
-                 "  hierarchical_parameterization --method symmetric-dirichlet --globally-injective scan.ply --output "
-                 "map.ply\n"
-                 "  find charts -name '*.off' | xargs -P 8 -n 100 hierarchical_parameterization --quiet --threads 1\n\n"
-                 "Methods:\n  "
-              << list_of_methods("\n  ",
-                                 [](const Method& m) {
-                                   return m.name + ": " + m.description + (m.is_flip_free ? "; no triangle flips" : "");
-                                 })
-              << "\n\n"
-              << described
-              << "\n"
-                 "Exit status: 0 maps written, 1 wrong usage, 2 an input cannot be read or is no surface to "
-                 "parameterize, or a part of it was left out, 3 a method failed or a file cannot be written.\n";
+    print_help(described);
     return false;
   }
   if (values.count("version")) {
     std::cout << "hierarchical_parameterization " PROGRAM_VERSION " with CGAL " << CGAL_STR(CGAL_VERSION) << '\n';
     return false;
   }
-  options.method = find_method(method);
-  if (!options.method)
-    throw Usage_error{ "unknown method '" + method +
-                       "'; there are: " + list_of_methods(", ", [](const Method& m) { return m.name; }) };
-  if (!weights.empty() && weights != "triangle" && weights != "area")
-    throw Usage_error{ "unknown weights '" + weights + "'; there are: triangle, area" };
-  options.triangle_weight = weights.empty()     ? options.method->triangle_weight
-                            : weights == "area" ? SMP::Triangle_weight::AREA
-                                                : SMP::Triangle_weight::ONE;
-  if (flips != "fail" && flips != "repair" && flips != "keep")
-    throw Usage_error{ "unknown way with flips '" + flips + "'; there are: repair, fail, keep" };
-  options.flip_policy = flips == "fail"     ? SMP::Flip_policy::FAIL
-                        : flips == "repair" ? SMP::Flip_policy::REPAIR
-                                            : SMP::Flip_policy::KEEP;
+  read_words(words, options);
   if (!values.count("tolerance"))
     options.tolerance = options.method->tolerance;
   if (!values.count("iterations"))
     options.iterations = options.method->iterations;
-  if (!(options.tolerance >= 0))
-    throw Usage_error{ "the tolerance must not be negative" };
-  if (options.is_globally_injective && !options.method->is_flip_free)
-    throw Usage_error{ "--globally-injective: " + method + " does not promise maps without flips" };
-  if (!options.start.empty() && !options.method->takes_start)
-    throw Usage_error{ "--start: " + method + " does not improve a map" };
-  if (!options.start.empty() && options.flat)
-    throw Usage_error{ "--start: not with --flat" };
-  if (!options.start.empty() && !options.levels.empty())
-    throw Usage_error{ "--start: the levels below the finest, which --levels writes, have no maps then" };
-  read_part(components, cut, options);
-  if (options.threads < 0)
-    throw Usage_error{ "the number of threads must not be negative" };
-  if (!options.levels.empty() && !options.method->has_levels)
-    throw Usage_error{ "--levels: " + method + " parameterizes the finest level only" };
-  const bool has_files_of_one_input =
-    !(options.output.empty() && options.start.empty() && options.picture.empty() && options.levels.empty());
-  if (options.inputs.size() > 1 && has_files_of_one_input)
-    throw Usage_error{ "--output, --start, --picture and --levels take one input" };
-  if (std::find(options.inputs.begin(), options.inputs.end(), "") != options.inputs.end())
-    throw Usage_error{ "the name of an input is empty" };
+  read_part(words.components, words.cut, options);
+  check_options(options);
   if (options.inputs.empty())
     options.inputs.emplace_back();
   return true;
