@@ -9,4 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_mesh_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/handle_cut_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mask_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Grid_packer_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Strip_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts_impl.h>

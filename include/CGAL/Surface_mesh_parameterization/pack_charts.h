@@ -42,6 +42,8 @@ double pack_and_write(const TriangleMesh& mesh, Atlas& atlas, const std::vector<
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
   Pack_options options;
   options.margin = choose_parameter(get_parameter(np, internal_np::margin), options.margin);
+  if (!parameters::is_default_parameter<NamedParameters, internal_np::margin_t>::value)
+    options.margin_of_chart = Pack_options::greatest_margin_of_chart;
   const bool fills_unit_square = choose_parameter(get_parameter(np, internal_np::unit_square), true);
   if (!(options.margin >= 0 && options.margin <= Pack_options::greatest_margin)) {
     error.code = ERROR_WRONG_PARAMETER;
@@ -79,7 +81,8 @@ double pack_and_write(const TriangleMesh& mesh, Atlas& atlas, const std::vector<
 ///        without flips gets none by rounding
 /// \param np
 /// - `margin`: the least distance between charts, and half of it to the sides of the square, as a part of the side;
-///   from 0 to 0.1, default 1/256. Of n charts it is at most a quarter of \f$ 1 / \sqrt n \f$
+///   from 0 to 0.1. Of n charts it is at most \f$ 1 / (4 \sqrt n) \f$: wider margins would fill the square. Default:
+///   1/256, and of n charts at most \f$ 1 / (32 \sqrt n) \f$, so that margins take about a sixteenth of the square
 /// - `unit_square`: whether the charts are scaled, so that the square is the unit square; default `true`. Otherwise
 ///   they keep their sizes, and the square begins at the origin
 ///

@@ -7,112 +7,87 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A row of cells, one bit each.
-class Bit_row
+// The first and the last bit of a word that is not 0.
+inline unsigned int lowest_bit(std::uint64_t word)
 {
-public:
-  explicit Bit_row(std::size_t size = 0) : m_words((size + 63) / 64, 0) { }
-
-  bool operator[](std::size_t x) const { return (m_words[x / 64] >> (x % 64)) & 1; }
-  void set(std::size_t x) { m_words[x / 64] |= std::uint64_t(1) << (x % 64); }
-
-  void clear() { std::fill(m_words.begin(), m_words.end(), 0); }
-
-  // A cell x is taken from now on if the cell x + shift of `other` is, a row of the same size, possibly this one.
-  void or_shifted(const Bit_row& other, std::size_t shift)
-  {
-    const std::size_t n = m_words.size(), words = shift / 64, bits = shift % 64;
-    for (std::size_t i = 0; i + words < n; ++i) {
-      std::uint64_t word = other.m_words[i + words] >> bits;
-      if (bits > 0 && i + words + 1 < n)
-        word |= other.m_words[i + words + 1] << (64 - bits);
-      m_words[i] |= word;
+  unsigned int bit = 0;
+  for (unsigned int half = 32; half > 0; half /= 2)
+    if ((word & ((std::uint64_t(1) << half) - 1)) == 0) {
+      bit += half;
+      word >>= half;
     }
-  }
+  return bit;
+}
 
-  // The least x < end whose cell is empty; `end` if there is none.
-  std::size_t first_empty(std::size_t end) const
-  {
-    for (std::size_t i = 0; 64 * i < end; ++i)
-      if (std::uint64_t empty = ~m_words[i]; empty != 0) {
-        std::size_t x = 64 * i;
-        for (; !(empty & 1); empty >>= 1)
-          ++x;
-        return (std::min)(x, end);
-      }
-    return end;
-  }
+inline unsigned int highest_bit(std::uint64_t word)
+{
+  unsigned int bit = 0;
+  for (unsigned int half = 32; half > 0; half /= 2)
+    if (word >> half != 0) {
+      bit += half;
+      word >>= half;
+    }
+  return bit;
+}
 
-private:
-  std::vector<std::uint64_t> m_words;
-};
-
-// Cells in rows.
+// Cells in rows, one bit each, that can be read 64 at a time.
 class Bitmap
 {
 public:
-  typedef std::pair<std::size_t, std::size_t>   Run;       // the cells of a row from the first one to before the second
+  typedef std::uint64_t   Word;
 
-  Bitmap(std::size_t width, std::size_t height) : m_width(width), m_rows(height, Bit_row(width)) { }
+  explicit Bitmap(std::size_t width = 0, std::size_t height = 0)
+    : m_width(width), m_words_of_row((width + 63) / 64 + 1)
+  {
+    raise(height);
+  }
 
   std::size_t width() const { return m_width; }
-  std::size_t height() const { return m_rows.size(); }
-  bool at(std::size_t x, std::size_t y) const { return m_rows[y][x]; }
-  void set(std::size_t x, std::size_t y) { m_rows[y].set(x); }
-  const Bit_row& row(std::size_t y) const { return m_rows[y]; }
+  std::size_t height() const { return m_height; }
+  std::size_t words_of_row() const { return m_words_of_row; }
+
+  bool at(std::size_t x, std::size_t y) const { return (row(y)[x / 64] >> (x % 64)) & 1; }
+
+  // So many words, the last one empty; others after them may be read.
+  const Word* row(std::size_t y) const { return m_words.data() + y * m_words_of_row; }
+  Word* row(std::size_t y) { return m_words.data() + y * m_words_of_row; }
+
+  // 64 cells, the first of them the cell `shift` < 64 of a word.
+  static Word shifted(const Word* word, unsigned int shift)
+  {
+    return (word[0] >> shift) | (word[1] << 1 << (63 - shift));
+  }
+
+  // Takes or empties the cells of a row from `begin` to before `end`.
+  void set_run(std::size_t y, std::size_t begin, std::size_t end, bool is_taken = true)
+  {
+    Word* words = row(y);
+    for (std::size_t i = begin / 64; 64 * i < end; ++i) {
+      Word run = ~Word(0);
+      if (64 * i < begin)
+        run <<= begin % 64;
+      if (64 * (i + 1) > end)
+        run &= ~Word(0) >> (63 - (end - 1) % 64);
+      words[i] = is_taken ? words[i] | run : words[i] & ~run;
+    }
+  }
 
   // Makes room for rows above.
   void raise(std::size_t height)
   {
-    if (height > m_rows.size())
-      m_rows.resize(height, Bit_row(m_width));
-  }
-
-  std::vector<Run> runs(std::size_t y) const
-  {
-    std::vector<Run> result;
-    for (std::size_t x = 0; x < m_width; ++x)
-      if (at(x, y) && (result.empty() || result.back().second != x))
-        result.emplace_back(x, x + 1);
-      else if (at(x, y))
-        ++result.back().second;
-    return result;
-  }
-
-  // Turned by a right angle, counter-clockwise.
-  Bitmap turned() const
-  {
-    Bitmap result(height(), width());
-    for (std::size_t y = 0; y < height(); ++y)
-      for (std::size_t x = 0; x < width(); ++x)
-        if (at(x, y))
-          result.set(height() - 1 - y, x);
-    return result;
-  }
-
-  // With every cell grown by `reach` cells in each direction.
-  Bitmap grown(std::size_t reach) const
-  {
-    Bitmap result(m_width + 2 * reach, height() + 2 * reach);
-    for (std::size_t y = 0; y < height(); ++y)
-      for (const Run& run : runs(y))
-        for (std::size_t x = run.first; x < run.second + 2 * reach; ++x)
-          result.set(x, y + reach);
-    Bitmap tall(result.width(), result.height());
-    for (std::size_t y = reach; y < height() + reach; ++y)
-      for (std::size_t z = y - reach; z <= y + reach; ++z)
-        tall.m_rows[z].or_shifted(result.m_rows[y], 0);
-    return tall;
+    constexpr std::size_t readable_words = 4;       // after the last row
+    m_height = (std::max)(m_height, height);
+    if (const std::size_t size = m_height * m_words_of_row + readable_words; size > m_words.size())
+      m_words.resize(size, 0);
   }
 
 private:
-  std::size_t m_width;
-  std::vector<Bit_row> m_rows;
+  std::size_t m_width, m_words_of_row, m_height = 0;
+  std::vector<Word> m_words;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mask.h>
 
 #include <cstddef>
 #include <vector>
@@ -14,19 +15,13 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 struct Pack_options
 {
-  static constexpr double greatest_margin = 0.1;
+  static constexpr double greatest_margin = 0.1, greatest_margin_of_chart = 0.25;
 
   double margin = 1. / 256;              // between charts, of the side of the square; half of it at the sides
-  std::size_t cells_of_chart = 40;       // a side of a chart of mean area has about so many cells of the grid
-  std::size_t least_cells = 512, most_cells = 1536;        // on a side of the square
+  double margin_of_chart = 1. / 32;      // and no more, of the side of the n-th part of the square
+  std::size_t cells_of_chart = 128;      // a side of a chart of mean area has about so many cells of the grid
+  std::size_t least_cells = 1024, most_cells = 6400;       // on a side of the square
   std::size_t most_widths = 8, most_placements = 2000;     // of strips that are tried, and of charts in all of them
-};
-
-// A piece of an atlas: triangles in the plane.
-struct Chart
-{
-  std::vector<Point_2> points;
-  std::vector<Index_triangle> triangles;
 };
 
 struct Packing
@@ -38,7 +33,8 @@ struct Packing
 // Moves and turns charts, so that they lie in a square with a corner at the origin, and do not meet.
 //
 // Charts are put one after the other, the largest first, each at the lowest place where it fits, in one of four
-// directions, on a grid whose cells are taken if a triangle meets them. Several widths are tried.
+// directions, on a grid whose cells are taken if a triangle meets them. Several widths are tried. Charts that are a
+// great part of all are turned by more angles and tried in many orders, on a coarser grid.
 Packing pack_charts(std::vector<Chart>& charts, const Pack_options& options);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -1,0 +1,64 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_STRIP_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_STRIP_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Bitmap.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mask.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// A strip of some width that grows upwards, and what is taken in it. For every power of two there is a bitmap of the
+// places where a square of that side would meet a cell that is taken: so a square is looked up as one bit, and 64
+// places at a time.
+class Strip
+{
+public:
+  struct Place
+  {
+    std::size_t x = 0, y = 0, top = (std::numeric_limits<std::size_t>::max)();       // nowhere
+  };
+
+  // Between charts so many cells stay empty. Masks have `number_of_levels` at most.
+  Strip(std::size_t width, std::size_t margin, std::size_t number_of_levels);
+
+  // The cells that are used are below and to the left of these.
+  std::size_t top() const { return m_top; }
+  std::size_t right() const { return m_right; }
+
+  // The lowest place for a mask, and there the leftmost one, at or above a row. Nowhere if the mask is too wide, or if
+  // that place does not end below `most_top`. Below the row y that the caller gets there is no place.
+  Place find(const Chart_mask& mask, std::size_t& y, std::size_t most_top);
+
+  // The masks after this one have `number_of_levels` at most, and no more than those before.
+  void put(const Chart_mask& mask, const Place& place, std::size_t number_of_levels);
+
+private:
+  struct Lookup
+  {
+    const Bitmap::Word* word;           // for the place at the origin
+    unsigned int shift;
+  };
+
+  void raise(std::size_t height);
+  void update_next_level(std::size_t level, std::size_t left, std::size_t right, std::size_t bottom,
+                         std::size_t top);
+
+  std::vector<Bitmap> m_taken;          // by level
+  std::vector<Lookup> m_lookups;        // scratch of find()
+  std::size_t m_width, m_margin, m_right = 0, m_top = 0;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Strip_impl.h>
+#endif
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_STRIP_H

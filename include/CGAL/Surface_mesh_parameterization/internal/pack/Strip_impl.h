@@ -1,0 +1,89 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_STRIP_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_STRIP_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Strip.h>
+
+#include <algorithm>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Strip::Strip(std::size_t width, std::size_t margin, std::size_t number_of_levels)
+  : m_taken(number_of_levels, Bitmap(width)), m_width(width), m_margin(margin)
+{ }
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Strip::Place Strip::find(const Chart_mask& mask, std::size_t& y, std::size_t most_top)
+{
+  if (mask.width > m_width)
+    return {};
+  const std::size_t end = m_width - mask.width + 1, words_of_row = m_taken[0].words_of_row();
+  raise((std::max)(y, m_top + m_margin) + mask.height);         // there is a place above all others
+  m_lookups.clear();
+  for (const Chart_mask::Square& s : mask.squares)
+    m_lookups.push_back({ m_taken[s.level].row(s.y) + s.x / 64, s.x % 64 });
+  for (; y + mask.height < most_top; ++y)
+    for (std::size_t i = 0; 64 * i < end; ++i) {
+      Bitmap::Word empty = 64 * (i + 1) > end ? ~Bitmap::Word(0) >> (63 - (end - 1) % 64) : ~Bitmap::Word(0);
+      for (const Lookup& l : m_lookups)
+        if ((empty &= ~Bitmap::shifted(l.word + y * words_of_row + i, l.shift)) == 0)
+          break;
+      if (empty != 0)
+        return { 64 * i + lowest_bit(empty), y, y + mask.height };
+    }
+  return {};
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void Strip::put(const Chart_mask& mask, const Place& place, std::size_t number_of_levels)
+{
+  m_top = (std::max)(m_top, place.top);
+  m_right = (std::max)(m_right, place.x + mask.width);
+  raise(place.top + m_margin);
+  m_taken.resize(number_of_levels);
+  const auto without_margin = [&](std::size_t x) { return x > m_margin ? x - m_margin : 0; };
+  for (const Chart_mask::Square& s : mask.squares) {
+    const std::size_t side = std::size_t(1) << s.level, x = place.x + s.x, y = place.y + s.y;
+    for (std::size_t row = without_margin(y); row < y + side + m_margin; ++row)
+      m_taken[0].set_run(row, without_margin(x), (std::min)(x + side + m_margin, m_width));
+  }
+  const std::size_t left = without_margin(place.x), right = (std::min)(place.x + mask.width + m_margin, m_width),
+                    bottom = without_margin(place.y), top = place.top + m_margin;
+  for (std::size_t level = 0; level + 1 < number_of_levels; ++level)
+    update_next_level(level, left, right, bottom, top);
+}
+
+// A square meets taken cells if one of its four quarters does.
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void Strip::update_next_level(std::size_t level, std::size_t left, std::size_t right, std::size_t bottom,
+                              std::size_t top)
+{
+  const std::size_t side = std::size_t(1) << level, step = side / 64, words = m_taken[0].words_of_row(),
+                    reach = 2 * side;
+  const unsigned int shift = side % 64;
+  for (std::size_t y = bottom > reach ? bottom - reach : 0; y < top; ++y) {
+    const Bitmap::Word *low = m_taken[level].row(y), *high = m_taken[level].row(y + side);
+    Bitmap::Word* next = m_taken[level + 1].row(y);
+    for (std::size_t i = (left > reach ? left - reach : 0) / 64; 64 * i < right; ++i) {
+      next[i] = low[i] | high[i];
+      if (i + step + 1 < words)
+        next[i] |= Bitmap::shifted(low + i + step, shift) | Bitmap::shifted(high + i + step, shift);
+    }
+  }
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void Strip::raise(std::size_t height)
+{
+  const std::size_t needed = height + (std::size_t(2) << m_taken.size());
+  if (needed > m_taken[0].height())
+    for (Bitmap& bitmap : m_taken)
+      bitmap.raise(needed + needed / 2);
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_STRIP_IMPL_H

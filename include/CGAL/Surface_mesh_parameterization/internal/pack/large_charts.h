@@ -1,0 +1,111 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_LARGE_CHARTS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_LARGE_CHARTS_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mask.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Grid_packer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/turn_chart.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// How charts that are a great part of all are packed.
+struct Large_charts
+{
+  std::vector<std::size_t> order;             // their numbers, in which they are put
+  std::vector<Vector_2> directions;           // of each in that order
+  double width = 0;                           // of the strip; 0 if there is no large chart
+  double side = 0;                            // of the square that holds them
+};
+
+// A chart of many triangles as bars on a grid, which cover it. Its box has a corner at the origin.
+inline Chart as_bars(const Chart& chart, double cell)
+{
+  const Bitmap cells = rasterize(chart, cell);
+  Chart bars;
+  const auto add_bar = [&](std::size_t y, std::size_t begin, std::size_t end) {
+    const Index first = Index(bars.points.size());
+    for (const std::size_t x : { begin, end })
+      for (const std::size_t z : { y, y + 1 })
+        bars.points.emplace_back(double(x) * cell, double(z) * cell);
+    bars.triangles.push_back({ first, first + 2, first + 1 });
+    bars.triangles.push_back({ first + 1, first + 2, first + 3 });
+  };
+  for (std::size_t y = 0; y < cells.height(); ++y)
+    for (std::size_t x = 0; x < cells.width(); ++x)
+      if (cells.at(x, y)) {
+        const std::size_t begin = x;
+        while (x < cells.width() && cells.at(x, y))
+          ++x;
+        add_bar(y, begin, x);
+      }
+  return bars;
+}
+
+// Orders and widths are changed at random, and kept where they make the square smaller.
+inline std::pair<Grid_packer::Plan, Grid_packer::Result> search_plan(const Grid_packer& packer, std::size_t width,
+                                                                     std::size_t margin, std::size_t number_of_trials)
+{
+  Grid_packer::Plan best_plan{ packer.order_by_size(), (std::max)(packer.least_width(), width) };
+  Grid_packer::Result best = packer.pack(best_plan);
+  std::mt19937 random(1);
+  for (std::size_t trial = 0; trial < number_of_trials; ++trial) {
+    Grid_packer::Plan plan = best_plan;
+    for (std::size_t swaps = 0; swaps <= trial % 2; ++swaps) {
+      const std::size_t i = random() % plan.order.size(), j = random() % plan.order.size();
+      std::swap(plan.order[i], plan.order[j]);
+    }
+    plan.width = (std::max)(packer.least_width(), best.side - margin - random() % (best.side / 10 + 1));
+    Grid_packer::Result other = packer.pack(plan, best.side - margin);
+    if (other.side < best.side) {
+      best = std::move(other);
+      best_plan = std::move(plan);
+    }
+  }
+  return { std::move(best_plan), std::move(best) };
+}
+
+// Searches on a coarse grid; the charts are about to lie in a square of this side. The margin is a part of it.
+inline Large_charts search_large_charts(const std::vector<Chart>& charts, const std::vector<double>& areas,
+                                        double side, double margin)
+{
+  constexpr double least_part = 0.005;                // of the square
+  constexpr std::size_t cells = 256, most_placements = 5000, most_trials = 1000, number_of_directions = 32,
+                        most_triangles = 5000;        // of a chart that is turned as it is
+  const double cell = side / cells;
+  const std::size_t margin_cells = (std::max)(std::size_t(1), std::size_t(margin * cells));
+  std::vector<std::size_t> numbers;
+  std::vector<Chart> large;
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    if (areas[i] > least_part * side * side) {
+      numbers.push_back(i);
+      large.push_back(charts[i].triangles.size() > most_triangles ? as_bars(charts[i], 0.25 * cell) : charts[i]);
+    }
+  if (large.empty())
+    return {};
+
+  const std::vector<Vector_2> directions = evenly_spaced_directions(number_of_directions);
+  const Grid_packer packer(large, std::vector<std::vector<Vector_2>>(large.size(), directions), cell, margin_cells);
+  const auto [plan, packed] =
+      search_plan(packer, cells, margin_cells, (std::min)(most_trials, most_placements / large.size()));
+  Large_charts result;
+  for (const std::size_t i : plan.order) {
+    result.order.push_back(numbers[i]);
+    result.directions.push_back(directions[packed.directions[i]]);
+  }
+  result.width = double(plan.width) * cell;
+  result.side = double(packed.side) * cell;
+  return result;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_LARGE_CHARTS_H
