@@ -181,8 +181,8 @@ std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, c
 /// one: then no two triangles of the atlas overlap.
 ///
 /// \tparam Method a class template of parameterizers, as of `hierarchical_parameterization()`
-/// \tparam ConcurrencyTag `CGAL::Parallel_tag` lays out several charts side by side, and needs `CGAL::TBB_support`; the
-///         result is the same
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` cuts several components side by side, then lays out several charts, and
+///         needs `CGAL::TBB_support`; the result is the same
 ///
 /// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; it is only read
 /// \param uvmap a writable property map from halfedges to points of the plane. Untouched on an error, except that of a
@@ -212,7 +212,8 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
     internal::Atlas atlas;
     const auto seams = parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
                                                     CGAL::Constant_property_map<edge_descriptor, bool>(false));
-    internal::read_and_cut(mesh, seams, np, atlas.mesh, result.cut);
+    const internal::Loops loops = internal::Loops::of<ConcurrencyTag>();
+    internal::read_and_cut(mesh, seams, np, loops, atlas.mesh, result.cut);
     result.error = result.cut.error;
     if (!result.is_ok())
       return result;
@@ -220,7 +221,7 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
     result.seconds_cut = timer.time();
 
     const std::vector<bool> has_map =
-        internal::parameterize_charts<Method>(atlas, np_of_charts, internal::Loops::of<ConcurrencyTag>(), result);
+        internal::parameterize_charts<Method>(atlas, np_of_charts, loops, result);
     result.seconds_parameterize = timer.time() - result.seconds_cut;
 
     result.used_part = internal::pack_and_write(mesh, atlas, has_map, np, uvmap, result.error);

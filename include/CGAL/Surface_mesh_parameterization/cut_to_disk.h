@@ -7,6 +7,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
@@ -46,13 +47,13 @@ namespace internal {
 // Reads a mesh and cuts it. Returns which halfedges became seams.
 template <class TriangleMesh, class EdgeSeamMap, class NamedParameters>
 std::vector<bool> read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const NamedParameters& np,
-                               Corner_mesh& corners, Cut_summary& summary)
+                               const Loops& loops, Corner_mesh& corners, Cut_summary& summary)
 {
   summary.error = read_corner_mesh(mesh, seams, corners);
   if (!summary.is_ok())
     return {};
   const std::vector<Index> old_opposite = corners.opposite;
-  for (const Component_cut& c : cut_mesh(corners, cut_options_of(np)))
+  for (const Component_cut& c : cut_mesh(corners, cut_options_of(np), loops))
     summary.components.push_back({ c.faces, c.genus, c.borders, c.branches, c.distortion });
   std::vector<bool> is_seam(corners.number_of_halfedges(), false);
   for (Index h = 0; h < corners.number_of_halfedges(); ++h) {
@@ -109,7 +110,7 @@ Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeSeamMap seams,
   if constexpr (internal::Mesh_check<TriangleMesh>::value) {
     internal::assert_names<internal::Cut_names>(np);
     internal::Corner_mesh corners;
-    const std::vector<bool> is_seam = internal::read_and_cut(mesh, seams, np, corners, summary);
+    const std::vector<bool> is_seam = internal::read_and_cut(mesh, seams, np, internal::Loops(), corners, summary);
     internal::for_each_corner(mesh, [&](auto h, internal::Index i) {
       if (summary.is_ok() && is_seam[i])
         put(seams, edge(h, mesh), true);

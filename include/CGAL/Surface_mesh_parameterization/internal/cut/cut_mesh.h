@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_MESH_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_MESH_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_component.h>
@@ -31,8 +32,8 @@ Cut_options cut_options_of(const NamedParameters& np)
 }
 
 // Severs a mesh, so that every component becomes a disk, possibly with holes, and splits its vertices. Returns what was
-// done with each, in the order of connected_components().
-std::vector<Component_cut> cut_mesh(Corner_mesh& mesh, const Cut_options& options);
+// done with each, in the order of connected_components(). Several components are cut side by side if the loops do so.
+std::vector<Component_cut> cut_mesh(Corner_mesh& mesh, const Cut_options& options, const Loops& loops);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

@@ -63,9 +63,9 @@ inline std::pair<Grid_packer::Plan, Grid_packer::Result> search_plan(const Grid_
       const std::size_t i = random() % plan.order.size(), j = random() % plan.order.size();
       std::swap(plan.order[i], plan.order[j]);
     }
-    plan.width = (std::max)(packer.least_width(), best.side - margin - random() % (best.side / 10 + 1));
-    Grid_packer::Result other = packer.pack(plan, best.side - margin);
-    if (other.side < best.side) {
+    plan.width = (std::max)(packer.least_width(), best.side - margin - random() % (best.side / 20 + 1));
+    Grid_packer::Result other = packer.pack(plan, best.side - margin + 1);
+    if (other.side <= best.side) {
       best = std::move(other);
       best_plan = std::move(plan);
     }
@@ -78,7 +78,7 @@ inline Large_charts search_large_charts(const std::vector<Chart>& charts, const 
                                         double side, double margin)
 {
   constexpr double least_part = 0.005;                // of the square
-  constexpr std::size_t cells = 256, most_placements = 5000, most_trials = 1000, number_of_directions = 32,
+  constexpr std::size_t cells = 256, most_placements = 15000, most_trials = 1000, number_of_directions = 32,
                         most_triangles = 5000;        // of a chart that is turned as it is
   const double cell = side / cells;
   const std::size_t margin_cells = (std::max)(std::size_t(1), std::size_t(margin * cells));

@@ -21,7 +21,7 @@ struct Pack_options
   double margin_of_chart = 1. / 32;      // and no more, of the side of the n-th part of the square
   std::size_t cells_of_chart = 128;      // a side of a chart of mean area has about so many cells of the grid
   std::size_t least_cells = 1024, most_cells = 6400;       // on a side of the square
-  std::size_t most_widths = 8, most_placements = 2000;     // of strips that are tried, and of charts in all of them
+  std::size_t most_widths = 8, most_placements = 5000;     // of strips that are tried, and of charts in all of them
 };
 
 struct Packing

@@ -112,7 +112,7 @@ Packing pack_charts(std::vector<Chart>& charts, const Pack_options& options)
   for (const Chart& chart : charts)
     areas.push_back(area(chart));
   const double total_area = std::accumulate(areas.begin(), areas.end(), 0.);
-  if (!(total_area > 0))
+  if (!(total_area > 0 && std::isfinite(total_area)))
     return {};
   const double margin = (std::min)(options.margin, options.margin_of_chart / std::sqrt(double(charts.size())));
   double side;

@@ -1,0 +1,163 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Atlases of closed surfaces: with handles, and of many components.
+
+#include "../../test/Surface_mesh_parameterization/closed_meshes.h"
+#include "Peak_memory.h"
+#include "benchmark_utilities.h"
+
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
+
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+typedef Mesh::Property_map<Mesh::Halfedge_index, Point_2>   Corner_map;
+
+// A copy, scaled and moved, of a mesh.
+void add(const test_meshes::Flat_mesh& component, double scale, double move, Mesh& mesh)
+{
+  const Mesh::size_type first = Mesh::size_type(mesh.number_of_vertices());
+  for (const Point_3& p : component.points)
+    mesh.add_vertex(Point_3(scale * p.x() + move, scale * p.y(), scale * p.z()));
+  for (const test_meshes::Index_triangle& t : component.triangles)
+    mesh.add_face(Mesh::Vertex_index(first + t[0]), Mesh::Vertex_index(first + t[1]), Mesh::Vertex_index(first + t[2]));
+}
+
+Mesh plate(std::size_t handles, std::size_t refinement)
+{
+  Mesh mesh;
+  add(test_meshes::plate_with_holes(test_meshes::Index(handles), test_meshes::Index(refinement)), 1, 0, mesh);
+  return mesh;
+}
+
+// Spheres, tetrahedra and wavy squares whose sizes differ as those of the charts of scanned scenes do: the logarithms
+// are spread evenly over a range.
+Mesh many_components(std::size_t number, double range)
+{
+  const test_meshes::Flat_mesh kinds[] = { test_meshes::sphere(8, 10), test_meshes::tetrahedron(),
+                                           test_meshes::grid(5, 5, test_meshes::wavy) };
+  std::mt19937 random(1);
+  Mesh mesh;
+  for (std::size_t i = 0; i < number; ++i)
+    add(kinds[i % 3], std::exp(range * double(random()) / double(random.max())), 100. * double(i), mesh);
+  return mesh;
+}
+
+// A few plates with handles, whose area is about half of the whole, and many small components.
+Mesh mixed_components(std::size_t number)
+{
+  Mesh mesh = many_components(number - 8, 1.5);
+  const double scale =
+      std::sqrt(CGAL::Polygon_mesh_processing::area(mesh) / CGAL::Polygon_mesh_processing::area(plate(2, 4)) / 8);
+  for (test_meshes::Index i = 0; i < 8; ++i)
+    add(test_meshes::plate_with_holes(i % 4, 4), scale, -100. * scale * (i + 1), mesh);
+  return mesh;
+}
+
+struct Checks
+{
+  double energy;                        // symmetric Dirichlet: mean over the area; MIPS: mean over the triangles
+  std::size_t flips, overlaps;          // by exact predicates, within and between charts
+};
+
+Checks check(const Mesh& mesh, const Corner_map& uv, bool is_mips)
+{
+  std::vector<SMP::internal::Mapped_triangle> triangles;
+  std::vector<SMP::internal::Triangle_2> images;
+  SMP::internal::Unit_scale scale;
+  for (const Mesh::Face_index f : mesh.faces()) {
+    const Mesh::Halfedge_index a = mesh.halfedge(f), b = mesh.next(a), c = mesh.next(b);
+    images.push_back({ uv[a], uv[b], uv[c] });
+    triangles.push_back({ { mesh.point(mesh.target(a)), mesh.point(mesh.target(b)), mesh.point(mesh.target(c)) },
+                          images.back() });
+    scale.include(triangles.back());
+  }
+  SMP::internal::Quality_sums sums(scale);
+  for (const SMP::internal::Mapped_triangle& t : triangles)
+    sums.add(t);
+  const SMP::Parameterization_quality quality = sums.quality();
+  return { is_mips ? quality.mips / double(triangles.size()) : quality.symmetric_dirichlet, quality.flips,
+           SMP::internal::number_of_overlapping_pairs(images) };
+}
+
+double diagonal(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+}
+
+template <template <class...> class Method>
+void measure(const std::string& name, Mesh mesh, bool is_mips)
+{
+  const Corner_map uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
+  const Peak_memory memory;
+  const SMP::Atlas_summary summary = SMP::atlas_parameterization<Method>(mesh, uv);
+  const double bytes = memory.growth().value_or(0);
+  check(summary.error.code);
+  std::size_t handles = 0;
+  for (const SMP::Cut_summary::Component& component : summary.cut.components)
+    handles += component.genus;
+  const Checks checks = check(mesh, uv, is_mips);
+  const double seconds = summary.seconds_cut + summary.seconds_parameterize + summary.seconds_pack,
+               triangles = double(mesh.number_of_faces());
+  std::printf("%-28s %9.0f %6zu %4zu %7.2f %7.3f %7.2f %7.2f %7.2f %6.3f %5zu %5zu %8.1f %6.0f\n", name.c_str(),
+              triangles, summary.charts.size(), handles, summary.cut.seam_length / diagonal(mesh), checks.energy,
+              summary.seconds_cut, summary.seconds_parameterize, summary.seconds_pack, summary.used_part, checks.flips,
+              checks.overlaps, 1e6 * seconds / triangles, bytes / triangles);
+  std::fflush(stdout);
+}
+
+void measure(const std::string& name, const Mesh& mesh)
+{
+  measure<SMP::Symmetric_Dirichlet_parameterizer_3>(name, mesh, false);
+  measure<SMP::MIPS_parameterizer_3>(name + ", MIPS", mesh, true);
+}
+
+void run(int argc, char* argv[])
+{
+  po::options_description options("Options");
+  options.add_options()
+    ("components", po::value<std::vector<int>>()->default_value({ 100, 1000, 10000 }, "100, 1000, 10000"),
+     "numbers of components of generated meshes")
+    ("handles", po::value<std::vector<int>>()->default_value({ 0, 1, 5, 20 }, "0, 1, 5, 20"),
+     "numbers of handles of generated meshes");
+  const po::variables_map values =
+      parse(argc, argv, options, "atlases [MESH.off ...] [--components N]... [--handles N]...");
+  const auto files = values["mesh"].as<std::vector<std::string>>();
+
+  std::printf("%-28s %9s %6s %4s %7s %7s %7s %7s %7s %6s %5s %5s %8s %6s\n", "", "triangles", "charts", "hdls", "seam",
+              "energy", "cut s", "map s", "pack s", "used", "flips", "overl", "s/10^6", "B/tri");
+  for (const std::string& file : files) {
+    Mesh mesh = read_mesh(file);
+    CGAL::Polygon_mesh_processing::stitch_borders(mesh);
+    mesh.collect_garbage();
+    measure(file.substr(file.find_last_of('/') + 1), mesh);
+  }
+  const auto is_wanted = [&](const char* option) { return files.empty() || !values[option].defaulted(); };
+  if (is_wanted("handles"))
+    for (const int n : values["handles"].as<std::vector<int>>()) {
+      const std::size_t handles = checked_count("handles", n, 0, 1000);
+      measure("plate, " + std::to_string(handles) + " handles", plate(handles, 10));
+    }
+  if (is_wanted("components"))
+    for (const int n : values["components"].as<std::vector<int>>()) {
+      const std::size_t number = checked_count("components", n, 10, 1000000);
+      measure("sizes within 1:3", many_components(number, std::log(3.)));
+      measure("sizes within 1:100", many_components(number, std::log(100.)));
+      measure("8 plates and small ones", mixed_components(number));
+    }
+}
+
+int main(int argc, char* argv[])
+{
+  return exit_status_of([&] { run(argc, argv); });
+}
