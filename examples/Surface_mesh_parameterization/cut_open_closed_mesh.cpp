@@ -1,35 +1,36 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Parameterizes a closed mesh: cuts it open along paths of edges, which a seam mesh does without changing the mesh, and
-// writes it as OBJ with texture coordinates by corner and the seam as lines. Without INPUT, a sphere with bumps.
+// Parameterizes a surface that is closed or has handles: finds seams that make it a disk, hands them to a seam mesh,
+// which any parameterizer takes, and writes it as OBJ with texture coordinates by corner and the seams as lines. Without
+// INPUT, a sphere with bumps.
 
-#include "chart.h"
 #include "example_utilities.h"
 #include "write_file.h"
 
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/cut_to_disk.h>
 #include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/repair.h>
+#include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/generators.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/property_map.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <list>
 #include <ostream>
-#include <vector>
 
 namespace {
 
-const char* const usage = "cut_open_closed_mesh_example [INPUT] [--output OUT.obj] [--paths N]";
+typedef Mesh::Property_map<Mesh::Edge_index, bool>               Seam_edge_map;
+typedef Mesh::Property_map<Mesh::Vertex_index, bool>             Seam_vertex_map;
+typedef CGAL::Seam_mesh<Mesh, Seam_edge_map, Seam_vertex_map>    Seam_mesh;
+
+const char* const usage = "cut_open_closed_mesh_example [INPUT] [--output OUT.obj] [--distortion-bound B]";
 
 Mesh make_sphere_with_bumps()
 {
@@ -47,38 +48,36 @@ Mesh make_sphere_with_bumps()
 
 void run(const Arguments& arguments)
 {
-  const std::size_t number_of_paths = arguments.number<std::size_t>("paths", 1, 1, 1000);
-  Mesh mesh = read_mesh_or(arguments, make_sphere_with_bumps);
-  if (!CGAL::is_closed(mesh))
-    throw Input_error{ "has a border: no cut is needed" };
-  const auto component_of = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:component").first;
-  if (CGAL::Polygon_mesh_processing::connected_components(mesh, component_of) > 1)
-    throw Input_error{ "has several components" };
-  CGAL::Polygon_mesh_processing::remove_isolated_vertices(mesh);
-  mesh.collect_garbage();
+  const double bound = arguments.number<double>("distortion-bound", 4.5, 4, 1000);
+  Mesh mesh = arguments.input().empty() ? make_sphere_with_bumps() : read_surface(arguments);
 
-  // Both halfedges of a seam edge are on the border of the seam mesh; a vertex is there as often as seams divide the
-  // faces around it.
-  std::list<Chart> charts;
-  Chart& chart = charts.emplace_back(mesh);
-  const std::vector<Mesh::Halfedge_index> seam = Seam_tree(chart.mesh).grow(number_of_paths);
-  for (const Mesh::Halfedge_index h : seam)
-    chart.seam_mesh.add_seam(chart.mesh.source(h), chart.mesh.target(h));
+  // The more branches the seams have, the smaller is the distortion.
+  const Seam_edge_map is_seam = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_seam", false).first;
+  const SMP::Cut_summary cut = SMP::cut_to_disk(mesh, is_seam, SMP::parameters::distortion_bound(bound));
+  throw_if_failed(cut.error);
 
+  // A vertex is there in the seam mesh as often as seams divide the faces around it.
+  const Seam_vertex_map is_on_seam = mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_on_seam", false).first;
+  for (const Mesh::Edge_index e : mesh.edges())
+    if (is_seam[e])
+      is_on_seam[mesh.vertex(e, 0)] = is_on_seam[mesh.vertex(e, 1)] = true;
+  const Seam_mesh seam_mesh(mesh, is_seam, is_on_seam);
+
+  // A vertex of the seam mesh is a halfedge of the mesh.
+  const auto uvmap = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
   throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(
-      chart.seam_mesh, chart.uvmap, CGAL::parameters::globally_injective(true)));
-  lay_side_by_side(charts);
+      seam_mesh, uvmap, CGAL::parameters::globally_injective(true)).error);
 
-  const SMP::Parameterization_quality quality = SMP::parameterization_quality(chart.seam_mesh, chart.uvmap);
-  std::printf(
-      "%zu vertices, %zu in the plane, %zu seam edges, %zu flips, %zu overlapping pairs, symmetric Dirichlet %.4f\n",
-      std::size_t(mesh.number_of_vertices()), std::size_t(num_vertices(chart.seam_mesh)), seam.size(), quality.flips,
-      quality.overlaps, quality.symmetric_dirichlet);
+  const SMP::Parameterization_quality quality = SMP::parameterization_quality(seam_mesh, uvmap);
+  std::printf("%zu handles, %zu vertices, %zu in the plane, %zu seam edges, %zu flips, %zu overlapping pairs, "
+              "symmetric Dirichlet %.4f\n", cut.components[0].genus, std::size_t(mesh.number_of_vertices()),
+              std::size_t(num_vertices(seam_mesh)), cut.seam_edges, quality.flips, quality.overlaps,
+              quality.symmetric_dirichlet);
   write_file(arguments.text("output", "cut_open.obj"), [&](std::ostream& out) {
-    SMP::IO::write_OBJ(out, chart.seam_mesh, chart.uvmap,
-                       CGAL::Constant_property_map<Seam_mesh::vertex_descriptor, bool>(true));
-    for (const Mesh::Halfedge_index h : seam)
-      out << "l " << chart.mesh.source(h) + 1 << ' ' << chart.mesh.target(h) + 1 << '\n';
+    SMP::IO::write_OBJ(out, seam_mesh, uvmap, CGAL::Constant_property_map<Seam_mesh::vertex_descriptor, bool>(true));
+    for (const Mesh::Edge_index e : mesh.edges())
+      if (is_seam[e])
+        out << "l " << mesh.vertex(e, 0) + 1 << ' ' << mesh.vertex(e, 1) + 1 << '\n';
   });
 }
 
@@ -86,5 +85,5 @@ void run(const Arguments& arguments)
 
 int main(int argc, char** argv)
 {
-  return run_application(argc, argv, usage, { "output", "paths" }, run);
+  return run_application(argc, argv, usage, { "output", "distortion-bound" }, run);
 }

@@ -151,13 +151,13 @@ inline Mesh read_surface(const Arguments& arguments)
 }
 
 // An error of the surface is an Input_error; what a method fails with is not.
-inline void throw_if_failed(const SMP::Parameterization_summary& summary)
+inline void throw_if_failed(const SMP::Parameterization_error& error)
 {
-  const SMP::Error_code code = summary.error.code;
+  const SMP::Error_code code = error.code;
   if (code == SMP::ERROR_NO_1_TO_1_MAPPING || code == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM)
-    throw std::runtime_error(SMP::error_message(summary.error));
+    throw std::runtime_error(SMP::error_message(error));
   if (code != SMP::OK)
-    throw Input_error{ SMP::error_message(summary.error), code };
+    throw Input_error{ SMP::error_message(error), code };
 }
 
 // Turns points of the plane so that the least rectangle around them has sides along the axes, the longer one upright.

@@ -44,34 +44,29 @@ printf 'OFF\n12 7 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n5 0 0\n5 0.5 0\n5 0 0.5\n9 9 9\
 test_texture_mapping() {
   expect 0
   expect_counts texture_mapping.obj 1042 1042 1999
-  is_in_output '1 charts, 0 flips, 0 overlapping pairs'
+  is_in_output '1 charts, 0 seam edges'
   grep -q '^mtllib texture_mapping.mtl' texture_mapping.obj || fail "the OBJ file does not name its material"
   grep -q '^map_Kd texture_mapping.tga' texture_mapping.mtl || fail "the material does not name its image"
   # Forty squares of 25 pixels each way.
   [ "$(wc -c <texture_mapping.tga)" -eq $((18 + 3 * 1000 * 1000)) ] || fail "the image has $(wc -c <texture_mapping.tga) bytes"
 
-  # A tree of e edges makes e - 1 vertices more: that of three vertices on the tetrahedron has two.
-  expect 0 three.off --paths 1 --output three.obj
-  expect_counts three.obj 11 12 7
-  is_in_output '3 charts, 0 flips, 0 overlapping pairs'
-  # Charts lie in the unit square, their boxes apart, and flat ones have one scale.
+  # A path of two edges makes one vertex more.
+  expect 0 three.off --output three.obj
+  expect_counts three.obj 12 12 7
+  is_in_output '3 charts, 2 seam edges'
+  # Triangles lie in the unit square, none is flipped, and flat charts have one scale.
   awk '
-    $1 == "o" { ++charts; xmin[charts] = ymin[charts] = 1; xmax[charts] = ymax[charts] = 0 }
-    $1 == "vt" {
-      x[++n] = $2; y[n] = $3; c = charts
-      if ($2 < xmin[c]) xmin[c] = $2; if ($2 > xmax[c]) xmax[c] = $2; if ($3 < ymin[c]) ymin[c] = $3; if ($3 > ymax[c]) ymax[c] = $3
-      if ($2 < 0 || $2 > 1 || $3 < 0 || $3 > 1) { print "outside of the unit square"; exit 1 }
-    }
+    $1 == "vt" { x[++n] = $2; y[n] = $3; if ($2 <= 0 || $2 >= 1 || $3 <= 0 || $3 >= 1) { print "outside of the unit square"; exit 1 } }
     $1 == "f" {
       for (i = 2; i <= 4; ++i) { split($i, index_of, "/"); t[i] = index_of[2] }
-      area[charts] += ((x[t[3]] - x[t[2]]) * (y[t[4]] - y[t[2]]) - (y[t[3]] - y[t[2]]) * (x[t[4]] - x[t[2]])) / 2
+      area[++f] = ((x[t[3]] - x[t[2]]) * (y[t[4]] - y[t[2]]) - (y[t[3]] - y[t[2]]) * (x[t[4]] - x[t[2]])) / 2
+      if (area[f] <= 0) { print "flipped:", $0; exit 1 }
     }
-    END {
-      for (a = 1; a <= charts; ++a) for (b = 1; b < a; ++b)
-        if (xmin[a] <= xmax[b] && xmin[b] <= xmax[a] && ymin[a] <= ymax[b] && ymin[b] <= ymax[a]) { print "charts", a, "and", b, "overlap"; exit 1 }
-      if ((area[1] / (8 * area[2]) - 1)^2 > 1e-12) { print "the scales differ:", area[1], 8 * area[2]; exit 1 }
-    }' three.obj >message || fail "three.obj: $(cat message)"
-  expect 2 torus.off
+    END { if (((area[1] + area[2]) / (8 * area[3]) - 1)^2 > 1e-12) { print "the scales differ:", area[1] + area[2], 8 * area[3]; exit 1 } }
+    ' three.obj >message || fail "three.obj: $(cat message)"
+  # A torus becomes a disk, whose border is its s seam edges, twice each: it has s + 1 vertices more.
+  expect 0 torus.off --output torus.obj
+  expect_counts torus.obj 64 $((64 + $(sed 's/.* \([0-9]*\) seam edges.*/\1/' stdout) + 1)) 128
   expect 1 --squares 0
 }
 
@@ -117,20 +112,26 @@ test_remeshing() {
 }
 
 test_cut_open_closed_mesh() {
-  # A tree of e edges makes e - 1 vertices more.
-  local paths
-  for paths in 1 3; do
-    expect 0 --paths $paths
+  # A surface with g handles and seams of s edges becomes a disk with s + 2 g - 1 vertices more.
+  local bound before=0 seam_edges
+  for bound in 100 4.4 4.15; do
+    expect 0 --distortion-bound $bound
     is_in_output ' 0 flips, 0 overlapping pairs'
-    expect_counts cut_open.obj 2562 $((2562 + $(sed 's/.* \([0-9]*\) seam edges.*/\1/' stdout) - 1)) 5120
+    seam_edges=$(sed 's/.* \([0-9]*\) seam edges.*/\1/' stdout)
+    expect_counts cut_open.obj 2562 $((2562 + seam_edges - 1)) 5120
+    [ "$(grep -c '^l ' cut_open.obj)" -eq "$seam_edges" ] || fail "$(grep -c '^l ' cut_open.obj) lines for $seam_edges seam edges"
+    holds "$seam_edges >= $before" "the seam for the bound $bound"
+    holds "$(number_after 'symmetric Dirichlet') < 1.02 * $bound" "the bound $bound"
+    before=$seam_edges
   done
   expect 0 tetrahedron.off
   expect_counts cut_open.obj 4 5 4
-  rm cut_open.obj
-  expect 2 torus.off
-  grep -q handle stderr || fail "handles are not told: $(cat stderr)"
-  expect 2 square.off
-  expect 1 --paths 0
+  expect 0 torus.off
+  is_in_output '^1 handles, .* 0 flips, 0 overlapping pairs'
+  expect_counts cut_open.obj 64 $((64 + $(sed 's/.* \([0-9]*\) seam edges.*/\1/' stdout) + 1)) 128
+  expect 0 square.off
+  is_in_output ' 0 seam edges'
+  expect 1 --distortion-bound 3
 }
 
 "test_$name"
