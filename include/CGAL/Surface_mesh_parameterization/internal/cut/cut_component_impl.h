@@ -118,18 +118,16 @@ inline double shrinkage(const Level& level, const Level::Uv& uv, Index v)
   return area > 0 ? area / (std::max)(image_area, 0.) : 0;
 }
 
-// The least mean symmetric Dirichlet energy of a level, about.
-inline double least_distortion(const Level& level, Level::Uv uv)
+// The least mean symmetric Dirichlet energy of a level, about, from a map without flips. Infinite if it was not found.
+inline double least_distortion(const Level_energy& energy, Level::Uv& uv)
 {
   Refinement_options options;
   options.tolerance = 1e-2;
-  options.number_of_iterations = 30;
-  const Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, Triangle_weight::AREA);
+  options.number_of_iterations = 100;
   Level_summary summary;
-  scale_to_area(level, false, uv);
-  if (choose_first_map(energy, options, uv) != OK || minimize_flip_free(energy, false, uv, options, summary) != OK)
-    return (std::numeric_limits<double>::infinity)();
-  return energy(uv) / energy.unit();
+  return minimize_flip_free(energy, false, uv, options, summary) == OK
+             ? energy(uv) / energy.unit()
+             : (std::numeric_limits<double>::infinity)();
 }
 
 // The places of all borders.
@@ -146,7 +144,7 @@ class Extremity_search
 {
 public:
   Extremity_search(Sample sample, const Cut_options& options)
-    : m_options(options), m_state{ std::move(sample), {}, {}, 0 }
+    : m_options(options), m_state{ std::move(sample), {}, {}, {}, 0 }
   {
     m_state.is_tried.assign(m_state.sample.mesh.number_of_vertices(), false);
     measure(m_state);
@@ -182,10 +180,11 @@ private:
     Sample sample;
     std::vector<bool> is_tried;           // by vertex: whether a branch from about there gained too little
     std::vector<double> shrinkage;        // by vertex
+    std::vector<Point_2> uv;              // by vertex: a map of little distortion; none if it is not known
     double distortion;
   };
 
-  // Fills in what a map of the sample tells.
+  // Fills in what maps of the sample tell: Tutte's, and one of least distortion, which begins at the one that is there.
   static void measure(State& state)
   {
     const std::size_t n = state.sample.mesh.number_of_vertices();
@@ -198,7 +197,22 @@ private:
       return;
     for (Index v = 0; v < n; ++v)
       state.shrinkage[hierarchy.input_vertex(v)] = internal::shrinkage(level, uv, v);
-    state.distortion = least_distortion(level, uv);
+
+    const Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, Triangle_weight::AREA);
+    if (!state.uv.empty())
+      for (Index v = 0; v < n; ++v)
+        uv[v] = state.uv[hierarchy.input_vertex(v)];
+    else {
+      scale_to_area(level, false, uv);
+      if (choose_first_map(energy, Refinement_options(), uv) != OK)
+        return;
+    }
+    state.distortion = least_distortion(energy, uv);
+    state.uv.resize(n);
+    for (Index v = 0; v < n; ++v)
+      state.uv[hierarchy.input_vertex(v)] = uv[v];
+    if (!std::isfinite(state.distortion))
+      state.uv.clear();
   }
 
   Index candidate() const
@@ -214,7 +228,7 @@ private:
   // The sample, cut from a vertex to the border.
   State with_branch(Index tip) const
   {
-    State result{ m_state.sample, {}, {}, 0 };
+    State result{ m_state.sample, {}, {}, {}, 0 };
     Shortest_paths paths(m_state.sample.mesh);
     paths.add_sources(border_places(paths));
     const std::vector<Index> old_vertices = sever(result.sample.mesh, paths.path_to(paths.place(tip)));
@@ -222,6 +236,8 @@ private:
     for (const Index v : old_vertices) {
       result.sample.fine_vertex.push_back(m_state.sample.fine_vertex[v]);
       result.is_tried.push_back(m_state.is_tried[v]);
+      if (!m_state.uv.empty())
+        result.uv.push_back(m_state.uv[v]);
     }
     measure(result);
     return result;
