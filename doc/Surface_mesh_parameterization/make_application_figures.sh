@@ -1,8 +1,15 @@
 #!/usr/bin/env bash
-# Draws the figures of the applications into fig/: make_application_figures.sh BUILD, the folder of a build that has the
-# examples and the target draw_checker, which needs libpng (Debian: libpng-dev). Needs rsvg-convert, too.
+# Draws the figures of the applications into fig/: make_application_figures.sh BUILD [MESH CAPTION]..., the folder of a
+# build that has the examples and the target draw_checker, which needs libpng (Debian: libpng-dev). Needs rsvg-convert,
+# too. Only with meshes it draws atlases.png, of them and their atlases.
 set -euo pipefail
-build=$(cd "${1:?usage: make_application_figures.sh BUILD}" && pwd)
+build=$(cd "${1:?usage: make_application_figures.sh BUILD [MESH CAPTION]...}" && pwd)
+shift
+meshes=()
+for (( ; $# > 1; )); do
+  meshes+=("$(realpath "$1")" "$2")
+  shift 2
+done
 examples=$build/examples/Surface_mesh_parameterization
 draw_checker=$build/doc/Surface_mesh_parameterization/draw_checker
 figures=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/fig
@@ -49,11 +56,28 @@ for k in 0 1 2; do
 done
 side_by_side remeshing.png 240 332 "${pictures[@]}"
 
-for paths in 1 3; do
-  "$examples/cut_open_closed_mesh_example" --paths $paths >/dev/null
-  "$draw_checker" cut_open.obj "paths_$paths.png" --board 32,32 --view 0,0.2,1 --lines 4,0.85,0.05,0.1
+for bound in 100 4.1; do
+  "$examples/cut_open_closed_mesh_example" --distortion-bound $bound >/dev/null
+  "$draw_checker" cut_open.obj "bound_$bound.png" --board 32,32 --view 0,0.2,1 --lines 4,0.85,0.05,0.1
 done
-side_by_side seam.png 360 360 paths_1.png "cut along one path" paths_3.png "along three"
+side_by_side seam.png 360 360 bound_100.png "cut along one path" bound_4.1.png "with branches"
+
+# The map of an OBJ file as a surface in the plane, with the same texture.
+lay_flat() {
+  awk '$1 == "vt" { print "v", $2, $3, 0; print }
+       $1 == "f" { for (i = 2; i <= 4; ++i) { split($i, a, "/"); $i = a[2] "/" a[2] } print }' "$1"
+}
+
+pictures=()
+for (( i = 0; i < ${#meshes[@]}; i += 2 )); do
+  "$examples/texture_mapping_example" "${meshes[i]}" --output atlas.obj >output
+  used=$(sed 's/.*, \(.*\) of the texture.*/\1/' output)
+  lay_flat atlas.obj >flat.obj
+  "$draw_checker" atlas.obj "surface_$i.png" --board 60,60 --view 0,0.2,1
+  "$draw_checker" flat.obj "atlas_$i.png" --board 60,60 --view 0,0,1
+  pictures+=("surface_$i.png" "${meshes[i + 1]}" "atlas_$i.png" "its atlas, $used of the square")
+done
+if ((${#meshes[@]} > 0)); then side_by_side atlases.png 270 290 "${pictures[@]}"; fi
 
 pictures=()
 for method in uniform symmetric-dirichlet; do

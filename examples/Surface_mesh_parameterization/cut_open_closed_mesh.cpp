@@ -1,9 +1,9 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Parameterizes a surface that is closed or has handles: finds seams that make it a disk, hands them to a seam mesh,
-// which any parameterizer takes, and writes it as OBJ with texture coordinates by corner and the seams as lines. Without
-// INPUT, a sphere with bumps.
+// What atlas_parameterization() does, by hand: finds seams that make a surface a disk, hands them to a seam mesh, which
+// any parameterizer takes, and moves the map into the unit square. Writes OBJ with texture coordinates by corner, and
+// the seams as lines. Without INPUT, a sphere with bumps.
 
 #include "example_utilities.h"
 #include "write_file.h"
@@ -12,11 +12,11 @@
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/cut_to_disk.h>
 #include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/generators.h>
-#include <CGAL/property_map.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <cmath>
@@ -29,6 +29,7 @@ namespace {
 typedef Mesh::Property_map<Mesh::Edge_index, bool>               Seam_edge_map;
 typedef Mesh::Property_map<Mesh::Vertex_index, bool>             Seam_vertex_map;
 typedef CGAL::Seam_mesh<Mesh, Seam_edge_map, Seam_vertex_map>    Seam_mesh;
+typedef Mesh::Property_map<Mesh::Halfedge_index, Point_2>        Halfedge_uv_map;
 
 const char* const usage = "cut_open_closed_mesh_example [INPUT] [--output OUT.obj] [--distortion-bound B]";
 
@@ -64,17 +65,21 @@ void run(const Arguments& arguments)
   const Seam_mesh seam_mesh(mesh, is_seam, is_on_seam);
 
   // A vertex of the seam mesh is a halfedge of the mesh.
-  const auto uvmap = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
+  const Halfedge_uv_map uvmap = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
   throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(
       seam_mesh, uvmap, CGAL::parameters::globally_injective(true)).error);
 
+  const Halfedge_uv_map corners = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:corner_uv").first;
+  for (const Mesh::Halfedge_index h : mesh.halfedges())
+    if (!mesh.is_border(h))
+      corners[h] = uvmap[target(Seam_mesh::halfedge_descriptor(h), seam_mesh)];
+  throw_if_failed({ SMP::pack_charts(mesh, corners) });
+
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(seam_mesh, uvmap);
-  std::printf("%zu handles, %zu vertices, %zu in the plane, %zu seam edges, %zu flips, %zu overlapping pairs, "
-              "symmetric Dirichlet %.4f\n", cut.components[0].genus, std::size_t(mesh.number_of_vertices()),
-              std::size_t(num_vertices(seam_mesh)), cut.seam_edges, quality.flips, quality.overlaps,
-              quality.symmetric_dirichlet);
+  std::printf("%zu handles, %zu seam edges, %zu flips, %zu overlapping pairs, symmetric Dirichlet %.4f\n",
+              cut.components[0].genus, cut.seam_edges, quality.flips, quality.overlaps, quality.symmetric_dirichlet);
   write_file(arguments.text("output", "cut_open.obj"), [&](std::ostream& out) {
-    SMP::IO::write_OBJ(out, seam_mesh, uvmap, CGAL::Constant_property_map<Seam_mesh::vertex_descriptor, bool>(true));
+    SMP::IO::write_OBJ(out, mesh, corners);
     for (const Mesh::Edge_index e : mesh.edges())
       if (is_seam[e])
         out << "l " << mesh.vertex(e, 0) + 1 << ' ' << mesh.vertex(e, 1) + 1 << '\n';
