@@ -4,25 +4,13 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_COMPONENT_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_COMPONENT_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Cut_options.h>
 
 #include <cstddef>
-#include <limits>
-#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
-
-struct Cut_options
-{
-  double distortion_bound = 4.5;            // of the mean symmetric Dirichlet energy
-  bool bounds_disks = false;                // whether surfaces that need no cut are cut, too, where they exceed it
-  bool joins_borders = false;               // whether the result is a disk without holes
-  std::size_t most_branches = 50;           // paths to extremities
-  std::size_t most_failures = 8;            // branches that gain too little, before all are taken
-  std::size_t sample_size = 2000;           // vertices of the coarse level on which extremities are found
-};
 
 // What was done with a component.
 struct Component_cut

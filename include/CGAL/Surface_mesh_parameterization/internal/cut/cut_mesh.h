@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Cut_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_component.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 

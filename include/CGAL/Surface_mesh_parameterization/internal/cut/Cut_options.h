@@ -1,0 +1,23 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_OPTIONS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_OPTIONS_H
+
+#include <cstddef>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+struct Cut_options
+{
+  double distortion_bound = 4.5;            // of the mean symmetric Dirichlet energy
+  bool bounds_disks = false;                // whether surfaces that need no cut are cut, too, where they exceed it
+  bool joins_borders = false;               // whether the result is a disk without holes
+  std::size_t most_branches = 50;           // paths to extremities
+  std::size_t most_failures = 8;            // branches that gain too little, before all are taken
+  std::size_t sample_size = 2000;           // vertices of the coarse level on which extremities are found
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_OPTIONS_H
