@@ -250,6 +250,57 @@ def draw_methods(program, folder):
     write_montage("methods.png", [(folder / f"{method}.svg", title) for method, title in methods])
 
 
+def read_obj(path):
+    """The texture coordinates of the vertices, and the triangles."""
+    uv, triangles = [], []
+    for line in path.read_text().splitlines():
+        words = line.split()
+        if words[:1] == ["vt"]:
+            uv.append((float(words[1]), float(words[2])))
+        elif words[:1] == ["f"]:
+            triangles.append([int(w.split("/")[0]) - 1 for w in words[1:]])
+    return uv, triangles
+
+
+def border(triangles):
+    """The vertices on the border, counter-clockwise."""
+    edges = {(t[i], t[(i + 1) % 3]) for t in triangles for i in range(3)}
+    following = {v: w for v, w in edges if (w, v) not in edges}
+    loop = [min(following)]
+    while following[loop[-1]] != loop[0]:
+        loop.append(following[loop[-1]])
+    return loop
+
+
+def draw_constraints(program, folder):
+    """The face with a free border, with some of its vertices held, and with its border on a circle and on a star."""
+    free = folder / "free.obj"
+    run = [program, "--method", "symmetric-dirichlet", "--quiet"]
+    subprocess.run([*run, "--output", free, "--picture", folder / "free.svg"], check=True)
+    uv, triangles = read_obj(free)
+    loop = border(triangles)
+    center = centroid([uv[v] for v in loop])
+    radius = max(math.dist(uv[v], center) for v in loop)
+
+    def place(v, scale):
+        angle = math.atan2(uv[v][1] - center[1], uv[v][0] - center[0])
+        r = radius * scale(angle)
+        return center[0] + r * math.cos(angle), center[1] + r * math.sin(angle)
+
+    nearest = min(range(len(uv)), key=lambda v: math.dist(uv[v], center))
+    held = {
+        "held": {**{v: uv[v] for v in loop[::8]}, nearest: (center[0] + radius / 8, center[1] + radius / 16)},
+        "circle": {v: place(v, lambda angle: 0.9) for v in loop},
+        "star": {v: place(v, lambda angle: 0.9 + 0.25 * math.cos(5 * angle)) for v in loop},
+    }
+    for name, places in held.items():
+        file = folder / f"{name}.txt"
+        file.write_text("".join(f"{v} {x!r} {y!r}\n" for v, (x, y) in places.items()))
+        subprocess.run([*run, "--hold", file, "--picture", folder / f"{name}.svg"], check=True)
+    titles = [("free", "free"), ("held", "some vertices held"), ("circle", "border on a circle"), ("star", "border on a star")]
+    write_montage("constraints.png", [(folder / f"{name}.svg", title) for name, title in titles])
+
+
 def draw_steps(paper_figures, folder):
     subprocess.run([paper_figures, folder, "--steps", "40000"], check=True)
     write_montage("steps.png", [(folder / f"{name}_map.svg", name) for name in ("optimal", "hierarchical", "conventional")])
@@ -263,4 +314,5 @@ if __name__ == "__main__":
     if len(sys.argv) == 3:
         with tempfile.TemporaryDirectory() as temporary:
             draw_methods(sys.argv[1], pathlib.Path(temporary))
+            draw_constraints(sys.argv[1], pathlib.Path(temporary))
             draw_steps(sys.argv[2], pathlib.Path(temporary))

@@ -81,7 +81,7 @@ void check_files(const Options& options)
 
   const std::vector<Named_place> outputs = output_places(options);
   std::vector<std::string> inputs = options.inputs;
-  inputs.push_back(options.start);
+  inputs.insert(inputs.end(), { options.start, options.hold });
   for (const std::string& input : inputs) {
     const File_place place = input_place(input);
     for (const Named_place& output : outputs)

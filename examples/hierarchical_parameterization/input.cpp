@@ -45,6 +45,8 @@ std::string read_content(std::istream& in)
   return content;
 }
 
+} // namespace
+
 std::string read_content(const std::string& file)
 {
   namespace fs = std::filesystem;
@@ -59,6 +61,8 @@ std::string read_content(const std::string& file)
     throw Input_error{ "cannot be opened" };
   return read_content(in);
 }
+
+namespace {
 
 // The ending that a file with that content would have.
 std::string guess_suffix(const std::string& content)

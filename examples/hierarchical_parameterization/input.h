@@ -15,6 +15,9 @@
 
 struct Polygon_soup;
 
+// All of the named file. Throws an Input_error.
+std::string read_content(const std::string& file);
+
 // Makes the mesh as it is: vertices that coincide stay apart, but in STL. With `is_triangulated`, polygons are
 // cut into triangles.
 Mesh make_mesh(Polygon_soup soup, bool is_triangulated);
@@ -44,6 +47,7 @@ struct Input
   bool is_atlas = false;
   Mesh::Halfedge_index border;             // of one chart: on its longest border
   UV_map uvmap;                            // of one chart; a method fills it in
+  Held_map is_held;                        // of one chart: vertices that keep their places in uvmap
   Corner_map corner_map;                   // of an atlas; no corner of a face that has no map has a finite place
   std::size_t number_of_borders = 0;       // of the part, before it is cut
   std::size_t number_of_components = 0;    // of the mesh

@@ -7,6 +7,7 @@
 
 #include "components.h"
 #include "errors.h"
+#include "held_vertices.h"
 #include "input.h"
 
 #include <CGAL/Surface_mesh_parameterization/atlas_quality.h>
@@ -51,8 +52,11 @@ void check_quality(const SMP::Parameterization_quality& quality, bool may_flip, 
 void lay_out_chart(Input& input, const Options& options, Run_record& run)
 {
   input.uvmap = input.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+  input.is_held = input.mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_held", false).first;
   if (!options.start.empty())
     read_start(options.start, input);
+  if (!options.hold.empty())
+    read_held_vertices(options.hold, input);
   run.summary = options.method->run(input, options);
   if (!run.summary.is_ok())
     throw error_of(run.summary, options);

@@ -35,6 +35,7 @@ struct Method_options
   unsigned int seed;
   std::string levels;       // a folder, or empty
   std::string start;        // a file with a map to start from, or empty
+  std::string hold;         // a file with places of vertices, or empty
   bool flat, quiet, is_globally_injective, fills_holes;
   SMP::Flip_policy flip_policy;
 };
@@ -43,7 +44,7 @@ struct Method_options
 typedef SMP::Parameterization_summary Run_method(Input&, const Method_options&);
 
 // Cuts a whole mesh, lays out its charts, and packs them. Runs of one chart only, and what they need, are no matter
-// here: the options `levels`, `start` and `flat`.
+// here: the options `levels`, `start`, `hold` and `flat`.
 typedef SMP::Atlas_summary Run_atlas(const Mesh&, Corner_map, const Method_options&);
 
 // A method that --method can name. A new one is a row in methods().
@@ -57,7 +58,7 @@ struct Method
   std::size_t iterations;
   SMP::Triangle_weight triangle_weight;
   bool has_levels = true;                     // whether every level is parameterized
-  bool takes_start = false;                   // whether a run may start from a map
+  bool improves_map = false;                  // whether a run may start from a map, and hold vertices
 };
 
 const std::vector<Method>& methods();

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -49,15 +50,18 @@ po::options_description describe_options(Options& options, Words& words)
       "vertex properties u and v, or the list texcoord of each face if corners of a vertex may have several places");
   add("components", po::value(&words.components),
       "all (default): lay out every component, and pack the charts into the unit square; or largest: the one with the "
-      "most faces. The default is largest with --flat, --levels and --start, which take one chart");
+      "most faces. The default is largest with --flat, --levels, --start and --hold, which take one chart");
   add("cut", po::value(&words.cut),
       "auto (default): cut components that are closed or have handles along short seams; or none: leave them out. The "
-      "default is none with --flat, --levels and --start");
+      "default is none with --flat, --levels, --start and --hold");
   add("stitch", po::bool_switch(&options.is_stitched),
       "join borders whose points coincide, as where every face has points of its own");
   add("start", po::value(&options.start),
       "mips, symmetric-dirichlet, arap: start from the map that this file has for the vertices of INPUT: PLY with u and "
       "v, or OBJ, as --output writes them");
+  add("hold", po::value(&options.hold),
+      "mips, symmetric-dirichlet, arap: hold vertices at the places that this file has: lines of a vertex, counted from "
+      "0, and its two coordinates");
   add("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion");
   add("report", po::value(&options.report), "write figures as JSON, one line per input");
   add("levels", po::value(&options.levels), "write every level of the hierarchy as OBJ into this folder");
@@ -143,6 +147,7 @@ void read_part(const std::string& components, const std::string& cut, Options& o
   const std::string option_of_one_chart = options.flat              ? "--flat"
                                           : !options.levels.empty() ? "--levels"
                                           : !options.start.empty()  ? "--start"
+                                          : !options.hold.empty()   ? "--hold"
                                                                     : "";
   if (!option_of_one_chart.empty() && (components == "all" || cut == "auto"))
     throw Usage_error{ (components == "all" ? "--components all" : "--cut auto") + std::string(": not with ") +
@@ -158,10 +163,12 @@ void check_options(const Options& options)
     throw Usage_error{ "the tolerance must not be negative" };
   if (options.is_globally_injective && !options.method->is_flip_free)
     throw Usage_error{ "--globally-injective: " + options.method->name + " does not promise maps without flips" };
-  if (!options.start.empty() && !options.method->takes_start)
-    throw Usage_error{ "--start: " + options.method->name + " does not improve a map" };
-  if (!options.start.empty() && options.flat)
-    throw Usage_error{ "--start: not with --flat" };
+  for (const auto& [option, file] : { std::make_pair("--start", options.start), std::make_pair("--hold", options.hold) }) {
+    if (!file.empty() && !options.method->improves_map)
+      throw Usage_error{ option + std::string(": ") + options.method->name + " does not improve a map" };
+    if (!file.empty() && options.flat)
+      throw Usage_error{ option + std::string(": not with --flat") };
+  }
   if (!options.start.empty() && !options.levels.empty())
     throw Usage_error{ "--start: the levels below the finest, which --levels writes, have no maps then" };
   if (options.threads < 0)
@@ -169,9 +176,10 @@ void check_options(const Options& options)
   if (!options.levels.empty() && !options.method->has_levels)
     throw Usage_error{ "--levels: " + options.method->name + " parameterizes the finest level only" };
   const bool has_files_of_one_input =
-    !(options.output.empty() && options.start.empty() && options.picture.empty() && options.levels.empty());
+    !(options.output.empty() && options.start.empty() && options.hold.empty() && options.picture.empty() &&
+      options.levels.empty());
   if (options.inputs.size() > 1 && has_files_of_one_input)
-    throw Usage_error{ "--output, --start, --picture and --levels take one input" };
+    throw Usage_error{ "--output, --start, --hold, --picture and --levels take one input" };
   if (std::find(options.inputs.begin(), options.inputs.end(), "") != options.inputs.end())
     throw Usage_error{ "the name of an input is empty" };
 }

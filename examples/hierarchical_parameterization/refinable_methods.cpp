@@ -44,7 +44,8 @@ void run_refinable(Input& input, const Method_options& options, Method method, S
                     .summary(std::ref(summary)).random_seed(options.seed).visitor(Level_visitor(input, options));
   typedef SMP::Nested_iteration_parameterizer_3<Method>   Hierarchical;
   if constexpr (Method::is_flip_free) {
-    Hierarchical hierarchical(method, np.initial_map(!options.start.empty()));
+    Hierarchical hierarchical(method,
+                              np.initial_map(!options.start.empty()).vertex_is_constrained_map(input.is_held));
     parameterize(input, hierarchical);
   } else {
     Hierarchical hierarchical(method, np);

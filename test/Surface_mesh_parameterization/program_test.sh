@@ -158,6 +158,34 @@ printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvt 1\nf 1/1 2/2 3/9\n' >half.obj
 expect 0 half.obj
 expect 2 half.obj --start half.obj
 
+# Vertices keep the places that a file gives them: those of another map, turned by a right angle.
+expect 0 --output map.obj
+grep '^vt ' map.obj | awk 'BEGIN { print "# vertex u v\n" } NR % 100 == 1 { print NR - 1, -$3, $2 }' >held.txt
+for method in mips symmetric-dirichlet arap; do
+  expect 0 --method $method --hold held.txt --output held.ply --report report.json
+  is_field status '"ok"' "$method --hold"
+  is_field flips 0 "$method --hold"
+  [ "$(grep -c '^[0-9]' held.txt)" -eq 11 ] || fail "held.txt is wrong"
+  expect 0 --method $method --hold held.txt --output held.obj
+  awk 'BEGIN { k = 0 } NR == FNR { if ($1 ~ /^[0-9]/) { u[$1] = $2; v[$1] = $3; ++n } next }
+       $1 == "vt" { if (k in u) { if ($2 != u[k] || $3 != v[k]) exit 1; --n } ++k }
+       END { exit n != 0 }' held.txt held.obj || fail "$method --hold: a vertex is elsewhere"
+done
+expect 1 --method lscm --hold held.txt
+expect 1 --flat --hold held.txt
+expect 1 --cut auto --hold held.txt
+expect 1 face.obj tube.obj --hold held.txt
+expect 1 --hold held.txt --picture held.txt
+expect 2 --hold missing.txt
+for line in '1 2' '1 2 3 4' '-1 2 3' '1.5 2 3' '1 2 nan' '1 x 3' '1042 0 0' '0 1 1'; do
+  (cat held.txt; echo "$line") >bad.txt
+  expect 2 --hold bad.txt --output bad.obj
+  grep -q -e "--hold: 'bad.txt' line 14: " stderr || fail "'$line' is told as: $(cat stderr)"
+  [ ! -e bad.obj ] || fail "'$line' wrote a file"
+done
+sed 's/^0 .*/0 1e9 1e9/' held.txt >far.txt
+expect 0 --hold far.txt
+
 # Wrong usage.
 expect 1 --no-such-option
 expect 1 --method no-such-method

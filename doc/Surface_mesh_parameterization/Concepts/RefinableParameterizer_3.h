@@ -34,6 +34,12 @@ public:
   /// repair that `Flip_policy::REPAIR` asks for is not compiled
   static constexpr bool is_result_flip_free;
 
+  /// optional: whether `refine()` brings the vertices for which `level.is_fixed(v)` to `level.fixed_place(v)` and holds
+  /// them there, and takes the springs of `level.hierarchy().springs()` into account. If so, the named parameters
+  /// `vertex_is_constrained_map` and `position_weight_map` are accepted. A vertex that has no room at its place on a
+  /// coarse level may be left elsewhere until a finer one. A result in which one is not at its place is an error
+  static constexpr bool holds_vertices;
+
   /// optional, for a method that is not flip-free: fixes vertices in the plane before the levels are built, for example
   /// by one of CGAL's border parameterizers, whose `parameterize()` takes the same arguments. On every level,
   /// `level.is_fixed(v)` and `level.fixed_place(v)` return them. A fixed vertex stays on all levels, unless it lies on

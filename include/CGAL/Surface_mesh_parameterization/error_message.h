@@ -37,9 +37,14 @@ inline std::string error_message(const Parameterization_error& error)
     case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM:
       message = "a linear system could not be solved, or the parameterizer did not use the solver that it was given";
       break;
-    case ERROR_NO_1_TO_1_MAPPING: message = "no map without flips was found"; break;
+    case ERROR_NO_1_TO_1_MAPPING:
+      message = is_at_vertex ? "a constrained vertex could not be brought to its place without a flip"
+                             : "no map without flips was found";
+      if (error.place == Parameterization_error::FACE)
+        message += ", or the places of constrained vertices leave a triangle no room";
+      break;
     case ERROR_WRONG_PARAMETER:
-      message = is_at_vertex ? "a coordinate is not a finite number"
+      message = is_at_vertex ? "a coordinate or a weight is not a finite number, or a weight is negative"
                              : "the halfedge is not on a border, a place on the border of the map is not finite, the "
                                "map is too large for a double, or the holes of such a mesh cannot be filled";
       break;

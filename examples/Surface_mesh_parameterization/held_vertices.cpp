@@ -1,0 +1,64 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parameterizes a mesh by MIPS with its border on a circle and one of its vertices held in the middle, without a flip.
+
+#include "face_mesh.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/IO/OFF.h>
+
+#include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
+#include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+
+typedef CGAL::Simple_cartesian<double>          Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3>     Mesh;
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+namespace np = SMP::parameters;
+
+int main(int argc, char** argv)
+{
+  Mesh mesh;
+  if (argc > 3 || (argc > 1 && !CGAL::IO::read_OFF(argv[1], mesh))) {
+    std::cerr << "usage: held_vertices_example [INPUT.off [OUTPUT.obj]]\n";
+    return 1;
+  }
+  if (argc == 1)
+    make_face(mesh);
+
+  // The circle in the unit square.
+  const Mesh::Halfedge_index bhd = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+  auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+  auto is_held = mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_held", false).first;
+  auto index = mesh.add_property_map<Mesh::Vertex_index, int>("v:index").first;
+  SMP::Circular_border_arc_length_parameterizer_3<Mesh> circle;
+  circle.parameterize(mesh, bhd, uvmap, index, is_held);
+
+  // The highest vertex, the tip of the nose of the built-in face, in its middle.
+  const Mesh::Vertex_index tip = *std::max_element(
+      mesh.vertices().begin(), mesh.vertices().end(),
+      [&](Mesh::Vertex_index v, Mesh::Vertex_index w) { return mesh.point(v).z() < mesh.point(w).z(); });
+  is_held[tip] = true;
+  uvmap[tip] = Kernel::Point_2(0.5, 0.5);
+
+  const auto result = SMP::hierarchical_parameterization(mesh, uvmap, np::vertex_is_constrained_map(is_held));
+  if (!result.is_ok()) {
+    std::cerr << SMP::error_message(result.error) << '\n';
+    return 1;
+  }
+  std::cout << "energy " << result.energy << ", vertex " << tip << " at " << uvmap[tip] << '\n';
+  if (argc < 3)
+    return 0;
+  std::ofstream out(argv[2]);
+  SMP::IO::write_OBJ(out, mesh, uvmap, CGAL::Constant_property_map<Mesh::Vertex_index, bool>(true));
+  return out ? 0 : 1;
+}
