@@ -374,6 +374,33 @@ auto wrong(Mesh& m, UV_map uv)
 }
 #endif
 
+#ifdef CONSTRAINTS_FOR_CGAL // the named parameter 'vertex_is_constrained_map' has no effect here
+auto wrong(Mesh& m, UV_map uv, Mesh::Property_map<Mesh::Vertex_index, bool> is_held)
+{
+  return SMP::hierarchical_parameterization<SMP::Mean_value_coordinates_parameterizer_3>(
+      m, uv, np::vertex_is_constrained_map(is_held));
+}
+#endif
+
+#ifdef CONSTRAINTS_FOR_A_METHOD_THAT_HOLDS_NONE // the named parameter 'position_weight_map' has no effect here
+struct Method : Refinement
+{
+  static constexpr bool is_flip_free = true;
+  SMP::Error_code parameterize_coarsest(const SMP::Level&, SMP::Level::Uv&) { return SMP::OK; }
+};
+auto wrong(Mesh::Property_map<Mesh::Vertex_index, double> weights)
+{
+  return SMP::Hierarchical_parameterizer_3<Method>(np::position_weight_map(weights));
+}
+#endif
+
+#ifdef CONSTRAINTS_OF_FACES // a map given as a named parameter is no property map from the vertices of the mesh
+auto wrong(Mesh& m, UV_map uv, Mesh::Property_map<Mesh::Face_index, bool> is_held)
+{
+  return SMP::hierarchical_parameterization(m, uv, np::vertex_is_constrained_map(is_held));
+}
+#endif
+
 #ifdef OPTION_OF_FLIPS_FOR_AN_ORBIFOLD // the named parameter 'flip_policy' has no effect here
 typedef Mesh::Property_map<Mesh::Edge_index, bool> Is_seam_edge;
 typedef Mesh::Property_map<Mesh::Vertex_index, bool> Is_seam_vertex;
