@@ -1,10 +1,10 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Vertices that are held at given places, fixed borders, and springs.
+// Vertices that are held at given places, and fixed borders.
 
+#include "constrained_mesh.h"
 #include "exact_kernel.h"
-#include "mapped_mesh.h"
 #include "mesh_conversions.h"
 #include "one_to_one_maps.h"
 #include "test_meshes.h"
@@ -16,11 +16,6 @@
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Contact_pattern.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
-#include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <gtest/gtest.h>
@@ -40,93 +35,6 @@ using Kernel_point = test_meshes::Kernel::Point_2;
 namespace np = CGAL::Surface_mesh_parameterization::parameters;
 
 typedef test_meshes::Surface_mesh   Mesh;
-
-// A mesh with a map, vertices to be held at its places, and weights of springs that pull there.
-struct Constrained_mesh : test_meshes::Mapped_mesh
-{
-  Mesh::Property_map<Mesh::Vertex_index, bool> is_held;
-  Mesh::Property_map<Mesh::Vertex_index, double> weight;
-  std::vector<Kernel_point> places;
-
-  explicit Constrained_mesh(const Flat_mesh& m) : test_meshes::Mapped_mesh(m)
-  {
-    is_held = mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_held", false).first;
-    weight = mesh.add_property_map<Mesh::Vertex_index, double>("v:weight", 0.).first;
-  }
-
-  template <class Method>
-  Error_code run(bool is_hierarchical = true, double tolerance = 1e-6, bool globally_injective = false)
-  {
-    const auto options = np::vertex_is_constrained_map(is_held)
-                             .position_weight_map(weight)
-                             .tolerance(tolerance)
-                             .globally_injective(globally_injective)
-                             .summary(std::ref(summary));
-    return run_with<Method>(options, is_hierarchical);
-  }
-
-  template <class Method, class NamedParameters>
-  Error_code run_with(const NamedParameters& options, bool is_hierarchical = true)
-  {
-    places = uv();
-    return is_hierarchical ? parameterize(Hierarchical_parameterizer_3<Method>(options)) : parameterize(Method(options));
-  }
-
-  void hold_some(std::size_t one_of)
-  {
-    for (const auto v : vertices(mesh))
-      is_held[v] = v.idx() % one_of == one_of / 2;
-  }
-
-  // Bends and turns the map.
-  void bend(double part)
-  {
-    for (const auto v : vertices(mesh)) {
-      const Kernel_point p = uvmap[v];
-      uvmap[v] = Kernel_point(p.x() + part * std::sin(4 * p.y()) + 0.1, p.y() + part * std::cos(3 * p.x()));
-    }
-  }
-
-  template <class BorderParameterizer>
-  void place_border(double scale)
-  {
-    const auto index = mesh.add_property_map<Mesh::Vertex_index, int>("v:index").first;
-    ASSERT_EQ(BorderParameterizer().parameterize(mesh, longest_border(mesh), uvmap, index, is_held), OK);
-    for (const auto v : vertices(mesh))
-      if (is_held[v])
-        uvmap[v] = Kernel_point(scale * uvmap[v].x(), scale * uvmap[v].y());
-  }
-
-  void expect_places_are_held() const
-  {
-    for (const auto v : vertices(mesh)) {
-      if (is_held[v]) {
-        EXPECT_EQ(uvmap[v], places[v.idx()]) << v;
-      }
-    }
-  }
-
-  // of the surface
-  double area() const
-  {
-    double sum = 0;
-    for (const auto f : faces(mesh)) {
-      const auto h = mesh.halfedge(f);
-      sum += std::sqrt(CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                                          mesh.point(mesh.target(mesh.next(h)))));
-    }
-    return sum;
-  }
-
-  double squared_distance_to_places() const
-  {
-    double sum = 0;
-    for (const auto v : vertices(mesh))
-      if (weight[v] > 0)
-        sum += CGAL::squared_distance(uvmap[v], places[v.idx()]);
-    return sum;
-  }
-};
 
 std::vector<Flat_mesh> surfaces()
 {
@@ -358,73 +266,6 @@ TYPED_TEST(Held_vertices, at_no_place_are_an_error)
     m.weight[v] = weight;
     EXPECT_EQ(m.run<TypeParam>(), ERROR_WRONG_PARAMETER);
     EXPECT_EQ(m.summary.error.index, std::size_t(v));
-  }
-}
-
-// The greater the weights, the nearer the places, and the higher the energy of the triangles alone. The sum of the
-// energies is reported, divided by the area if triangles are weighted by it.
-TYPED_TEST(Held_vertices, may_be_pulled_by_springs_instead)
-{
-  const Flat_mesh surface = delaunay_patch(800, 3, wavy);
-  Constrained_mesh free(surface);
-  ASSERT_EQ(free.run<TypeParam>(true, 1e-10), OK);
-  const double unit = free.summary.energy > 100 ? 1 : free.area();     // MIPS, or the other
-  double distance = std::numeric_limits<double>::infinity(), energy = unit * free.summary.energy;
-  free.hold_some(20);
-  free.bend(0.05);
-
-  for (const double weight : { 0., 1e-2, 1., 1e2, 1e4, 1e8 }) {
-    Constrained_mesh m(surface);
-    for (const auto v : vertices(m.mesh)) {
-      m.uvmap[v] = free.uvmap[v];
-      m.weight[v] = free.is_held[v] ? weight : 0;
-    }
-    ASSERT_EQ(m.run<TypeParam>(true, 1e-10), OK);
-    EXPECT_TRUE(m.summary.converged && m.is_valid());
-    const double squares = m.squared_distance_to_places();
-    const double energy_of_triangles = unit * m.summary.energy - weight * squares;
-    EXPECT_GE(energy_of_triangles, energy * (1 - 1e-6)) << weight;
-    energy = energy_of_triangles;
-    if (weight > 0) {
-      EXPECT_LT(squares, distance) << weight;
-      distance = squares;
-    }
-  }
-  EXPECT_LT(distance, 1e-9);
-
-  // Infinite weights, as it were.
-  ASSERT_EQ(free.run<TypeParam>(true, 1e-10), OK);
-  EXPECT_NEAR(energy, unit * free.summary.energy, 1e-4 * energy);
-}
-
-// The gradient of the energy with springs is the derivative of its values.
-TEST(Springs, have_the_gradient_of_their_energy)
-{
-  const Flat_mesh surface = grid(6, 5, wavy);
-  Mesh mesh = make<Mesh>(surface);
-  Mesh_component<Mesh> component(mesh, longest_border(mesh));
-  Triangulated_surface_3 flat = component.surface();
-  flat.springs = { { 3, { 0.2, 0.1 }, 5. }, { 20, { -0.3, 0.4 }, 0.7 } };
-  const Collapse_hierarchy_3 hierarchy(flat, np::coarsest_size(1000));
-  const Level level(hierarchy);
-  Level::Uv uv;
-  for (internal::Index v = 0; v < level.number_of_vertices(); ++v)
-    uv.emplace_back(level.point(v).x(), level.point(v).y());
-  const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> alone(level, Triangle_weight::ONE);
-  const internal::Level_energy_with_springs energy(alone, internal::springs(level));
-  EXPECT_NEAR(energy(uv) - alone(uv), energy.energy_of_springs(uv), 1e-9);
-
-  internal::Block_multigrid multigrid(level);
-  internal::Contact_pattern pattern(level.rings());
-  pattern.give_to(multigrid.matrix());
-  internal::Block_vectors gradient(uv.size());
-  energy.assemble(uv, 0, gradient, multigrid.matrix());
-  const double h = 1e-6;
-  for (internal::Index v = 0; v < uv.size(); ++v) {
-    Level::Uv left = uv, right = uv;
-    left[v] = internal::Point_2(uv[v].x() - h, uv[v].y());
-    right[v] = internal::Point_2(uv[v].x() + h, uv[v].y());
-    EXPECT_NEAR(gradient[v].x, (energy(right) - energy(left)) / (2 * h), 1e-5 * (1 + std::abs(gradient[v].x)));
   }
 }
 

@@ -1,0 +1,105 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Springs that pull vertices to places.
+
+#include "constrained_mesh.h"
+#include "exact_kernel.h"
+#include "mesh_conversions.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Contact_pattern.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+namespace np = CGAL::Surface_mesh_parameterization::parameters;
+
+typedef test_meshes::Surface_mesh   Mesh;
+
+template <class Method>
+class Springs_of_vertices : public testing::Test { };
+
+typedef testing::Types<MIPS_parameterizer_3<Mesh>, Symmetric_Dirichlet_parameterizer_3<Mesh>>   Methods;
+TYPED_TEST_SUITE(Springs_of_vertices, Methods);
+
+// The greater the weights, the nearer the places, and the higher the energy of the triangles alone. The sum of the
+// energies is reported, divided by the area if triangles are weighted by it.
+TYPED_TEST(Springs_of_vertices, pull_them_to_their_places)
+{
+  const Flat_mesh surface = delaunay_patch(800, 3, wavy);
+  Constrained_mesh free(surface);
+  ASSERT_EQ(free.run<TypeParam>(true, 1e-10), OK);
+  const double unit = free.summary.energy > 100 ? 1 : free.area();     // MIPS, or the other
+  double distance = std::numeric_limits<double>::infinity(), energy = unit * free.summary.energy;
+  free.hold_some(20);
+  free.bend(0.05);
+
+  for (const double weight : { 0., 1e-2, 1., 1e2, 1e4, 1e8 }) {
+    Constrained_mesh m(surface);
+    for (const auto v : vertices(m.mesh)) {
+      m.uvmap[v] = free.uvmap[v];
+      m.weight[v] = free.is_held[v] ? weight : 0;
+    }
+    ASSERT_EQ(m.run<TypeParam>(true, 1e-10), OK);
+    EXPECT_TRUE(m.summary.converged && m.is_valid());
+    const double squares = m.squared_distance_to_places();
+    const double energy_of_triangles = unit * m.summary.energy - weight * squares;
+    EXPECT_GE(energy_of_triangles, energy * (1 - 1e-6)) << weight;
+    energy = energy_of_triangles;
+    if (weight > 0) {
+      EXPECT_LT(squares, distance) << weight;
+      distance = squares;
+    }
+  }
+  EXPECT_LT(distance, 1e-9);
+
+  // Infinite weights, as it were.
+  ASSERT_EQ(free.run<TypeParam>(true, 1e-10), OK);
+  EXPECT_NEAR(energy, unit * free.summary.energy, 1e-4 * energy);
+}
+
+// The gradient of the energy with springs is the derivative of its values.
+TEST(Springs, have_the_gradient_of_their_energy)
+{
+  const Flat_mesh surface = grid(6, 5, wavy);
+  Mesh mesh = make<Mesh>(surface);
+  Mesh_component<Mesh> component(mesh, longest_border(mesh));
+  Triangulated_surface_3 flat = component.surface();
+  flat.springs = { { 3, { 0.2, 0.1 }, 5. }, { 20, { -0.3, 0.4 }, 0.7 } };
+  const Collapse_hierarchy_3 hierarchy(flat, np::coarsest_size(1000));
+  const Level level(hierarchy);
+  Level::Uv uv;
+  for (internal::Index v = 0; v < level.number_of_vertices(); ++v)
+    uv.emplace_back(level.point(v).x(), level.point(v).y());
+  const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> alone(level, Triangle_weight::ONE);
+  const internal::Level_energy_with_springs energy(alone, internal::springs(level));
+  EXPECT_NEAR(energy(uv) - alone(uv), energy.energy_of_springs(uv), 1e-9);
+
+  internal::Block_multigrid multigrid(level);
+  internal::Contact_pattern pattern(level.rings());
+  pattern.give_to(multigrid.matrix());
+  internal::Block_vectors gradient(uv.size());
+  energy.assemble(uv, 0, gradient, multigrid.matrix());
+  const double h = 1e-6;
+  for (internal::Index v = 0; v < uv.size(); ++v) {
+    Level::Uv left = uv, right = uv;
+    left[v] = internal::Point_2(uv[v].x() - h, uv[v].y());
+    right[v] = internal::Point_2(uv[v].x() + h, uv[v].y());
+    EXPECT_NEAR(gradient[v].x, (energy(right) - energy(left)) / (2 * h), 1e-5 * (1 + std::abs(gradient[v].x)));
+  }
+}
+
+} // namespace
