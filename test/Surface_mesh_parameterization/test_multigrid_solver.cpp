@@ -240,6 +240,8 @@ TEST(Multigrid_solver_traits, fails_with_a_singular_matrix_and_leaves_the_soluti
     for (std::size_t i = 0; i < n; ++i)
       b[i] = 1 + double(i % 3);
     expect_failure([&](Vector& x) { return on.solver.linear_solver(matrix, b, x, d); });
+    EXPECT_EQ(on.solver.summary().failures, 1u);
+    EXPECT_EQ(on.solver.summary().residual, 0);
   }
 
   Solver_on_mesh on(m);
@@ -263,6 +265,25 @@ TEST(Multigrid_solver_traits, tells_when_the_direct_solver_took_over)
     EXPECT_EQ(on.solver.summary().iterations, most);
     EXPECT_LT(on.solver.summary().residual, 1e-10);
   }
+}
+
+// Of which the pivots of a factorization must not be chosen by size.
+TEST(Multigrid_solver_traits, solves_rows_of_very_different_size_directly)
+{
+  const Flat_mesh m = delaunay_patch(2000, 1, wavy);
+  const auto rows = edge_matrix(m, Mean_value_edge_weights_3()).rows();
+  Sparse_matrix matrix(rows->number_of_rows());
+  for (Index i = 0; i < rows->number_of_rows(); ++i)
+    for (Index k = rows->first[i]; k < rows->first[i + 1]; ++k)
+      matrix.add_coef(i, rows->columns[k], std::pow(10, -double(i % 41)) * rows->values[k]);
+  const Known_system system(std::move(matrix));
+  Solver_on_mesh on(m, parameters::number_of_iterations(0));
+  Vector x;
+  double d;
+  EXPECT_TRUE(on.solver.linear_solver(system.matrix, system.right_side, x, d));
+  EXPECT_LT(system.error(x), 1e-8);
+  EXPECT_LT(on.solver.summary().residual, 1e-10);
+  EXPECT_EQ(on.solver.summary().failures, 0u);
 }
 
 // The unknowns of which sit elsewhere than the vertex index map says.

@@ -39,7 +39,7 @@ template <class Mesh, class Solver>
 struct Mean_parameterizer
 {
   typedef Mesh Triangle_mesh;
-  static inline double weight = 1;      // of an edge
+  double weight = 1;      // of an edge
 
   template <class Halfedge, class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   SMP::Error_code parameterize(Mesh& mesh, Halfedge bhd, VertexUVMap uvmap, VertexIndexMap vimap,
@@ -72,19 +72,21 @@ struct Mean_parameterizer
   }
 };
 
-// Tries again whenever it fails.
+// Tries again whenever it fails, as it does the first times.
 template <class Mesh, class Solver>
 struct Stubborn_parameterizer : Mean_parameterizer<Mesh, Solver>
 {
   static constexpr int most_tries = 1000;
-  static inline int tries = 0;
+  static inline int failing_tries = 0, tries = 0;
 
   template <class... Arguments>
   SMP::Error_code parameterize(Mesh& mesh, const Arguments&... arguments)
   {
-    for (tries = 1; tries < most_tries; ++tries)
+    for (tries = 1; tries < most_tries; ++tries) {
+      this->weight = tries <= failing_tries ? std::numeric_limits<double>::quiet_NaN() : 1;
       if (Mean_parameterizer<Mesh, Solver>::parameterize(mesh, arguments...) == SMP::OK)
         return SMP::OK;
+    }
     return SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   }
 };
@@ -104,6 +106,10 @@ struct Rebind_solver<archetype::Stubborn_parameterizer<Mesh, Solver>, NewSolver>
 {
   typedef archetype::Stubborn_parameterizer<Mesh, NewSolver>   type;
 };
+
+// As CGAL's iterative authalic one.
+template <class Mesh, class Solver>
+struct internal::Solver_use<archetype::Stubborn_parameterizer<Mesh, Solver>> : Solves_in_pairs { };
 
 } // namespace CGAL::Surface_mesh_parameterization
 
@@ -254,21 +260,28 @@ TEST(Rebind_solver, lets_a_stop_and_failures_end_a_parameterizer_that_would_go_o
 {
   typedef archetype::Stubborn_parameterizer<Surface_mesh, Multigrid_solver_traits>   Parameterizer;
   Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
-  const auto run = [&](const auto& np) {
+  Parameterization_summary summary;
+  const auto told = parameters::summary(std::ref(summary));
+  const auto run = [&](int failing_tries, const auto& np) {
     Mapped<Surface_mesh> mapped(mesh);
+    Parameterizer::failing_tries = failing_tries;
     const Error_code code =
         mapped.parameterize(Hierarchical_parameterizer_3<Parameterizer>(np), longest_border(mesh));
     EXPECT_TRUE(code == OK || mapped.is_untouched());
+    EXPECT_EQ(summary.converged, code == OK && failing_tries == 0);
     return code;
   };
-  EXPECT_EQ(run(parameters::random_seed(1)), OK);
+  EXPECT_EQ(run(0, told), OK);
   EXPECT_EQ(Parameterizer::tries, 1);
-  EXPECT_EQ(run(parameters::visitor(Visitor_that_stops_the_solver())), ERROR_STOPPED);
+  EXPECT_EQ(summary.linear_solver.failures, 0u);
+  EXPECT_EQ(run(0, told.visitor(Visitor_that_stops_the_solver())), ERROR_STOPPED);
   EXPECT_EQ(Parameterizer::tries, 1);
-  Parameterizer::weight = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(run(parameters::random_seed(1)), ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
+  EXPECT_EQ(run(3, told), OK);
+  EXPECT_EQ(Parameterizer::tries, 4);
+  EXPECT_EQ(summary.linear_solver.failures, 6u);
+  EXPECT_LE(summary.linear_solver.residual, 1e-10);
+  EXPECT_EQ(run(Parameterizer::most_tries, told), ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
   EXPECT_LE(Parameterizer::tries, 10);
-  Parameterizer::weight = 1;
 }
 
 } // namespace

@@ -258,6 +258,29 @@ TEST(Wrapped_authalic, takes_its_own_solver_where_weights_are_wild)
   EXPECT_EQ(own_solutions(delaunay_patch(700, 3, wavy)), 2);      // u and v
 }
 
+// Solves nothing, and says that it did.
+struct Lying_solver : Default_solver
+{
+  bool linear_solver(const Matrix&, const Vector&, Vector&, NT& d)
+  {
+    d = 1;
+    return true;
+  }
+};
+
+TEST(Wrapped_authalic, does_not_believe_its_own_solver)
+{
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(700, 3, wavy));
+  Parameterization_summary summary;
+  expect_equal_maps(mesh, Discrete_authalic_parameterizer_3<Surface_mesh>(),
+                    Hierarchical_parameterizer_3<
+                        Discrete_authalic_parameterizer_3<Surface_mesh, CGAL::Default, Lying_solver>>(
+                        parameters::flip_policy(Flip_policy::KEEP).summary(std::ref(summary))));
+  EXPECT_TRUE(summary.converged);
+  EXPECT_EQ(summary.linear_solver.direct_solutions, 2u);
+  EXPECT_LE(summary.linear_solver.residual, 1e-10);
+}
+
 // ---- one that has arguments of its own ----
 
 TEST(Wrapped_iterative_authalic, iterates_as_CGAL_does)
@@ -280,6 +303,32 @@ TEST(Wrapped_iterative_authalic, iterates_as_CGAL_does)
   EXPECT_EQ(summary.linear_solver.right_sides, 12u);
 
   expect_equal_maps(mesh, Parameterizer(), Hierarchical_parameterizer_3<Parameterizer>());
+}
+
+// Where a surface is large, its weights become smaller with each iteration, until CGAL's solver does not see them beside
+// the rows of the border.
+TEST(Wrapped_iterative_authalic, map_depends_neither_on_the_size_of_the_surface_nor_on_the_solver)
+{
+  typedef Iterative_authalic_parameterizer_3<Surface_mesh> Parameterizer;
+  const auto map = [](Surface_mesh& mesh, double size, std::size_t most_iterations) {
+    for (const auto v : vertices(mesh))
+      mesh.point(v) = CGAL::ORIGIN + size * (mesh.point(v) - CGAL::ORIGIN);
+    Parameterization_summary summary;
+    const auto np = parameters::flip_policy(Flip_policy::KEEP).summary(std::ref(summary));
+    Mapped<Surface_mesh> result(mesh);
+    EXPECT_EQ(result.parameterize(Hierarchical_parameterizer_3<Parameterizer>(np.number_of_iterations(most_iterations)),
+                                  longest_border(mesh)),
+              OK);
+    EXPECT_TRUE(summary.converged);
+    EXPECT_EQ(summary.linear_solver.failures, 0u);
+    EXPECT_EQ(summary.linear_solver.direct_solutions, most_iterations == 0 ? summary.linear_solver.right_sides : 0);
+    EXPECT_LE(summary.linear_solver.residual, 1e-10);
+    return result;
+  };
+  for (const std::size_t most_iterations : { 0, 300 }) {
+    Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(700, 3, wavy)), large_mesh = mesh;
+    map(large_mesh, 1024, most_iterations).expect_equal(map(mesh, 1, 300), tolerance);
+  }
 }
 
 } // namespace

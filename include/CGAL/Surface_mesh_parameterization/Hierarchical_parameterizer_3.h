@@ -80,7 +80,8 @@ struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 ///   fine, level by level, see `Nested_iteration_parameterizer_3`.
 /// - A model of `RebindableParameterizer_3` solves linear systems, as most of CGAL's parameterizers do. It runs once,
 ///   on the finest level, and `Multigrid_solver_traits` replaces its solver, where that is faster. The map is the same
-///   as without this class, but for the repair of flips.
+///   as without this class, but for the repair of flips, and where the solver of `Parameterizer` tells success with a
+///   residual above the tolerance.
 /// - In place of CGAL's `ARAP_parameterizer_3`, `As_rigid_as_possible_parameterizer_3` runs level by level. It
 ///   minimizes the same energy.
 /// - CGAL's `Orbifold_Tutte_parameterizer_3` runs with the multigrid solver. It has a `parameterize()` of its own and
@@ -180,7 +181,8 @@ public:
   /// \param arguments copies of these arguments are passed to the constructor of `Parameterizer` on every run
   /// \param np
   /// - `tolerance`: greatest relative residual of the linear system, rows scaled to unit diagonal; default 1e-10
-  /// - `number_of_iterations`: the most iterations before the solver of `Parameterizer` takes over; default 300
+  /// - `number_of_iterations`: the most iterations before the solver of `Parameterizer` takes over; default 300. If the
+  ///   residual of that one is above the tolerance, a sparse LU factorization takes over
   /// - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see `Collapse_hierarchy_3`. For
   ///   `Barycentric_mapping_parameterizer_3`, whose weights do not depend on lengths, `unit_edges` is `true` by default
   /// - `flip_policy`: not for an orbifold; a `Flip_policy`: the treatment of flips; default `REPAIR`. If the repair has to

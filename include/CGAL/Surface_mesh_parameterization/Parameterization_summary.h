@@ -59,12 +59,14 @@ struct Level_summary
 struct Linear_solver_summary
 {
   std::size_t setups = 0;             ///< matrices for which the grids were set up
-  std::size_t right_sides = 0;        ///< right-hand sides that were solved
+  std::size_t right_sides = 0;        ///< right-hand sides that were given
+  std::size_t failures = 0;           ///< right-hand sides that no solver solved, of which the parameterizer was told
   std::size_t iterations = 0;      ///< the most iterations for one right-hand side, of conjugate gradients or BiCGSTAB
-  double residual =
-      0;      ///< the greatest relative residual at the end, recomputed from the solution; rows scaled to unit diagonal
-  /// right-hand sides for which there was no multigrid, or no convergence: a direct solver solved, or that of the
-  /// parameterizer
+  /// the greatest relative residual of a solution, recomputed at the end; rows scaled to unit diagonal. It is at most
+  /// the tolerance, but for direct solutions: of a nearly singular matrix, rounding leaves more
+  double residual = 0;
+  /// right-hand sides for which there was no multigrid, or no convergence: the solver of the parameterizer solved, or a
+  /// direct one
   std::size_t direct_solutions = 0;
   double seconds_setup = 0;           ///< wall-clock time of the setups
   double seconds_solve = 0;           ///< wall-clock time of the iterations and direct solutions
@@ -76,7 +78,9 @@ struct Linear_solver_summary
 struct Parameterization_summary
 {
   Parameterization_error error;           ///< what went wrong, and where
-  bool converged = false;      ///< whether the finest level converged; the guarantees about flips do not depend on it
+  /// whether the finest level converged; of a method that solves linear systems, whether it got all solutions. The
+  /// guarantees about flips do not depend on it
+  bool converged = false;
   double energy = 0;      ///< the method's energy of the result: the sum over the triangles, or the mean over the area
   std::vector<Level_summary> levels;      ///< from the coarsest level to the finest
   std::size_t flips =

@@ -37,7 +37,9 @@ struct Linear_solver_options
   // A matrix is solved without multigrid if the entries of a row, beside the diagonal, have a sum of absolute values
   // that is greater than this, relative to the diagonal.
   double greatest_row_sum = (std::numeric_limits<double>::infinity)();
-  Make_direct_solver make_direct_solver = nullptr;     // for what multigrid does not solve; null: factorize_rows()
+  // For what multigrid does not solve, and to be checked: if its residual is above the tolerance, a factorization takes
+  // over. Null: factorize_rows().
+  Make_direct_solver make_direct_solver = nullptr;
   Run_progress* progress = nullptr;     // is told of each iteration, and may end them unsolved; may be null
   double part_of_rest = 0.9;            // of the progress's run: a solution takes so much of what is left, more or less
 };

@@ -87,6 +87,18 @@ public:
 
   double free_part_scale() const { return m_free_part_scale; }
 
+  double inverse_diagonal(Index i) const { return m_inverse_diagonal[i]; }
+
+  // All rows of a regular matrix, each scaled to unit diagonal.
+  Rows rows_of_unit_diagonal() const
+  {
+    Rows result = *m_rows;
+    for (Index i = 0; i < size(); ++i)
+      for (Index k = result.first[i]; k < result.first[i + 1]; ++k)
+        result.values[k] *= m_inverse_diagonal[i];
+    return result;
+  }
+
   // Row i of the scaled matrix times x.
   template <class Vector>
   typename Vector::value_type row_times(Index i, const Vector& x) const { return row_scale(i) * m_rows->row_times(i, x); }

@@ -226,25 +226,45 @@ private:
     return result;
   }
 
-  // Writes x, its residual r, and what `result` tells of them.
+  // Solves by the solver that the options name. Where its solution is not good enough, a factorization of the rows takes
+  // over, scaled to unit diagonal: of rows of very different size, a factorization takes bad pivots, and an iteration
+  // that looks at the whole residual does not see the small ones.
   void solve_directly(const Side_by_side& b, Vector& x, Vector& r, const Value& start,
                       const Linear_solver_options& options, Linear_solver_result& result)
   {
     result.is_direct = true;
-    if (!m_direct_solver)
+    if (!m_direct_solver && !m_has_scaled_rows)
       m_direct_solver = options.make_direct_solver ? options.make_direct_solver(*m_system.rows())
                                                    : factorize_rows(*m_system.rows());
+    apply_direct_solver(b, x, r, start, options, result);
+    if (result.is_solved || m_has_scaled_rows || !m_system.is_regular() || is_stopped(options))
+      return;
+    m_direct_solver.reset();
+    m_direct_solver = factorize_rows(m_system.rows_of_unit_diagonal());
+    m_has_scaled_rows = true;
+    apply_direct_solver(b, x, r, start, options, result);
+  }
+
+  // Writes x, its residual r, and what `result` tells of them, if there is a direct solver. The residual that rounding
+  // leaves to a factorization may be above the tolerance.
+  void apply_direct_solver(const Side_by_side& b, Vector& x, Vector& r, const Value& start,
+                           const Linear_solver_options& options, Linear_solver_result& result) const
+  {
     if (!m_direct_solver)
       return;
-    m_direct_solver->solve_side_by_side([&](Index i) { return b[i]; }, x);
+    m_direct_solver->solve_side_by_side(
+        [&](Index i) { return m_has_scaled_rows ? m_system.inverse_diagonal(i) * b[i] : b[i]; }, x);
     m_system.compute_residual(b, x, r);
     result.residual = greatest(quotient(m_system.norm(r), start));
-    result.is_solved = m_system.backward_error(b, x) <= options.worst_backward_error;
+    const bool is_factorization = m_has_scaled_rows || !options.make_direct_solver;
+    result.is_solved = m_system.backward_error(b, x) <= options.worst_backward_error &&
+                       (is_factorization || result.residual <= options.tolerance);
   }
 
   Mesh_system m_system;
   std::unique_ptr<Multigrid> m_multigrid;
   std::unique_ptr<Direct_solver> m_direct_solver;     // made when it is needed
+  bool m_has_scaled_rows = false;                     // the direct solver
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -158,10 +158,15 @@ bool Multigrid_session::make_solver(std::shared_ptr<const Sparse_rows<double>> r
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution)
 {
-  constexpr int most_failures = 5;
+  constexpr int most_failures = 6;      // CGAL's iterative authalic one ends by itself after 5
+  const bool is_set_up = set_up(matrix);
+  m_summary.failures += is_set_up ? 0 : 1;
   const bool is_solved =
-      set_up(matrix) && (m_defers && m_solver ? put_off(right_side, solution) : solve(right_side, solution));
-  m_failures = is_solved ? 0 : m_failures + 1;
+      is_set_up && (m_defers && m_solver ? put_off(right_side, solution) : solve(right_side, solution));
+  if (!is_solved)
+    ++m_failures;
+  else if (!m_waiting_solution)       // what waits may still fail
+    m_failures = 0;
   if (is_stopped(m_options) || (m_options.progress && m_failures == most_failures))
     throw Solver_gives_up();
   return is_solved;
@@ -246,7 +251,10 @@ bool Multigrid_session::solve(const std::vector<const std::vector<double>*>& rig
   const Linear_solver_result result = m_solver->solve(b, x, m_options);
   m_summary.right_sides += b.size();
   m_summary.iterations = (std::max)(m_summary.iterations, result.iterations);
-  m_summary.residual = (std::max)(m_summary.residual, result.residual);
+  if (result.is_solved)
+    m_summary.residual = (std::max)(m_summary.residual, result.residual);
+  else
+    m_summary.failures += b.size();
   m_summary.direct_solutions += result.is_direct ? b.size() : 0;
   for (std::size_t i = 0; i < solutions.size(); ++i)
     solutions[i]->resize(result.is_solved ? n : sizes[i]);

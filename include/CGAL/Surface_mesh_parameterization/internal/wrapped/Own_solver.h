@@ -112,7 +112,6 @@ void set_direct_solver(Linear_solver_options& options)
   typedef typename Own_solver_traits<Parameterizer>::type   Traits;
   if constexpr (!std::is_void<Traits>::value && !std::is_same<Traits, Multigrid_solver_traits>::value) {
     options.make_direct_solver = &make_own_solver<Traits>;
-    options.worst_backward_error = (std::numeric_limits<double>::infinity)();     // its result is what is wanted
     options.greatest_row_sum = Solver_use<Parameterizer>::greatest_row_sum;
   }
 }

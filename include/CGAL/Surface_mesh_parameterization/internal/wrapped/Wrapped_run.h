@@ -210,7 +210,7 @@ private:
     if (code == OK && !are_finite(uv))
       code = ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
     summary().error.code = code;
-    summary().converged = code == OK;
+    summary().converged = code == OK && summary().linear_solver.failures == 0;
     summary().seconds_parameterize = m_timer.time() - summary().seconds_hierarchy;
     return code;
   }
