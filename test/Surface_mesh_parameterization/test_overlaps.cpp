@@ -171,10 +171,17 @@ struct Barrier_on_ring
 TEST(Border_barrier, vanishes_where_borders_are_far_apart)
 {
   EXPECT_EQ(Barrier_on_ring(0.2).barrier(Barrier_on_ring(0.2).uv), 0);
-  const double near = Barrier_on_ring(0.005).barrier(Barrier_on_ring(0.005).uv),
-               nearer = Barrier_on_ring(0.0005).barrier(Barrier_on_ring(0.0005).uv);
-  EXPECT_GT(near, 0);
-  EXPECT_GT(nearer, 50 * near);     // as the square of the inverse distance
+  EXPECT_GT(Barrier_on_ring(0.005).barrier(Barrier_on_ring(0.005).uv), 0);
+}
+
+// A tenth of the distance costs the stiffness times log(10) more in each contact.
+TEST(Border_barrier, grows_as_the_logarithm_of_the_distance)
+{
+  const Barrier_on_ring near(1e-6), nearer(1e-7);
+  const std::size_t contacts = contacts_at(near.barrier, near.uv).size();
+  EXPECT_GT(contacts, 0u);
+  EXPECT_NEAR(nearer.barrier(nearer.uv) - near.barrier(near.uv), 0.7 * std::log(10.) * double(contacts),
+              0.01 * double(contacts));
 }
 
 TEST(Border_barrier, contacts_have_the_derivatives_of_the_energy)

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/Contact.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/box_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/logarithmic_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/time_on_one_line.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 
@@ -21,11 +22,11 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Keeps the borders of a map from running into themselves or each other: an energy (Smith and Schaefer 2015) that grows
-// beyond all bounds where a border vertex V comes near a border edge AB, and vanishes where the two are farther apart
-// than a gap, a small part of the border edges there:
+// Keeps the borders of a map from running into themselves or each other, as Smith and Schaefer (2015) do: by an energy
+// that grows beyond all bounds where a border vertex V comes near a border edge AB, and vanishes where the two are
+// farther apart than a gap, a small part of the border edges there:
 //
-//       V            distance d = |V - Q|, energy (gap / d - 1)^2 if d < gap
+//       V            distance d = |V - Q|, see barrier_energy()
 //       |
 //   A---Q-----B      Q = (1 - t) A + t B
 //
@@ -35,7 +36,8 @@ class Border_barrier
 public:
   // The energy is multiplied by `stiffness`.
   Border_barrier(const Level& level, double stiffness)
-    : m_stiffness(stiffness), m_edges(border_edges(level.rings())), m_gap(level.number_of_vertices(), (std::numeric_limits<double>::infinity)())
+    : m_stiffness(stiffness), m_edges(border_edges(level.rings())),
+      m_gap(level.number_of_vertices(), (std::numeric_limits<double>::infinity)())
   {
     for (const Border_edge& e : m_edges)
       m_previous.push_back(level.one_ring(e.source).back());
@@ -55,9 +57,7 @@ public:
   {
     double sum = 0;
     for_each_close_pair(uv, m_gap, [&](const Close_pair& p) {
-      const double gap = gap_of(p), ratio = gap / p.distance - 1;
-      if (p.distance < gap)
-        sum += m_stiffness * ratio * ratio;
+      sum += barrier_energy(p.distance, gap_of(p), m_stiffness);
     });
     return sum;
   }
@@ -69,10 +69,11 @@ public:
       if (!(d < gap))
         return;
       const Block_vector normal(p.from_edge.x() / d, p.from_edge.y() / d);
+      const Barrier_derivatives derivatives = barrier_derivatives(d, gap, m_stiffness);
       contacts.push_back({ { p.vertex, p.edge.source, p.edge.target },
                          { normal, (p.t - 1) * normal, -p.t * normal },
-                         -2 * m_stiffness * (gap / d - 1) * gap / (d * d),
-                         2 * m_stiffness * gap * (3 * gap - 2 * d) / (d * d * d * d) });
+                         derivatives.first,
+                         derivatives.second });
     });
   }
 

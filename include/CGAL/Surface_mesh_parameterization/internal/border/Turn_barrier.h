@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/Contact.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/logarithmic_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/time_on_one_line.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
@@ -24,7 +25,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // of what they lack of it, the gap
 //
 //        first
-//       /           -log(gap / range) (1 - gap / range)^2  if gap < range, times a stiffness
+//       /           see barrier_energy()
 //     v  gap
 //       \           .
 //        last
@@ -83,12 +84,9 @@ public:
       const Vector_2 to_first = uv[c.first] - uv[c.vertex], to_last = uv[c.last] - uv[c.vertex];
       const Block_vector at_first = Block_vector(-to_first.y(), to_first.x()) / to_first.squared_length(),
                          at_last = Block_vector(to_last.y(), -to_last.x()) / to_last.squared_length();
-      const double part = gap / range, rest = 1 - part, logarithm = std::log(part);
+      const Barrier_derivatives d = barrier_derivatives(gap, range, m_stiffness);
       contacts.push_back(
-          { { c.vertex, c.first, c.last },
-            { -at_first - at_last, at_first, at_last },
-            m_stiffness * (2 * logarithm * rest / range - rest * rest / gap),
-            m_stiffness * (rest * rest / (gap * gap) + 4 * rest / (gap * range) - 2 * logarithm / (range * range)) });
+          { { c.vertex, c.first, c.last }, { -at_first - at_last, at_first, at_last }, d.first, d.second });
     }
   }
 
@@ -127,8 +125,7 @@ private:
 
   double energy_at(const Corner& c, const Level::Uv& uv) const
   {
-    const double part = m_stiffness == 0 ? 1 : gap_at(c, uv) / range, rest = 1 - part;
-    return part < 1 ? -m_stiffness * std::log(part) * rest * rest : 0;
+    return m_stiffness == 0 ? 0 : barrier_energy(gap_at(c, uv), range, m_stiffness);
   }
 
   const One_rings& m_rings;

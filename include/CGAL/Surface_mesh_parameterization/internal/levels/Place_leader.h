@@ -38,7 +38,7 @@ struct Place_leader_options
   // A vertex that is nearer to its place than this part of the way to the opposite edges of its triangles goes there at
   // once.
   double near_part = 0.2;
-  double barrier_stiffness = 0.1;       // relative to the mean weight of a triangle
+  double barrier_stiffness = 0.3;       // relative to the mean weight of a triangle
 };
 
 // Brings the vertices of a level whose places are given there, round by round: springs pull those that are elsewhere,

@@ -45,7 +45,7 @@ struct Level_refiner_options
   // part.
   double short_step = 0.3, great_decrease = 0.01;
   double long_step = 0.7;               // shorter steps do not tell how Newton's method converges
-  double barrier_stiffness = 0.1;       // relative to the mean weight of a triangle
+  double barrier_stiffness = 0.3;       // relative to the mean weight of a triangle
   // On a surface that can be laid in the plane without distortion the excess has no bound from below. Less of it than
   // this part of the energy is not looked at closer.
   double least_excess = 1e-4;
