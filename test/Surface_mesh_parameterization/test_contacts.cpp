@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/Turn_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Contact_pattern.h>
@@ -187,6 +188,29 @@ TEST(Newton_with_turn_barrier, converges_at_the_full_turn)
   EXPECT_TRUE(is_map_valid(fan.level.rings(), uv));
   EXPECT_LE(summary.iterations, 40u);
   EXPECT_EQ(fan.barrier.number_of_lost_gaps(fan.uv, uv), 0u);
+}
+
+// A strip, bent to a ring whose ends all but touch, wants to be straight. Steps that led the ends apart by a third of
+// their distance each would be half as many again.
+TEST(Newton_with_border_barrier, leads_borders_apart_in_a_few_steps)
+{
+  const Flat_mesh mesh = grid(40, 3, flat);
+  const Collapse_hierarchy_3 hierarchy(surface(mesh), parameters::coarsest_size(1000));
+  const Level level(hierarchy);
+  const double gap = 1e-8;
+  Level::Uv uv;
+  for (Index v = 0; v < level.number_of_vertices(); ++v) {
+    const double angle = 2 * CGAL_PI * (1 - gap) * level.point(v).x(), radius = 0.2 - level.point(v).y();
+    uv.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  ASSERT_TRUE(is_map_valid(level.rings(), uv));
+  Refinement_options options;
+  options.is_globally_injective = true;
+  Level_summary summary;
+  refine<Symmetric_Dirichlet_energy_2>(level, uv, options, summary);
+  EXPECT_TRUE(summary.converged);
+  EXPECT_LE(summary.iterations, 45u);
+  EXPECT_FALSE(has_crossings(border_edges(level.rings()), uv));
 }
 
 } // namespace

@@ -31,7 +31,7 @@ public:
   {
     double decrease = 0;          // of the energy, with the barrier's; 0 if no step was possible
     double predicted = 0;         // decrease of the quadratic model by the whole step
-    double length = 0;            // 1 for the whole step
+    double length = 0;            // 1 for the whole step; greater where that did not go far enough
     std::size_t cycles = 0;       // V-cycles
     double slack = 0;             // a bound of what the barrier at the full turn costs
   };
@@ -80,7 +80,7 @@ private:
   // Where the model is good, its minimum is worth more cycles.
   void adapt_accuracy(const Step& step)
   {
-    m_accuracy.most_cycles = step.length == 1 ? m_options.most_cycles : m_options.most_cycles_after_short_step;
+    m_accuracy.most_cycles = step.length >= 1 ? m_options.most_cycles : m_options.most_cycles_after_short_step;
     if (step.length > 0 && m_energy.is_flip_free()) {
       const double error = std::abs(step.decrease / step.predicted - 1);
       m_accuracy.forcing = (std::max)(m_options.least_forcing, (std::min)(m_options.part_of_prediction_error * error,
@@ -93,7 +93,7 @@ private:
   void adapt_indefinite_part(const Step& step)
   {
     const double part = m_system.indefinite_part(), relative_decrease = step.decrease / step.predicted;
-    if (!(step.length == 1 && relative_decrease > m_options.least_part_of_prediction))
+    if (!(step.length >= 1 && relative_decrease > m_options.least_part_of_prediction))
       m_system.set_indefinite_part(0);
     else if (part > 0 && relative_decrease > m_options.great_part_of_prediction)
       m_system.set_indefinite_part(0.5 * (part + 1));
@@ -184,7 +184,8 @@ private:
   // the border, while no barrier holds them.
   void search_line(Level::Uv& uv, const Block_vectors& direction, double energy, double slope, Step& result)
   {
-    double length = (std::min)(1., m_options.part_of_longest_step * longest_step(uv, direction));
+    const double longest = m_options.part_of_longest_step * longest_step(uv, direction);
+    double length = (std::min)(1., longest);
     m_trial.resize(uv.size());
     for (int i = 0; i < m_options.most_halvings; ++i, length *= 0.5) {
       go(uv, length, direction, m_trial);
@@ -197,6 +198,8 @@ private:
         result.length = length;
         if (!(decrease > m_options.poor_part_of_prediction * -0.5 * length * slope))
           shorten_step(uv, direction, energy, slope, result);
+        else if (m_barrier)
+          lengthen_step(uv, direction, energy, slope, longest, result);
         return;
       }
       if (m_lost_gaps > 0 && lets_gaps_close())
@@ -216,6 +219,24 @@ private:
       uv.swap(trial);
       result.decrease = decrease;
       result.length = length;
+    }
+  }
+
+  // Doubles a step, up to the length `longest`, while it lowers the energy by more than the model says. The model is
+  // too stiff where borders are close: a step that Newton's method takes there is a small part of the way.
+  void lengthen_step(Level::Uv& uv, const Block_vectors& direction, double energy, double slope, double longest,
+                     Step& result)
+  {
+    Level::Uv trial(uv.size());
+    while (2 * result.length <= longest &&
+           result.decrease > m_options.good_part_of_prediction * -0.5 * result.length * slope) {
+      go(m_trial, 2 * result.length, direction, trial);
+      const double decrease = energy - objective(trial);
+      if (!(decrease > result.decrease) || !is_valid(m_trial, trial))
+        return;
+      uv.swap(trial);
+      result.decrease = decrease;
+      result.length *= 2;
     }
   }
 

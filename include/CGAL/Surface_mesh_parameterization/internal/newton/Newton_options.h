@@ -43,6 +43,8 @@ struct Newton_options
   double part_of_longest_step = 0.9, sufficient_decrease = 1e-4;
   // A step that lowers the energy by less than this part of what the model said has gone too far.
   double poor_part_of_prediction = 0.3;
+  // One that lowers it by more than this part has not gone far enough, where borders are kept apart.
+  double good_part_of_prediction = 1.2;
   int most_halvings = 12;
 
   // The barrier at the full turn comes into being when a step would pass it. Then it may cost that part of what the
