@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
+#include <CGAL/Surface_mesh_parameterization/Two_vertices_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -145,6 +146,23 @@ TEST(Wrapped_constructor, takes_the_arguments_and_then_named_parameters)
     EXPECT_EQ(summary.linear_solver.setups, 1u);
     EXPECT_GE(summary.linear_solver.iterations, 1u);
   }
+}
+
+// The two vertices at which LSCM holds a map are an argument of CGAL's border parameterizer.
+TEST(Wrapped_constructor, takes_the_pins_of_LSCM)
+{
+  typedef Two_vertices_parameterizer_3<Surface_mesh>   Pins;
+  typedef LSCM_by_multigrid<Surface_mesh, Pins>        LSCM;
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
+  const auto a = Surface_mesh::Vertex_index(100), b = Surface_mesh::Vertex_index(900);
+  const auto np = parameters::flip_policy(Flip_policy::KEEP);
+  expect_equal_maps(mesh, LSCM(Pins(a, b)), Hierarchical_parameterizer_3<LSCM>(Pins(a, b), np));
+
+  Mapped<Surface_mesh> pinned(mesh), other(mesh);
+  ASSERT_EQ(pinned.parameterize(Hierarchical_parameterizer_3<LSCM>(Pins(a, b), np), longest_border(mesh)), OK);
+  ASSERT_EQ(other.parameterize(LSCM(Pins(b, a)), longest_border(mesh)), OK);
+  EXPECT_NEAR(CGAL::squared_distance(get(pinned.uvmap, a), get(other.uvmap, b)), 0, 1e-20);
+  EXPECT_NEAR(CGAL::squared_distance(get(pinned.uvmap, b), get(other.uvmap, a)), 0, 1e-20);
 }
 
 TEST(Wrapped_constructor, number_of_iterations_limits_the_iteration)
