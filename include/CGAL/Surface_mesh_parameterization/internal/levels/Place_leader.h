@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ struct Place_leader_options
   // A vertex that is nearer to its place than this part of the way to the opposite edges of its triangles goes there at
   // once.
   double near_part = 0.2;
-  double barrier_stiffness = 0.3;       // relative to the mean weight of a triangle
+  Newton_options newton;
 };
 
 // Brings the vertices of a level whose places are given there, round by round: springs pull those that are elsewhere,
@@ -55,8 +56,7 @@ public:
       m_displaced(displaced_vertices(m_level, uv))
   {
     if (borders_must_not_meet && !m_displaced.empty())
-      m_barrier = std::make_unique<Border_barrier>(m_level, m_options.barrier_stiffness * energy.total_weight() /
-                                                                double(m_level.number_of_faces()));
+      m_barrier = std::make_unique<Border_barrier>(m_level, m_options.newton.barrier_stiffness * energy.mean_weight());
   }
 
   bool is_done() const { return m_displaced.empty(); }
@@ -101,7 +101,7 @@ private:
     for (const Index v : m_displaced)
       springs.push_back({ v, place(v), stiffness * unit_of_stiffness(v) });
     const Level_energy_with_springs energy(m_energy, springs);
-    Newton_method newton(energy, m_barrier.get());
+    Newton_method newton(energy, m_barrier.get(), m_options.newton);
     newton.fix_vertices(settled_vertices());
     double current = energy(m_uv);
     for (std::size_t i = 0; i < m_options.most_steps_of_round; ++i) {

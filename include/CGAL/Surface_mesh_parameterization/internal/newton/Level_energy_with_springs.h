@@ -61,7 +61,8 @@ private:
 
   Iterator first_from(Index v) const
   {
-    return std::lower_bound(m_springs.begin(), m_springs.end(), v, [](const Spring& s, Index w) { return s.vertex < w; });
+    return std::lower_bound(m_springs.begin(), m_springs.end(), v,
+                            [](const Spring& s, Index w) { return s.vertex < w; });
   }
 
   bool has_spring(Index v) const

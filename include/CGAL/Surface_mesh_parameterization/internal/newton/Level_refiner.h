@@ -45,7 +45,6 @@ struct Level_refiner_options
   // part.
   double short_step = 0.3, great_decrease = 0.01;
   double long_step = 0.7;               // shorter steps do not tell how Newton's method converges
-  double barrier_stiffness = 0.3;       // relative to the mean weight of a triangle
   // On a surface that can be laid in the plane without distortion the excess has no bound from below. Less of it than
   // this part of the energy is not looked at closer.
   double least_excess = 1e-4;
@@ -66,8 +65,8 @@ public:
       m_summary(summary), m_unit(m_energy.unit()), m_current(m_energy(uv))
   {
     if (refinement.is_globally_injective)
-      m_barrier = std::make_unique<Border_barrier>(m_level, m_options.barrier_stiffness * m_energy.total_weight() /
-                                                                double(m_level.number_of_faces()));
+      m_barrier =
+          std::make_unique<Border_barrier>(m_level, m_options.newton.barrier_stiffness * m_energy.mean_weight());
   }
 
   // Energies are reported as the sum over the triangles, or as the mean over the area if triangles are weighted so.

@@ -22,8 +22,8 @@ struct Newton_options
   // V-cycles than these: almost conformal motions are all that is left then.
   std::size_t most_v_cycles = 9;
   // The coarse grids of an earlier map serve as long as they need no more cycles than these: to make them costs as much
-  // as three. A finest level without coarse grids has its matrix factorized for each map: what the factors of an earlier
-  // one miss is little enough in a cycle to be taken for convergence.
+  // as three. A finest level without coarse grids has its matrix factorized for each map: what the factors of an
+  // earlier one miss is little enough in a cycle to be taken for convergence.
   std::size_t most_cycles_without_setup = 8;
   // The part of what makes the Hessian indefinite that is kept at first, where it is kept: of energies that keep
   // triangles positive, and of others.
@@ -46,6 +46,9 @@ struct Newton_options
   // One that lowers it by more than this part has not gone far enough, where borders are kept apart.
   double good_part_of_prediction = 1.2;
   int most_halvings = 12;
+
+  // Of the barrier that keeps borders apart, relative to the mean weight of a triangle.
+  double barrier_stiffness = 0.3;
 
   // The barrier at the full turn comes into being when a step would pass it. Then it may cost that part of what the
   // step promised; it is lowered by the factor where there is no more than its cost to be gained.
