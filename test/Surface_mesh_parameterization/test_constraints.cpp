@@ -7,6 +7,7 @@
 #include "exact_kernel.h"
 #include "mesh_conversions.h"
 #include "one_to_one_maps.h"
+#include "real_meshes.h"
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
@@ -98,27 +99,40 @@ TYPED_TEST(Held_vertices, may_be_one_or_two)
   }
 }
 
-// A run ends when a step lowers the energy by next to nothing, of which a map may be off by the square root: what is
-// left then, further runs remove.
+// How far apart the maps of a hierarchical run and of a flat one are, with the border on a circle; relative to its box.
+template <class Method>
+double distance_from_flat_run(const Flat_mesh& surface)
+{
+  Constrained_mesh m(surface), flat(surface);
+  for (Constrained_mesh* const one : { &m, &flat }) {
+    one->place_border<Circular_border_arc_length_parameterizer_3<Mesh>>(1);
+    EXPECT_EQ(one->run<Method>(one == &m, 1e-14), OK);
+    one->expect_places_are_held();
+    EXPECT_TRUE(one->summary.converged && one->is_valid());
+  }
+  double greatest = 0;
+  for (const auto v : vertices(m.mesh))
+    greatest = (std::max)(greatest, CGAL::squared_distance(m.uvmap[v], flat.uvmap[v]));
+  return std::sqrt(greatest / 2);
+}
+
+// To the last digits, which the energies of two maps do not tell.
 TYPED_TEST(Held_vertices, fix_a_border_for_the_hierarchical_run_as_for_the_flat_one)
 {
-  for (const Flat_mesh& surface : surfaces()) {
-    Constrained_mesh m(surface), flat(surface);
-    for (Constrained_mesh* const one : { &m, &flat }) {
-      one->place_border<Circular_border_arc_length_parameterizer_3<Mesh>>(1);
-      ASSERT_EQ(one->run<TypeParam>(one == &m, 1e-14), OK);
-      one->expect_places_are_held();
-      EXPECT_TRUE(one->is_valid());
-      for (int i = 0; i < 6; ++i) {
-        ASSERT_EQ(one->run_with<TypeParam>(np::vertex_is_constrained_map(one->is_held).initial_map(true)), OK);
-      }
-    }
-    double greatest = 0;
-    for (const auto v : vertices(m.mesh))
-      greatest = (std::max)(greatest, CGAL::squared_distance(m.uvmap[v], flat.uvmap[v]));
-    const double diagonal = std::sqrt(2.);      // of the circle's box
-    EXPECT_LT(std::sqrt(greatest), 1e-8 * diagonal) << surface.triangles.size();
+  std::vector<Flat_mesh> all = { grid(40, 30, wavy), delaunay_patch(800, 3, wavy), cap(12, 32, 0.5 * CGAL_PI) };
+  for (const char* name : { "face_1042.off", "lion_head.off", "camelhead.off" }) {
+    Flat_mesh real;
+    if (read_off(name, real))
+      all.push_back(real);
   }
+  for (const Flat_mesh& surface : all)
+    EXPECT_LT(distance_from_flat_run<TypeParam>(surface), 1e-9) << surface.triangles.size();
+}
+
+// Symmetric Dirichlet energy turns corners of the holes by up to a full turn. There the barrier leaves a little.
+TYPED_TEST(Held_vertices, fix_a_border_of_a_surface_with_holes)
+{
+  EXPECT_LT(distance_from_flat_run<TypeParam>(grid_with_holes(20)), 1e-5);
 }
 
 // CGAL's square runs around the map the other way than its circle.

@@ -40,7 +40,9 @@ struct Refinement_options
   /// named parameter `tolerance`: a level has converged when an iteration lowers the energy by less than this part of
   /// its excess over the minimum, which counts as 1e-4 of the minimum at least. With Newton's method it has converged,
   /// too, when the last three steps show that the remaining ones would lower the energy by less than that; and levels
-  /// below the finest use 5e-3 instead: they only need to give a good first guess
+  /// below the finest use 5e-3 instead: they only need to give a good first guess. Below 1e-12, which is what energies
+  /// in doubles tell, Newton's method ends with a few steps that the gradient judges, as long as they make it smaller:
+  /// the map reaches the minimum to rounding, not only to the square root of it. `globally_injective` prevents them
   double tolerance = 1e-6;
 
   /// named parameter `number_of_iterations`: the most iterations on a level: Newton steps, or sweeps (of as many visits

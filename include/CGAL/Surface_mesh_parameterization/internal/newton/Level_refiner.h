@@ -11,8 +11,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Vertex_relaxation.h>
 
 #include <algorithm>
@@ -24,36 +24,6 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
-
-struct Level_refiner_options
-{
-  // The steps of sweeps, in Newton steps of a vertex: as in successive over-relaxation this cuts the number of sweeps
-  // by a multiple.
-  double over_relaxation = 1.8;
-  int sweeps_of_new_vertices = 3;       // so that they find their places among their neighbors, before these move
-  // The coarsest of several levels gets as many sweeps as it needs: they cost nothing, and what it lacks no finer level
-  // can make good.
-  std::size_t most_sweeps_on_coarsest_level = 2000;
-  // Sweeps before Newton's method go on while one lowers the excess energy by that part.
-  std::size_t most_first_sweeps = 6;
-  double least_decrease_of_first_sweeps = 0.05;
-  // Levels below the finest only have to hand on a good start: they have converged when a Newton step lowers the excess
-  // energy by less than this part.
-  double decrease_on_coarse_levels = 5e-3;
-  // A few triangles that are about to vanish can hold up a step of the whole map, or are where its quadratic model
-  // fails: these are for a sweep, after steps that are shorter than that, or lower the excess energy by more than that
-  // part.
-  double short_step = 0.3, great_decrease = 0.01;
-  double long_step = 0.7;               // shorter steps do not tell how Newton's method converges
-  // On a surface that can be laid in the plane without distortion the excess has no bound from below. Less of it than
-  // this part of the energy is not looked at closer.
-  double least_excess = 1e-4;
-  // What is not worth a cycle, relative to the tolerance, where energies keep triangles positive: others fall in small
-  // steps towards the end.
-  double negligible_part = 0.1;
-  double rounding = 1e-12;      // of the energy, relative to the weight
-  Newton_options newton;
-};
 
 // Minimizes an energy on one level, from a valid map to a better one.
 class Level_refiner
@@ -212,7 +182,7 @@ private:
       const double negligible =
           m_energy.is_flip_free() ? m_options.negligible_part * m_refinement.tolerance * excess() : 0;
       const auto step = newton.step(m_uv, m_current, negligible);
-      if (m_barrier || newton.turn_barrier().stiffness() > 0)     // the step may have paid for room with energy
+      if (has_barrier(newton))      // the step may have paid for room with energy
         m_current = m_energy(m_uv);
       else
         lower_by(step.decrease);
@@ -228,6 +198,30 @@ private:
         decreases.clear();
       m_summary.converged = is_little(decrease, least_decrease) || remainder_of(decreases) <= least_decrease * excess();
       tell(part_done(decrease, least_decrease));
+    }
+    if (m_summary.converged && asks_for_last_digits() && !has_barrier(newton))
+      take_last_steps(newton);
+  }
+
+  // Whether there is something else to be minimized than the energy.
+  bool has_barrier(const Newton_method& newton) const { return m_barrier || newton.turn_barrier().stiffness() > 0; }
+
+  // Whether the tolerance is below what energies in doubles tell.
+  bool asks_for_last_digits() const { return m_level.is_finest() && m_refinement.tolerance < m_options.rounding; }
+
+  // The energy is above its minimum by the square of what the map is off: maps of the same energy in doubles may differ
+  // by 1e-8, and by more where some motions hardly cost energy.
+  void take_last_steps(Newton_method& newton)
+  {
+    double greatest_promise = (std::numeric_limits<double>::infinity)();
+    while (!m_is_stopped && m_summary.iterations < m_refinement.number_of_iterations) {
+      const auto step = newton.last_step(m_uv, greatest_promise, m_options.rounding * m_current);
+      m_summary.cycles += step.cycles;
+      if (step.length == 0)
+        break;
+      ++m_summary.iterations;
+      greatest_promise = m_options.decrease_of_promise * step.predicted;
+      tell(1);
     }
   }
 

@@ -7,10 +7,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/Turn_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/level_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/longest_step_of_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
@@ -71,6 +71,27 @@ public:
     return result;
   }
 
+  // One whole step at the end, where energies in doubles no longer tell what a step gains. It is taken if the model
+  // promises less than `greatest_promise`, as it does on the way to a minimum, and the energy rises by no more than
+  // `rounding`. The Hessian is the true one, so that such steps converge quadratically.
+  // Precondition: no barrier acts.
+  Step last_step(Level::Uv& uv, double greatest_promise, double rounding)
+  {
+    m_system.set_indefinite_part(1);
+    m_accuracy = { m_options.forcing_of_last_steps, 0, m_options.most_cycles };
+    m_trial.clear();      // the solution is exact: the step before has nothing to add
+    Step result;
+    if (!find_direction(uv, result) || !(result.predicted < greatest_promise))
+      return result;
+    m_trial.resize(uv.size());
+    go(uv, 1, m_system.moves(), m_trial);
+    if (m_energy(m_trial) <= m_energy(uv) + rounding && is_valid(uv, m_trial)) {
+      uv.swap(m_trial);
+      result.length = 1;
+    }
+    return result;
+  }
+
 private:
   double first_indefinite_part() const
   {
@@ -127,17 +148,21 @@ private:
       m_barrier->add_contacts(uv, m_contacts);
       energy += (*m_barrier)(uv);
     }
+    if (find_direction(uv, result))
+      search_line(uv, m_system.moves(), energy, -2 * result.predicted, result);
+    return result;
+  }
+
+  // Computes the moves of a step, and what the model promises. Returns whether they lower the energy.
+  bool find_direction(const Level::Uv& uv, Step& result)
+  {
     if (!m_system.assemble(uv, m_contacts))
-      return result;
+      return false;
     result.cycles = m_system.solve(m_accuracy);
     if (m_trial.size() == uv.size())
       m_system.add_previous_step(m_trial, uv);      // the line search left the map before that step in m_trial
-    const Block_vectors& direction = m_system.moves();
-    const double slope = inner_product(m_level.loops(), m_system.gradient(), direction);
-    result.predicted = -0.5 * slope;
-    if (slope < 0)
-      search_line(uv, direction, energy, slope, result);
-    return result;
+    result.predicted = -0.5 * inner_product(m_level.loops(), m_system.gradient(), m_system.moves());
+    return result.predicted > 0;
   }
 
   // The energy that steps lower.
@@ -151,33 +176,12 @@ private:
   {
     double result = (std::numeric_limits<double>::infinity)();
     if (m_energy.is_flip_free())
-      result = longest_step_of_triangles(uv, direction);
+      result = longest_step_of_triangles(m_level, uv, direction);
     if (m_turn_barrier.stiffness() > 0)
       result = (std::min)(result, m_turn_barrier.longest_step(uv, direction));
     if (m_barrier)
       result = (std::min)(result, m_barrier->longest_step(uv, direction));
     return result;
-  }
-
-  double longest_step_of_triangles(const Level::Uv& uv, const Block_vectors& direction) const
-  {
-    constexpr double infinity = (std::numeric_limits<double>::infinity)();
-    return m_level.loops().min(0, Index(uv.size()), infinity, [&](Index v) {
-      m_level.rings().prefetch_neighbors_after(v, uv);
-      double least = infinity;
-      for_each_triangle_of_least_vertex(m_level, v, [&](Index a, Index b, std::size_t) {
-        const Vector_2 p = uv[a] - uv[v], q = uv[b] - uv[v];
-        const Block_vector d = direction[a] - direction[v], e = direction[b] - direction[v];
-        const Vector_2 dp(d.x, d.y), dq(e.x, e.y);
-        const double c0 = cross(p, q), c1 = cross(p, dq) + cross(dp, q), c2 = cross(dp, dq);
-        // The least positive root of c0 + c1 t + c2 t^2, c0 > 0, in the form that does not cancel.
-        const double discriminant = c1 * c1 - 4 * c0 * c2;
-        const double root = discriminant < 0 || (c1 >= 0 && c2 >= 0) ? 0 : 2 * c0 / (std::sqrt(discriminant) - c1);
-        if (root > 0)
-          least = (std::min)(least, root);
-      });
-      return least;
-    });
   }
 
   // Halves the step until the energy falls and the map is valid. Ends early at a trial that fails only by the angles at

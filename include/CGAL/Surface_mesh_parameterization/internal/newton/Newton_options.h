@@ -14,9 +14,9 @@ struct Newton_options
   // The linear system. Conjugate gradients stop when the residual has fallen by the factor `residual_reduction`, or a
   // cycle lowers the quadratic model by less than a part of what all have lowered it by, or after so many cycles: few
   // unless the last step was in full length. The part is that factor of the error of the model's prediction in the last
-  // step, within the bounds, where energies keep triangles positive.
+  // step, within the bounds, where energies keep triangles positive. The last steps to a minimum need exact solutions.
   double part_of_prediction_error = 0.3, least_forcing = 0.01, greatest_forcing = 0.05, forcing_with_flips = 1e-3;
-  double residual_reduction = 1e-4;
+  double residual_reduction = 1e-4, forcing_of_last_steps = 1e-8;
   std::size_t most_cycles = 60, most_cycles_after_short_step = 10;
   // A K-cycle costs 1.4 times as much as a V-cycle. For scale-invariant energies it pays from a system that takes more
   // V-cycles than these: almost conformal motions are all that is left then.

@@ -1,0 +1,49 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LEVEL_REFINER_OPTIONS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LEVEL_REFINER_OPTIONS_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_options.h>
+
+#include <cstddef>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// What a Level_refiner takes for granted unless it is told otherwise.
+struct Level_refiner_options
+{
+  // The steps of sweeps, in Newton steps of a vertex: as in successive over-relaxation this cuts the number of sweeps
+  // by a multiple.
+  double over_relaxation = 1.8;
+  int sweeps_of_new_vertices = 3;       // so that they find their places among their neighbors, before these move
+  // The coarsest of several levels gets as many sweeps as it needs: they cost nothing, and what it lacks no finer level
+  // can make good.
+  std::size_t most_sweeps_on_coarsest_level = 2000;
+  // Sweeps before Newton's method go on while one lowers the excess energy by that part.
+  std::size_t most_first_sweeps = 6;
+  double least_decrease_of_first_sweeps = 0.05;
+  // Levels below the finest only have to hand on a good start: they have converged when a Newton step lowers the excess
+  // energy by less than this part.
+  double decrease_on_coarse_levels = 5e-3;
+  // A few triangles that are about to vanish can hold up a step of the whole map, or are where its quadratic model
+  // fails: these are for a sweep, after steps that are shorter than that, or lower the excess energy by more than that
+  // part.
+  double short_step = 0.3, great_decrease = 0.01;
+  double long_step = 0.7;               // shorter steps do not tell how Newton's method converges
+  // On a surface that can be laid in the plane without distortion the excess has no bound from below. Less of it than
+  // this part of the energy is not looked at closer.
+  double least_excess = 1e-4;
+  // What is not worth a cycle, relative to the tolerance, where energies keep triangles positive: others fall in small
+  // steps towards the end.
+  double negligible_part = 0.1;
+  double rounding = 1e-12;      // of the energy, relative to the weight
+  // A last step has to promise less than this part of what the one before did. Where convergence is quadratic it does,
+  // until rounding is all that is left.
+  double decrease_of_promise = 0.25;
+  Newton_options newton;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LEVEL_REFINER_OPTIONS_H
