@@ -9,7 +9,9 @@
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Refused.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/Edge_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/solve_edge_system.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>

@@ -11,7 +11,9 @@
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/concepts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Refused.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Short_calls.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_as_rigid_as_possible_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_orbifold_parameterizer_3.h>

@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 
 #include <type_traits>
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
-#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>

@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/concepts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
 
 #include <CGAL/Default.h>
