@@ -3,6 +3,10 @@
 //
 // What is parameterized.
 
+// Polygons are triangulated without CGAL's Delaunay triangulations, which take long to compile.
+#define CGAL_HOLE_FILLING_DO_NOT_USE_DT3
+#define CGAL_HOLE_FILLING_DO_NOT_USE_CDT2
+
 #include "input.h"
 
 #include "../Surface_mesh_parameterization/face_mesh.h"
