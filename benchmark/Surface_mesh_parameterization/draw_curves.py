@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026  The Hierarchical Parameterization authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws what time_to_energy printed: seconds over triangles, both axes logarithmic.
+"""Draws what time_to_energy printed, seconds over triangles, or energy_over_time, energies over seconds. Both axes are
+logarithmic.
 
-Usage: draw_time_to_energy.py RUN.csv ... > curves.svg
+Usage: draw_curves.py RUN.csv ... > curves.svg
 """
 import csv
 import math
@@ -14,19 +15,32 @@ COLORS = ["#1b6ca8", "#c8553d", "#588157", "#8e5572", "#bc8a2f", "#4a4e69", "#2a
 
 
 def read_curves(files):
-    """Maps the name of a curve to its points (triangles, seconds)."""
+    """Maps the name of a curve to its points, and returns the names of both axes, too."""
     curves = {}
+    axes = None
     for file in files:
         with open(file, newline="") as rows:
             for row in csv.DictReader(rows):
-                if not row["seconds"]:
-                    continue
-                threads = "" if row["threads"] == "1" else f", {row['threads']} threads"
-                name = f"{row['method']}, {row['run']}{threads}"
-                triangles = float(row["triangles"])
-                curves.setdefault(name, {})[triangles] = float(row["seconds"])
-                curves.setdefault("one direct factorization (the unit)", {})[triangles] = float(row["unit_seconds"])
-    return curves
+                add = add_energy if "relative_excess" in row else add_time
+                axes = add(curves, row)
+    return curves, axes
+
+
+def add_time(curves, row):
+    if row["seconds"]:
+        threads = "" if row["threads"] == "1" else f", {row['threads']} threads"
+        name = f"{row['method']}, {row['run']}{threads}"
+        triangles = float(row["triangles"])
+        curves.setdefault(name, {})[triangles] = float(row["seconds"])
+        curves.setdefault("one direct factorization (the unit)", {})[triangles] = float(row["unit_seconds"])
+    return "triangles", "seconds"
+
+
+def add_energy(curves, row):
+    if float(row["relative_excess"]) > 0:
+        name = f"{row['method']}, {row['run']}"
+        curves.setdefault(name, {})[float(row["seconds"])] = float(row["relative_excess"])
+    return "seconds", "energy above the optimum / excess of the optimum"
 
 
 def powers_of_ten(low, high):
@@ -37,7 +51,7 @@ def label(value):
     return f"{value:,.0f}" if value >= 1 else f"{value:g}"
 
 
-def draw(curves):
+def draw(curves, x_name, y_name):
     x_ticks = powers_of_ten(min(min(c) for c in curves.values()), max(max(c) for c in curves.values()))
     y_ticks = powers_of_ten(min(min(c.values()) for c in curves.values()), max(max(c.values()) for c in curves.values()))
 
@@ -60,8 +74,8 @@ def draw(curves):
     for tick in y_ticks:
         yield f'<path d="M{LEFT} {y(tick):.1f}H{WIDTH - RIGHT}" stroke="#ddd"/>'
         yield f'<text x="{LEFT - 8}" y="{y(tick) + 4:.1f}" text-anchor="end">{label(tick)}</text>'
-    yield f'<text x="{(LEFT + WIDTH - RIGHT) / 2}" y="{HEIGHT - 12}" text-anchor="middle">triangles</text>'
-    yield f'<text x="{LEFT}" y="{TOP - 12}" text-anchor="middle">seconds</text>'
+    yield f'<text x="{(LEFT + WIDTH - RIGHT) / 2}" y="{HEIGHT - 12}" text-anchor="middle">{x_name}</text>'
+    yield f'<text x="{LEFT}" y="{TOP - 12}" text-anchor="start">{y_name}</text>'
     for i, (name, curve) in enumerate(curves.items()):
         color = COLORS[i % len(COLORS)]
         points = [(x(t), y(s)) for t, s in sorted(curve.items())]
@@ -77,10 +91,10 @@ def draw(curves):
 def main():
     if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
         sys.exit(__doc__.strip())
-    curves = read_curves(sys.argv[1:])
+    curves, axes = read_curves(sys.argv[1:])
     if not curves:
         sys.exit("no finished run in " + ", ".join(sys.argv[1:]))
-    print("\n".join(draw(curves)))
+    print("\n".join(draw(curves, *axes)))
 
 
 if __name__ == "__main__":
