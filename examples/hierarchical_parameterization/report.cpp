@@ -78,6 +78,7 @@ std::string report_line(const Run_record& run)
     report["linear_solver"] = { { "iterations", solver.iterations },
                                 { "residual", solver.residual },
                                 { "direct_solutions", solver.direct_solutions },
+                                { "failures", solver.failures },
                                 { "seconds", solver.seconds_setup + solver.seconds_solve } };
   if (const auto& quality = run.quality)
     report["quality"] = { { "flips", quality->flips },
