@@ -232,7 +232,7 @@ TEST(Progress_of_a_conformal_map, is_told)
 // A spiral whose turns overlap if nothing keeps them apart, so that the run goes back to a coarser level.
 TEST(Progress_of_a_run_that_goes_back, never_falls)
 {
-  Surface_mesh mesh = make<Surface_mesh>(ramp(60, 2));
+  Surface_mesh mesh = make<Surface_mesh>(ramp(24, 2));
   const Record record =
       check_run<MIPS_parameterizer_3<Surface_mesh>>(mesh, np::coarsest_size(20).globally_injective(true));
   bool goes_back = false;
