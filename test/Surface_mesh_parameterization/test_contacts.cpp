@@ -147,7 +147,7 @@ double curvature(const Fan& fan, const Contacts& contacts, const Block_vectors& 
     scaled.push_back(x[v] / matrix.scale[v]);
   double result = 0;
   for (Index v = 0; v < x.size(); ++v)
-    result += inner_product(scaled[v], matrix.row_times(v, scaled));
+    result += matrix.energy_of_row(v, scaled);
   return result;
 }
 

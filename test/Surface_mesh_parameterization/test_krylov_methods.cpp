@@ -45,6 +45,11 @@ struct Dense_system
     return sum;
   }
 
+  Value_2 multiply(const Vector_2& x, Vector_2& y, const Vector_2& z) const
+  {
+    return multiply_by_rows(*this, x, y, z);
+  }
+
   Vector_2& precondition(const Vector_2& r)
   {
     preconditioned.resize(r.size());

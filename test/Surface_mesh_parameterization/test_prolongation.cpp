@@ -19,6 +19,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -163,8 +164,15 @@ TEST(Pruned_prolongation, rows_are_weights)
       }
       EXPECT_NEAR(sum, 1, 4 * double(std::numeric_limits<std::decay_t<decltype(p.row(v).weights[0])>>::epsilon()));
     }
-    for (Index v = 0; v < p.coarse_size(); ++v)
-      entries -= std::size_t(p.column_end(v) - p.column_begin(v));
+    const Pruned_prolongation::Transpose transpose = p.transposed();
+    for (Index v = 0; v < p.coarse_size(); ++v) {
+      EXPECT_EQ(transpose[v].front().row, v);
+      entries -= transpose[v].size();
+      for (const auto& [row, weight] : transpose[v]) {
+        const Pruned_prolongation::Row r = p.row(row);
+        EXPECT_EQ(weight, r.weights[std::find(r.columns.begin(), r.columns.end(), v) - r.columns.begin()]);
+      }
+    }
     EXPECT_EQ(entries, 0u);
   }
 }

@@ -16,12 +16,15 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Galerkin_product.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Grouped_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Contact_pattern.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <gtest/gtest.h>
 
@@ -56,14 +59,15 @@ Eigen::Matrix2d dense_of(const Block& b)
 // dense.
 struct Random_matrix
 {
+  Contact_pattern pattern;
   Block_matrix matrix;
   Eigen::MatrixXd dense;
 
   Random_matrix(const Level& level, Random& random)
-    : dense(Eigen::MatrixXd::Zero(2 * level.number_of_vertices(), 2 * level.number_of_vertices()))
+    : pattern(level.rings()), dense(Eigen::MatrixXd::Zero(2 * level.number_of_vertices(), 2 * level.number_of_vertices()))
   {
     const One_rings& rings = level.rings();
-    matrix.set_pattern(rings.number_of_vertices(), rings.offsets(), rings.neighbors());
+    pattern.give_to(matrix);
     for (Index v = 0; v < rings.number_of_vertices(); ++v)
       for (const Index w : rings[v])
         for (int e = 0; e < 4 && v < w; ++e)
@@ -83,11 +87,26 @@ Eigen::MatrixXd unscaled(const Block_matrix& a)
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(2 * a.number_of_rows(), 2 * a.number_of_rows());
   for (Index i = 0; i < a.number_of_rows(); ++i) {
     result.block<2, 2>(2 * i, 2 * i) = dense_of(a.unscaled_diagonal_block(i));
-    for (Index k = a.first[i]; k < a.first[i + 1]; ++k)
-      result.block<2, 2>(2 * i, 2 * a.columns[k]) = dense_of(a.blocks[k] / (a.scale[i] * a.scale[a.columns[k]]));
+    for (Index k = a.first[i]; k < a.first[i + 1]; ++k) {
+      const Index j = a.columns[k];
+      const Eigen::Matrix2d block = dense_of(a.blocks[k] / (a.scale[i] * a.scale[j]));
+      result.block<2, 2>(2 * i, 2 * j) = block;
+      result.block<2, 2>(2 * j, 2 * i) = block.transpose();
+    }
   }
   return result;
 }
+
+// The matrix itself, from the dense one: S A S.
+Eigen::MatrixXd scaled(const Random_matrix& a)
+{
+  Eigen::VectorXd scale(a.dense.rows());
+  for (Eigen::Index e = 0; e < scale.size(); ++e)
+    scale[e] = a.matrix.scale[e / 2];
+  return scale.asDiagonal() * a.dense * scale.asDiagonal();
+}
+
+Eigen::Map<const Eigen::VectorXd> dense_of(const Block_vectors& x) { return { &x.data()->x, 2 * Eigen::Index(x.size()) }; }
 
 Block_vectors random_vectors(std::size_t n, Random& random)
 {
@@ -103,8 +122,6 @@ bool are_equal(const Block_vectors& x, const Block_vectors& y)
                     [](const Block_vector& a, const Block_vector& b) { return a.x == b.x && a.y == b.y; });
 }
 
-double norm(const Block_vector& v) { return std::hypot(v.x, v.y); }
-
 TEST(Block_matrix, is_scaled_to_diagonal_blocks_of_trace_2)
 {
   Random random(4);
@@ -117,24 +134,93 @@ TEST(Block_matrix, is_scaled_to_diagonal_blocks_of_trace_2)
   }
 }
 
-TEST(Block_matrix, relaxes_a_group_at_once_as_one_by_one)
+TEST(Block_matrix, half_of_it_multiplies_as_the_whole)
 {
   Random random(8);
+  const Finest_level f(grid(12, 9, wavy));
+  Random_matrix a(f.level, random);
+  a.matrix.scale_blocks(Loops());
+  const Eigen::MatrixXd dense = scaled(a);
+  const Block_vectors x = random_vectors(f.level.number_of_vertices(), random);
+  Block_vectors y(x.size());
+  a.matrix.multiply(x, y);
+  EXPECT_NEAR((dense_of(y) - dense * dense_of(x)).norm(), 0, 1e-12);
+  double energy = 0;
+  for (Index i = 0; i < x.size(); ++i)
+    energy += a.matrix.energy_of_row(i, x);
+  EXPECT_NEAR(energy, dense_of(x).dot(dense * dense_of(x)), 1e-12);
+}
+
+// Gauss-Seidel steps on all rows, in the given order.
+void relax(const Eigen::MatrixXd& a, const std::vector<Index>& order, const Block_vectors& b, Eigen::VectorXd& x)
+{
+  for (const Index i : order) {
+    const Eigen::Vector2d residual = (dense_of(b) - a * x).segment<2>(2 * i);
+    x.segment<2>(2 * i) += a.block<2, 2>(2 * i, 2 * i).inverse() * residual;
+  }
+}
+
+TEST(Block_matrix, sweeps_are_those_of_Gauss_and_Seidel)
+{
+  Random random(9);
+  const Finest_level f(grid(12, 9, wavy));
+  Random_matrix a(f.level, random);
+  a.matrix.scale_blocks(Loops());
+  const Eigen::MatrixXd dense = scaled(a);
+  const std::size_t n = f.level.number_of_vertices();
+  std::vector<Index> order(n);
+  std::iota(order.begin(), order.end(), 0);
+  const Block_vectors b = random_vectors(n, random);
+  Block_vectors x(n), right(n, Block_vector::zero());
+  Eigen::VectorXd expected = Eigen::VectorXd::Zero(2 * n);
+  for (const bool is_last : { false, true }) {
+    a.matrix.relax_forward(b, is_last, x, right);
+    relax(dense, order, b, expected);
+    EXPECT_NEAR((dense_of(x) - expected).norm(), 0, 1e-12);
+  }
+  EXPECT_NEAR((dense_of(right) - (dense * expected - dense_of(b))).norm(), 0, 1e-12);
+
+  right.assign(n, Block_vector::zero());
+  std::reverse(order.begin(), order.end());
+  for (int sweep = 0; sweep < 2; ++sweep) {
+    a.matrix.relax_backward(b, x, right);
+    relax(dense, order, b, expected);
+    EXPECT_NEAR((dense_of(x) - expected).norm(), 0, 1e-12);
+    EXPECT_EQ(dense_of(right).norm(), 0);
+  }
+}
+
+// What several threads do is the same, to the last digit.
+TEST(Grouped_rows, do_what_the_matrix_does)
+{
+  Random random(10);
   const Finest_level f(grid(20, 20, wavy), parameters::coarsest_size(20));
   Random_matrix a(f.level, random);
   a.matrix.scale_blocks(Loops());
-  const Block_vectors b = random_vectors(f.level.number_of_vertices(), random);
-  Block_vectors x = random_vectors(f.level.number_of_vertices(), random), y = x, z = x, scratch;
-  for (std::size_t l = 1; l <= f.level.index(); ++l) {
-    const Index begin = Index(f.hierarchy.number_of_vertices(l - 1)), end = Index(f.hierarchy.number_of_vertices(l));
-    a.matrix.relax_forward(begin, end, b, x);
-    a.matrix.relax_backward(begin, end, b, y);
-    a.matrix.relax_at_once(Loops(), begin, end, b, z, scratch);
+  const std::size_t n = f.level.number_of_vertices();
+  std::vector<Index> group_ends;
+  for (std::size_t l = 0; l <= f.level.index(); ++l)
+    group_ends.push_back(Index(f.hierarchy.number_of_vertices(l)));
+  ASSERT_TRUE(Grouped_rows::can_be_grouped(a.matrix, group_ends));
+  const Grouped_rows grouped(a.matrix, group_ends, Loops());
+  const Block_vectors b = random_vectors(n, random);
+  Block_vectors x(n), right(n, Block_vector::zero()), y = x, right_of_y = right, ax(n), ay(n);
+  for (const bool is_last : { false, true }) {
+    a.matrix.relax_forward(b, is_last, x, right);
+    grouped.relax_forward(b, is_last, y, right_of_y);
     EXPECT_TRUE(are_equal(x, y));
-    EXPECT_TRUE(are_equal(x, z));
-    for (Index i = begin; i < end; ++i)
-      EXPECT_NEAR(norm(a.matrix.row_times(i, x) - b[i]), 0, 1e-12);
+    EXPECT_TRUE(are_equal(right, right_of_y));
   }
+  right.assign(n, Block_vector::zero());
+  right_of_y = right;
+  a.matrix.relax_backward(b, x, right);
+  grouped.relax_backward(b, y, right_of_y);
+  EXPECT_TRUE(are_equal(x, y));
+  a.matrix.multiply(x, ax);
+  grouped.multiply(y, ay);
+  EXPECT_TRUE(are_equal(ax, ay));
+
+  EXPECT_FALSE(Grouped_rows::can_be_grouped(a.matrix, { group_ends.front(), Index(n) }));
 }
 
 TEST(Galerkin_product, is_the_product_of_the_matrices)
@@ -148,10 +234,9 @@ TEST(Galerkin_product, is_the_product_of_the_matrices)
     for (int e = 0; e < 2; ++e)
       for (int k = 0; k < Pruned_prolongation::row_size; ++k)
         dense(2 * v + e, 2 * p.row(v).columns[k] + e) += p.row(v).weights[k];
-  Random_matrix first(f.level, random);
   std::vector<Index> order(p.coarse_size());
   std::iota(order.rbegin(), order.rend(), 0);     // any order will do
-  Galerkin_product product(first.matrix, p, order, Loops());
+  Galerkin_product product(p, order);
   for (int i = 0; i < 2; ++i) {     // the pattern serves for other values, too
     const Random_matrix a(f.level, random);
     Block_matrix coarse;
@@ -169,7 +254,8 @@ TEST(V_cycle, is_a_symmetric_positive_preconditioner)
   const Finest_level many(grid(40, 40, wavy), parameters::coarsest_size(20));
   for (const Level* level : { &f.level, &many.level }) {
     Block_multigrid multigrid(*level);
-    multigrid.matrix() = Random_matrix(*level, random).matrix;
+    const Random_matrix a(*level, random);
+    multigrid.matrix() = a.matrix;
     multigrid.setup();
     ASSERT_TRUE(multigrid.is_ready());
     for (int i = 0; i < 5; ++i) {
@@ -192,7 +278,11 @@ struct Block_system
 
   Index number_of_rows() const { return multigrid.matrix().number_of_rows(); }
   const Loops& loops() const { return sequential; }
-  Block_vector row_times(Index i, const Block_vectors& x) const { return multigrid.matrix().row_times(i, x); }
+  double multiply(const Block_vectors& x, Block_vectors& y, const Block_vectors& z) const
+  {
+    multigrid.multiply(x, y);
+    return inner_product(sequential, z, y);
+  }
   Block_vectors& precondition(const Block_vectors& r) { return multigrid.cycle(r); }
   double squared_size(Index, const Block_vector& r) const { return inner_product(r, r); }
   double direction_factor(double a, double b) const { return SMP::internal::quotient(a, b); }
@@ -204,7 +294,8 @@ TEST(Conjugate_gradients, reach_the_residual_they_are_asked_for)
   Random random(7);
   const Finest_level f(grid(40, 40, wavy), parameters::coarsest_size(20));
   Block_multigrid multigrid(f.level);
-  multigrid.matrix() = Random_matrix(f.level, random).matrix;
+  const Random_matrix a(f.level, random);
+  multigrid.matrix() = a.matrix;
   multigrid.setup();
   for (const double tolerance : { 0.1, 1e-4, 1e-8 }) {
     const Block_vectors b = random_vectors(f.level.number_of_vertices(), random);
@@ -213,10 +304,9 @@ TEST(Conjugate_gradients, reach_the_residual_they_are_asked_for)
     Block_vectors x(b.size(), Block_vector::zero()), residual = b, scratch(b.size());
     const std::size_t iterations = conjugate_gradients(system, x, residual, scratch, 100);
     EXPECT_LT(iterations, 50u);
-    double residual2 = 0;
-    for (Index i = 0; i < b.size(); ++i)
-      residual2 += std::pow(norm(b[i] - multigrid.matrix().row_times(i, x)), 2);
-    EXPECT_LE(std::sqrt(residual2), 1.001 * target);
+    Block_vectors ax(b.size());
+    multigrid.multiply(x, ax);
+    EXPECT_LE((dense_of(b) - dense_of(ax)).norm(), 1.001 * target);
   }
 }
 
@@ -228,8 +318,8 @@ std::size_t cycles_for_conformal_motion(Index n)
   const Level::Uv uv = identity_map(f.level);
   Block_multigrid multigrid(f.level);
   multigrid.use_k_cycles();
-  const One_rings& rings = f.level.rings();
-  multigrid.matrix().set_pattern(rings.number_of_vertices(), rings.offsets(), rings.neighbors());
+  const Contact_pattern pattern(f.level.rings());
+  pattern.give_to(multigrid.matrix());
   Block_vectors gradient(uv.size()), motion, b(uv.size());
   Level_energy_of<MIPS_energy_2>(f.level, Triangle_weight::ONE).assemble(uv, 0, gradient, multigrid.matrix());
   multigrid.setup();
@@ -237,8 +327,7 @@ std::size_t cycles_for_conformal_motion(Index n)
     const std::complex<double> z(uv[v].x() - 0.4, uv[v].y() - 0.3), w = z * z * z / multigrid.matrix().scale[v];
     motion.emplace_back(w.real(), w.imag());
   }
-  for (Index v = 0; v < uv.size(); ++v)
-    b[v] = multigrid.matrix().row_times(v, motion);
+  multigrid.multiply(motion, b);
   Block_system system{ multigrid, 0.01 * std::sqrt(inner_product(Loops(), b, b)) };
   Block_vectors x(b.size(), Block_vector::zero()), scratch(b.size());
   return conjugate_gradients(system, x, b, scratch, 100);

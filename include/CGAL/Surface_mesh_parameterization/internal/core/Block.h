@@ -56,6 +56,7 @@ struct Block
   Block& operator*=(double factor) { columns[0] *= factor; columns[1] *= factor; return *this; }
 
   friend Block operator+(Block a, const Block& b) { return a += b; }
+  friend Block transposed(const Block& b) { return Block(b.xx(), b.yx(), b.xy(), b.yy()); }
   friend Block operator*(double factor, Block b) { return b *= factor; }
   friend Block operator/(const Block& b, double divisor)
   {

@@ -40,8 +40,11 @@ public:
 
   static constexpr Index default_block_size = 1024;
 
+  // Whether there may be more than one thread at this time.
+  bool has_several_threads() const;
+
   // Into how many parts to divide work that needs scratch of its own for each part.
-  Index number_of_parts() const { return m_is_parallel ? 4 : 1; }
+  Index number_of_parts() const { return has_several_threads() ? 4 : 1; }
 
   // Calls f(begin, end) for every block.
   void for_each_block(Index first, Index last, Function_ref<void(Index, Index)> f,

@@ -12,10 +12,23 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #endif
 
 namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Loops::has_several_threads() const
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  return m_is_parallel && tbb::this_task_arena::max_concurrency() > 1 &&
+         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1;
+#else
+  return false;
+#endif
+}
 
 // Several threads only where that is wished, and the engine was compiled with TBB.
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -21,15 +21,24 @@ BOOST_FORCEINLINE void prefetch([[maybe_unused]] const void* address)
 #endif
 }
 
+constexpr std::size_t prefetch_distance = 64;
+
 // In a loop over a list of indices into an array, at place k: asks for the element that is needed some places later.
 // Neighbors come from many groups of ranks, of which the processor alone cannot see in advance where they lie.
 template <class Array>
 BOOST_FORCEINLINE void prefetch_element_after(std::size_t k, const Index* indices, std::size_t number_of_indices,
                                               const Array& array)
 {
-  constexpr std::size_t ahead = 64;
-  if (k + ahead < number_of_indices)
-    prefetch(&array[indices[k + ahead]]);
+  if (k + prefetch_distance < number_of_indices)
+    prefetch(&array[indices[k + prefetch_distance]]);
+}
+
+// The same in a loop that goes down.
+template <class Array>
+BOOST_FORCEINLINE void prefetch_element_before(std::size_t k, const Index* indices, const Array& array)
+{
+  if (k >= prefetch_distance)
+    prefetch(&array[indices[k - prefetch_distance]]);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -7,6 +7,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
+#include <boost/range/iterator_range.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -25,7 +27,7 @@ enum class Pruning {
 };
 
 // The prolongation over several collapse groups, each row pruned to three weights: that keeps coarse operators sparse.
-// The first rows, those of the coarse vertices, are the identity's.
+// The first rows, those of the coarse vertices, are the identity's, and not stored.
 class Pruned_prolongation
 {
 public:
@@ -38,7 +40,23 @@ public:
         weights;      // single precision: they are transposed as they are, so the cycle stays symmetric
   };
 
-  struct Entry { Index row; float weight; };  // of the transpose
+  // The rows in which each coarse vertex occurs, its own first.
+  class Transpose
+  {
+  public:
+    struct Entry { Index row; float weight; };
+
+    explicit Transpose(const Pruned_prolongation& p);
+
+    boost::iterator_range<const Entry*> operator[](Index v) const
+    {
+      return { m_entries.data() + (v == 0 ? 0 : m_end[v - 1]), m_entries.data() + m_end[v] };
+    }
+
+  private:
+    std::vector<Index> m_end;
+    std::vector<Entry> m_entries;
+  };
 
   // `hierarchy`: a Collapse_hierarchy_3 or its Hierarchy_interpolation
   template <class Hierarchy>
@@ -46,26 +64,25 @@ public:
                       Pruning pruning = Pruning::GREATEST_WEIGHTS)
     : m_pruning(pruning), m_coarse_size(hierarchy.number_of_vertices(coarse))
   {
-    m_rows.resize(hierarchy.number_of_vertices(fine));
-    loops.for_each(0, Index(m_coarse_size), [&](Index v) { m_rows[v] = { { v, v, v }, { 1, 0, 0 } }; });
+    m_rows.resize(hierarchy.number_of_vertices(fine) - m_coarse_size);
     for (std::size_t l = coarse + 1; l <= fine; ++l)      // the rows of a group depend on those of earlier groups
       loops.for_each_block_with_scratch(
           Index(hierarchy.number_of_vertices(l - 1)), Index(hierarchy.number_of_vertices(l)), [] { return Entries(); },
           [&](Index begin, Index end, Entries& entries) {
             for (Index v = begin; v < end; ++v)
-              m_rows[v] = composed_row(hierarchy, v, entries);
+              m_rows[v - m_coarse_size] = composed_row(hierarchy, v, entries);
           });
-    transpose();
   }
 
   std::size_t coarse_size() const { return m_coarse_size; }
-  std::size_t fine_size() const { return m_rows.size(); }
+  std::size_t fine_size() const { return m_coarse_size + m_rows.size(); }
 
-  const Row& row(Index v) const { return m_rows[v]; }
+  Row row(Index v) const { return v < m_coarse_size ? Row{ { v, v, v }, { 1, 0, 0 } } : new_row(v); }
 
-  // The rows in which a coarse vertex occurs, its own first.
-  const Entry* column_begin(Index v) const { return m_entries.data() + m_first[v]; }
-  const Entry* column_end(Index v) const { return m_entries.data() + m_first[v + 1]; }
+  // The row of a vertex that the coarse level does not have.
+  const Row& new_row(Index v) const { return m_rows[v - m_coarse_size]; }
+
+  Transpose transposed() const { return Transpose(*this); }
 
 private:
   typedef std::vector<std::pair<Index, double>>   Entries;      // columns and weights
@@ -77,7 +94,7 @@ private:
     const Index_triangle& parent = hierarchy.parent_triangle(v);
     const std::array<double, 3> coordinates = hierarchy.barycentric_coordinates(v);
     for (int i = 0; i < 3; ++i) {
-      const Row& parent_row = row(parent[i]);
+      const Row parent_row = row(parent[i]);
       for (int k = 0; k < row_size; ++k)
         if (const double weight = coordinates[i] * parent_row.weights[k]; weight != 0)
           entries.push_back({ parent_row.columns[k], weight });
@@ -162,29 +179,27 @@ private:
     return { 1 - u - v, u, v };
   }
 
-  void transpose()
-  {
-    m_first.assign(m_coarse_size + 1, 0);
-    for (const Row& row : m_rows)
-      for (int k = 0; k < row_size; ++k)
-        if (row.weights[k] != 0)
-          ++m_first[row.columns[k] + 1];
-    for (std::size_t v = 0; v < m_coarse_size; ++v)
-      m_first[v + 1] += m_first[v];
-    m_entries.resize(m_first.back());
-    std::vector<Index> next(m_first.begin(), m_first.end() - 1);
-    for (std::size_t i = 0; i < m_rows.size(); ++i)
-      for (int k = 0; k < row_size; ++k)
-        if (m_rows[i].weights[k] != 0)
-          m_entries[next[m_rows[i].columns[k]]++] = { Index(i), m_rows[i].weights[k] };
-  }
-
   Pruning m_pruning;
   std::size_t m_coarse_size;
   std::vector<Row> m_rows;
-  std::vector<Index> m_first;
-  std::vector<Entry> m_entries;
 };
+
+inline Pruned_prolongation::Transpose::Transpose(const Pruned_prolongation& p) : m_end(p.coarse_size() + 1, 0)
+{
+  const auto for_each_weight = [&](const auto& f) {
+    for (Index v = 0; v < p.fine_size(); ++v) {
+      const Row row = p.row(v);
+      for (int k = 0; k < row_size; ++k)
+        if (row.weights[k] != 0)
+          f(row.columns[k], Entry{ v, row.weights[k] });
+    }
+  };
+  for_each_weight([this](Index column, const Entry&) { ++m_end[column + 1]; });
+  for (std::size_t v = 0; v < p.coarse_size(); ++v)
+    m_end[v + 1] += m_end[v];
+  m_entries.resize(m_end.back());
+  for_each_weight([this](Index column, const Entry& e) { m_entries[m_end[column]++] = e; });
+}
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

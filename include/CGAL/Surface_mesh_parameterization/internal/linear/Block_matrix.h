@@ -16,14 +16,18 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A symmetric sparse matrix of 2x2 blocks, by rows, scaled so that every diagonal block has the trace 2. In double
-// precision: an almost conformal map can be changed into another one at a cost of 1e-9 of the diagonal, which single
-// precision does not see, and Newton's method stalls.
+// A symmetric sparse matrix of 2x2 blocks, scaled so that every diagonal block has the trace 2. Each row is stored up to
+// the diagonal only: what is right of it stands transposed in the rows below. So a loop over the rows reads every block
+// once, takes it as the entry of its row, and adds what it contributes to the row above.
+//
+// In double precision: an almost conformal map can be changed into another one at a cost of 1e-9 of the diagonal, which
+// single precision does not see. Newton's method stalls with such a matrix, and takes more cycles where only the coarse
+// grids have one.
 //
 // The unscaled matrix is S^-1 A S^-1, with one factor `scale[i]` for each block row in S.
 struct Block_matrix
 {
-  // The pattern: the columns of row i, but for the diagonal, are columns[first[i]] .. columns[first[i+1] - 1]. Kept by
+  // The pattern: the columns of row i left of the diagonal are columns[first[i]] .. columns[first[i+1] - 1]. Kept by
   // whoever made it.
   const Index* first = nullptr;
   const Index* columns = nullptr;
@@ -58,7 +62,7 @@ struct Block_matrix
   }
   Block unscaled_diagonal_block(Index i) const { return diagonal_block(i) / (scale[i] * scale[i]); }
 
-  // The block of row i and column j, which have to be joined.
+  // The block of row i and column j < i, which have to be joined.
   Block& block(Index i, Index j)
   {
     return blocks[std::find(columns + first[i], columns + first[i + 1], j) - columns];
@@ -73,56 +77,120 @@ struct Block_matrix
     });
   }
 
-  // A x, row i
-  Block_vector row_times(Index i, const Block_vectors& x) const
+  // y := A x
+  void multiply(const Block_vectors& x, Block_vectors& y) const
   {
-    const Block_vector &d = diagonal[i], &y = x[i];
-    return Block_vector(y.x + d.x * y.x + d.y * y.y, y.y + d.y * y.x - d.x * y.y) + off_diagonal_times(i, x);
+    for (Index i = 0; i < number_of_rows(); ++i) {
+      prefetch_columns_after(i, x, y);
+      y[i] = diagonal_and_left_times(i, x);
+      add_right_times(i, x[i], y);
+    }
   }
 
-  // One Gauss-Seidel step for A x = b on each row of a range, one after the other or the other way around.
-  void relax_forward(Index begin, Index end, const Block_vectors& b, Block_vectors& x) const
+  // What row i contributes to x A x, where the rows above contribute nothing for it.
+  double energy_of_row(Index i, const Block_vectors& x) const
   {
-    for (Index i = begin; i < end; ++i)
-      x[i] = relaxed_row(i, b, x);
+    return inner_product(x[i], diagonal_times(i, x[i]) + 2 * left_times(i, x));
   }
 
-  void relax_backward(Index begin, Index end, const Block_vectors& b, Block_vectors& x) const
+  // A Gauss-Seidel sweep for A x = b over the rows, one after the other. `right` holds what the blocks right of the
+  // diagonal contribute to each row of A x, before the sweep and after it. After the last one, it is A x - b instead: a
+  // row knows the rest of it as soon as it is relaxed.
+  void relax_forward(const Block_vectors& b, bool is_last, Block_vectors& x, Block_vectors& right) const
   {
-    for (Index i = end; i-- > begin;)
-      x[i] = relaxed_row(i, b, x);
+    for (Index i = 0; i < number_of_rows(); ++i) {
+      prefetch_columns_after(i, x, right);
+      relax_row_forward(i, b, is_last, x, right);
+      add_right_times(i, x[i], right);
+    }
   }
 
-  // The same on all rows of a range at once: a Jacobi step where they are joined.
-  void relax_at_once(const Loops& loops, Index begin, Index end, const Block_vectors& b, Block_vectors& x,
-                     Block_vectors& scratch) const
+  // The same the other way around; `right` is 0 before and after.
+  void relax_backward(const Block_vectors& b, Block_vectors& x, Block_vectors& right) const
   {
-    scratch.resize(number_of_rows());
-    loops.for_each(begin, end, [&](Index i) { scratch[i] = relaxed_row(i, b, x); });
-    loops.for_each(begin, end, [&](Index i) { x[i] = scratch[i]; });
+    for (Index i = number_of_rows(); i-- > 0;) {
+      prefetch_columns_before(i, x, right);
+      relax_row_backward(i, b, x, right);
+      add_right_times(i, x[i], right);
+    }
+  }
+
+  // The parts of these loops that belong to row i alone.
+
+  Block_vector diagonal_and_left_times(Index i, const Block_vectors& x) const
+  {
+    return diagonal_times(i, x[i]) + left_times(i, x);
+  }
+
+  void relax_row_forward(Index i, const Block_vectors& b, bool is_last, Block_vectors& x, Block_vectors& right) const
+  {
+    const Block_vector r = b[i] - left_times(i, x);
+    x[i] = relaxed(i, r - right[i]);
+    right[i] = is_last ? diagonal_times(i, x[i]) - r : Block_vector::zero();
+  }
+
+  void relax_row_backward(Index i, const Block_vectors& b, Block_vectors& x, Block_vectors& right) const
+  {
+    x[i] = relaxed(i, b[i] - left_times(i, x) - right[i]);
+    right[i] = Block_vector::zero();
+  }
+
+  // What a block k contributes, transposed, to the row above of which the column is the row of x.
+  Block_vector transposed_times(Index k, const Block_vector& x) const
+  {
+    return Block_vector(inner_product(blocks[k].columns[0], x), inner_product(blocks[k].columns[1], x));
   }
 
 private:
-  // What x[i] has to be to satisfy row i. A diagonal block that is hardly definite is shifted by a small multiple of
-  // its trace.
-  Block_vector relaxed_row(Index i, const Block_vectors& b, const Block_vectors& x) const
+  Block_vector diagonal_times(Index i, const Block_vector& y) const
+  {
+    const Block_vector& d = diagonal[i];
+    return Block_vector(y.x + d.x * y.x + d.y * y.y, y.y + d.y * y.x - d.x * y.y);
+  }
+
+  // What x[i] has to be so that its diagonal block gives `r`. A block that is hardly definite is shifted by a small
+  // multiple of its trace.
+  Block_vector relaxed(Index i, const Block_vector& r) const
   {
     constexpr double least_determinant = 1e-4, shift = 1e-2;
-    const Block_vector &d = diagonal[i], r = b[i] - off_diagonal_times(i, x);
+    const Block_vector& d = diagonal[i];
     const double radius2 = inner_product(d, d), one = 1 - radius2 > least_determinant ? 1 : 1 + shift;
     return Block_vector((one - d.x) * r.x - d.y * r.y, (one + d.x) * r.y - d.y * r.x) / (one * one - radius2);
   }
 
-  Block_vector off_diagonal_times(Index i, const Block_vectors& x) const
+  // What the blocks left of the diagonal contribute to row i of A x.
+  Block_vector left_times(Index i, const Block_vectors& x) const
   {
     Block_vector sum0(0, 0), sum1(0, 0);      // two chains of additions, which the processor interleaves
     for (Index k = first[i]; k < first[i + 1]; ++k) {
-      prefetch_element_after(k, columns, blocks.size(), x);
       const Block_vector& y = x[columns[k]];
       sum0 += y.x * blocks[k].columns[0];
       sum1 += y.y * blocks[k].columns[1];
     }
     return sum0 + sum1;
+  }
+
+  // Adds to `y` what the same blocks, transposed, contribute to the rows above.
+  void add_right_times(Index i, const Block_vector& x, Block_vectors& y) const
+  {
+    for (Index k = first[i]; k < first[i + 1]; ++k)
+      y[columns[k]] += transposed_times(k, x);
+  }
+
+  void prefetch_columns_after(Index i, const Block_vectors& x, const Block_vectors& y) const
+  {
+    for (Index k = first[i]; k < first[i + 1]; ++k) {
+      prefetch_element_after(k, columns, blocks.size(), x);
+      prefetch_element_after(k, columns, blocks.size(), y);
+    }
+  }
+
+  void prefetch_columns_before(Index i, const Block_vectors& x, const Block_vectors& y) const
+  {
+    for (Index k = first[i]; k < first[i + 1]; ++k) {
+      prefetch_element_before(k, columns, x);
+      prefetch_element_before(k, columns, y);
+    }
   }
 };
 

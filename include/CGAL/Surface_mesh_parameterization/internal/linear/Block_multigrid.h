@@ -11,12 +11,14 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Galerkin_product.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Grouped_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/k_cycle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/v_cycle.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -40,8 +42,6 @@ public:
     : m_options(options), m_loops(level.loops()), m_hierarchy(level.hierarchy())
   {
     m_grids.emplace_back();
-    for (std::size_t l = 0; l <= level.index(); ++l)
-      m_group_ends.push_back(Index(m_hierarchy.number_of_vertices(l)));
     for (std::size_t fine = level.index(); fine > 0 && m_hierarchy.number_of_vertices(fine) > options.coarsest_size;) {
       const std::size_t coarse = fine > options.groups_per_grid ? fine - options.groups_per_grid : 0;
       m_grids.back().prolongation =
@@ -50,6 +50,8 @@ public:
       fine = coarse;
     }
   }
+
+  Block_multigrid(const Block_multigrid&) = delete;
 
   // Whether a level has one of the grids of the finest one.
   static bool has_grid_of_finest_level(const Level& level,
@@ -67,12 +69,16 @@ public:
   // To be called when the matrix has got another pattern.
   void forget_pattern()
   {
+    m_rows_of_finest.reset();
     for (Grid& grid : m_grids)
       grid.galerkin_product.reset();
   }
 
   void setup()
   {
+    // A product of matrices takes memory for a time, about as much as these two vectors.
+    m_grids.front().solution = Block_vectors();
+    m_grids.front().right = Block_vectors();
     std::vector<Index> order;
     if (m_grids.size() > 1 && !m_grids.front().galerkin_product)
       order = input_order();
@@ -80,7 +86,7 @@ public:
       Grid& grid = m_grids[g];
       if (!grid.galerkin_product) {
         keep_below(grid.prolongation->coarse_size(), order);
-        grid.galerkin_product = std::make_unique<Galerkin_product>(grid.matrix, *grid.prolongation, order, m_loops);
+        grid.galerkin_product = std::make_unique<Galerkin_product>(*grid.prolongation, order);
       }
       grid.galerkin_product->compute(grid.matrix, m_grids[g + 1].matrix, m_loops);
       grid.matrix.scale_blocks(m_loops);
@@ -91,7 +97,14 @@ public:
       if (&grid != &m_grids.front())
         grid.right_side.resize(grid.matrix.number_of_rows());
     }
+    group_rows_of_finest();
     factorize_coarsest();
+  }
+
+  // The product with the matrix of the finest grid: y := A x
+  void multiply(const Block_vectors& x, Block_vectors& y) const
+  {
+    rows_of(0, [&](const auto& rows) { rows.multiply(x, y); });
   }
 
   void scale() { matrix().scale_blocks(m_loops); }
@@ -112,6 +125,9 @@ public:
     return m_grids.front().solution;
   }
 
+  // A vector of the finest grid for other uses between two cycles.
+  Block_vectors& scratch() { return m_grids.front().solution; }
+
   // The parts of a cycle, see v_cycle().
 
   bool is_coarsest(std::size_t g) const { return g + 1 == m_grids.size(); }
@@ -121,15 +137,16 @@ public:
 
   void smooth_from_zero(std::size_t g, const Block_vectors& b, Block_vectors& x)
   {
-    m_loops.for_each(0, Index(x.size()), [&](Index i) { x[i] = Block_vector(0, 0); });
-    for (int i = 0; i < m_options.sweeps; ++i)
-      relax_forward(m_grids[g], b, x);
+    Grid& grid = m_grids[g];
+    grid.right.assign(x.size(), Block_vector::zero());
+    for (int i = 1; i <= m_options.sweeps; ++i)
+      rows_of(g, [&](const auto& rows) { rows.relax_forward(b, i == m_options.sweeps, x, grid.right); });
   }
 
   void smooth(std::size_t g, const Block_vectors& b, Block_vectors& x)
   {
     for (int i = 0; i < m_options.sweeps; ++i)
-      relax_backward(m_grids[g], b, x);
+      rows_of(g, [&](const auto& rows) { rows.relax_backward(b, x, m_grids[g].right); });
   }
 
   void solve_coarse(std::size_t g)
@@ -138,35 +155,43 @@ public:
     v_cycle(*this, g, grid.right_side, grid.solution);
     if (m_has_k_cycles && !is_coarsest(g))
       take_second_step<double>(
-          m_loops, [&](Index i, const Block_vectors& x) { return grid.matrix.row_times(i, x); },
+          m_loops, [&](const Block_vectors& x, Block_vectors& ax) { grid.matrix.multiply(x, ax); },
+          [&](Index i, const Block_vectors& x) { return grid.matrix.energy_of_row(i, x); },
           [](const Block_vector& a, const Block_vector& b) { return inner_product(a, b); },
           [&](const Block_vectors& r, Block_vectors& z) { v_cycle(*this, g, r, z); }, grid.solution, grid.right_side,
           grid.second_solution, grid.product);
   }
 
-  // The right side of the coarse grid: S_c P^T S^-1 (b - A x).
-  void restrict_residual(std::size_t g, const Block_vectors& b, const Block_vectors& x)
+  // The right side of the coarse grid: S_c P^T S^-1 (b - A x). The sweeps have left A x - b, and want 0 back.
+  void restrict_residual(std::size_t g, const Block_vectors&, const Block_vectors&)
   {
     Grid &fine = m_grids[g], &coarse = m_grids[g + 1];
     const Pruned_prolongation& p = *fine.prolongation;
-    fine.residual.resize(x.size());
-    m_loops.for_each(0, fine.matrix.number_of_rows(),
-                     [&](Index i) { fine.residual[i] = (b[i] - fine.matrix.row_times(i, x)) / fine.matrix.scale[i]; });
-    m_loops.for_each(0, coarse.matrix.number_of_rows(), [&](Index i) {
-      Block_vector sum(0, 0);
-      for (const auto* e = p.column_begin(i); e != p.column_end(i); ++e)
-        sum += e->weight * fine.residual[e->row];
-      coarse.right_side[i] = coarse.matrix.scale[i] * sum;
-    });
+    const Index coarse_size = coarse.matrix.number_of_rows();
+    const auto take_residual = [&](Index i) {
+      return -std::exchange(fine.right[i], Block_vector::zero()) / fine.matrix.scale[i];
+    };
+    m_loops.for_each(0, coarse_size, [&](Index i) { coarse.right_side[i] = take_residual(i); });
+    for (Index i = coarse_size; i < fine.matrix.number_of_rows(); ++i) {
+      const Block_vector residual = take_residual(i);
+      const Pruned_prolongation::Row& row = p.new_row(i);
+      for (int k = 0; k < Pruned_prolongation::row_size; ++k)
+        coarse.right_side[row.columns[k]] += double(row.weights[k]) * residual;
+    }
+    m_loops.for_each(0, coarse_size, [&](Index i) { coarse.right_side[i] *= coarse.matrix.scale[i]; });
   }
 
   // x += S^-1 P S_c x_c
   void add_correction(std::size_t g, Block_vectors& x)
   {
     Grid &fine = m_grids[g], &coarse = m_grids[g + 1];
-    m_loops.for_each(0, coarse.matrix.number_of_rows(), [&](Index i) { coarse.solution[i] *= coarse.matrix.scale[i]; });
-    m_loops.for_each(0, fine.matrix.number_of_rows(), [&](Index i) {
-      const Pruned_prolongation::Row& row = fine.prolongation->row(i);
+    const Index coarse_size = coarse.matrix.number_of_rows();
+    m_loops.for_each(0, coarse_size, [&](Index i) {
+      coarse.solution[i] *= coarse.matrix.scale[i];
+      x[i] += coarse.solution[i] / fine.matrix.scale[i];
+    });
+    m_loops.for_each(coarse_size, fine.matrix.number_of_rows(), [&](Index i) {
+      const Pruned_prolongation::Row& row = fine.prolongation->new_row(i);
       Block_vector sum(0, 0);
       for (int k = 0; k < Pruned_prolongation::row_size; ++k)
         sum += row.weights[k] * coarse.solution[row.columns[k]];
@@ -180,9 +205,32 @@ private:
     Block_matrix matrix;
     std::unique_ptr<Pruned_prolongation> prolongation;      // from the next coarser grid
     std::unique_ptr<Galerkin_product> galerkin_product;
-    Block_vectors right_side, solution, residual;
+    Block_vectors right_side, solution;
+    Block_vectors right;                        // see Block_matrix::relax_forward()
     Block_vectors second_solution, product;     // see take_second_step()
   };
+
+  // Calls f with what has the loops over the rows of a grid. On coarse grids the Galerkin operator joins the vertices
+  // of a group, so they are left to one thread.
+  template <class Function>
+  void rows_of(std::size_t g, const Function& f) const
+  {
+    if (g == 0 && m_rows_of_finest)
+      f(*m_rows_of_finest);
+    else
+      f(m_grids[g].matrix);
+  }
+
+  void group_rows_of_finest()
+  {
+    if (!m_loops.has_several_threads() || m_rows_of_finest)
+      return;
+    std::vector<Index> group_ends;
+    for (std::size_t l = 0; group_ends.empty() || group_ends.back() < matrix().number_of_rows(); ++l)
+      group_ends.push_back(Index(m_hierarchy.number_of_vertices(l)));
+    if (Grouped_rows::can_be_grouped(matrix(), group_ends))
+      m_rows_of_finest = std::make_unique<Grouped_rows>(matrix(), std::move(group_ends), m_loops);
+  }
 
   // The ranks of the vertices in the order of the input.
   std::vector<Index> input_order() const
@@ -198,24 +246,6 @@ private:
     order.erase(std::remove_if(order.begin(), order.end(), [size](Index v) { return v >= size; }), order.end());
   }
 
-  // A sweep goes from group to group, and over a group at once: its vertices share no edge. On coarse grids a few of
-  // them are joined by the Galerkin operator; a step on these is one of Jacobi's. What is left of the mesh when all
-  // groups are gone is densely joined and goes row by row.
-  void relax_forward(Grid& grid, const Block_vectors& b, Block_vectors& x)
-  {
-    grid.matrix.relax_forward(0, m_group_ends[0], b, x);
-    for (std::size_t l = 1; l < m_group_ends.size() && m_group_ends[l] <= grid.matrix.number_of_rows(); ++l)
-      grid.matrix.relax_at_once(m_loops, m_group_ends[l - 1], m_group_ends[l], b, x, grid.residual);
-  }
-
-  void relax_backward(Grid& grid, const Block_vectors& b, Block_vectors& x)
-  {
-    for (std::size_t l = m_group_ends.size(); --l > 0;)
-      if (m_group_ends[l] <= grid.matrix.number_of_rows())
-        grid.matrix.relax_at_once(m_loops, m_group_ends[l - 1], m_group_ends[l], b, x, grid.residual);
-    grid.matrix.relax_backward(0, m_group_ends[0], b, x);
-  }
-
   void factorize_coarsest()
   {
     const Block_matrix& a = m_grids.back().matrix;
@@ -225,14 +255,14 @@ private:
       entries.push_back({ 2 * i, 2 * i, d.xx() + m_options.shift });
       entries.push_back({ 2 * i + 1, 2 * i, d.yx() });
       entries.push_back({ 2 * i + 1, 2 * i + 1, d.yy() + m_options.shift });
-      for (Index k = a.first[i]; k < a.first[i + 1]; ++k)
-        if (const Index j = a.columns[k]; j < i) {
-          const Block& block = a.blocks[k];
-          entries.push_back({ 2 * i, 2 * j, block.xx() });
-          entries.push_back({ 2 * i, 2 * j + 1, block.xy() });
-          entries.push_back({ 2 * i + 1, 2 * j, block.yx() });
-          entries.push_back({ 2 * i + 1, 2 * j + 1, block.yy() });
-        }
+      for (Index k = a.first[i]; k < a.first[i + 1]; ++k) {
+        const Index j = a.columns[k];
+        const Block& block = a.blocks[k];
+        entries.push_back({ 2 * i, 2 * j, block.xx() });
+        entries.push_back({ 2 * i, 2 * j + 1, block.xy() });
+        entries.push_back({ 2 * i + 1, 2 * j, block.yx() });
+        entries.push_back({ 2 * i + 1, 2 * j + 1, block.yy() });
+      }
     }
     m_direct_solver = factorize_symmetric(2 * a.number_of_rows(), entries);
   }
@@ -241,8 +271,8 @@ private:
   bool m_has_k_cycles = false;
   Loops m_loops;
   const Collapse_hierarchy_3& m_hierarchy;
-  std::vector<Index> m_group_ends;      // the numbers of vertices of the levels
   std::vector<Grid> m_grids;            // finest first
+  std::unique_ptr<Grouped_rows> m_rows_of_finest;     // for several threads; null if there is one
   std::unique_ptr<Direct_solver> m_direct_solver;
 };
 

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Pruned_prolongation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Right_blocks.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -16,23 +17,15 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The Galerkin operator P^T A P of a block matrix. What is fixed by its pattern is found once; then it is computed for
-// any values of A.
+// The Galerkin operator P^T A P of a block matrix, for any values of A with one pattern.
 class Galerkin_product
 {
 public:
   // `order` holds the coarse rows in an order in which neighbors are close to each other: they share what is fetched
   // into the cache.
-  Galerkin_product(const Block_matrix& fine, const Pruned_prolongation& prolongation, std::vector<Index> order,
-                   const Loops& loops)
+  Galerkin_product(const Pruned_prolongation& prolongation, std::vector<Index> order)
     : m_prolongation(prolongation), m_order(std::move(order))
-  {
-    m_first.assign(m_order.size() + 1, 0);
-    for_each_row(loops, [&](Index row, Scratch& scratch) { m_first[row + 1] = count_columns(fine, row, scratch); });
-    for (std::size_t row = 0; row < m_order.size(); ++row)
-      m_first[row + 1] += m_first[row];
-    m_columns.resize(m_first.back());
-  }
+  { }
 
   Galerkin_product(const Galerkin_product&) = delete;
 
@@ -40,8 +33,11 @@ public:
   // diagonal not yet scaled.
   void compute(const Block_matrix& fine, Block_matrix& coarse, const Loops& loops)
   {
+    const Factors factors{ m_prolongation, m_prolongation.transposed(), fine, Right_blocks(fine) };
+    if (m_first.empty())
+      find_pattern(factors, loops);
     coarse.set_pattern(m_order.size(), m_first.data(), m_columns.data());
-    for_each_row(loops, [&](Index row, Scratch& scratch) { compute_row(fine, row, coarse, scratch); });
+    for_each_row(loops, [&](Index row, Scratch& scratch) { compute_row(factors, row, coarse, scratch); });
   }
 
 private:
@@ -95,32 +91,54 @@ private:
         });
   }
 
-  // But for the diagonal.
-  Index count_columns(const Block_matrix& fine, Index row, Scratch& scratch) const
+  // P and A by whole columns and rows; that takes memory, and is made for each product.
+  struct Factors
   {
-    const auto find = [&](Index i) {
-      for (const Index column : m_prolongation.row(i).columns)
-        scratch.position_of(column);
-    };
-    for (const auto* e = m_prolongation.column_begin(row); e != m_prolongation.column_end(row); ++e) {
-      find(e->row);
-      for (Index k = fine.first[e->row]; k < fine.first[e->row + 1]; ++k)
-        find(fine.columns[k]);
+    const Pruned_prolongation& prolongation;
+    Pruned_prolongation::Transpose transpose;
+    const Block_matrix& matrix;
+    Right_blocks right;
+
+    // Calls f(prolongation.row(k), w a_ik) for every weight w = p_ij and column k, for row j of P^T A P.
+    template <class Function>
+    void for_each_product(Index row, const Function& f) const
+    {
+      for (const auto& [i, weight] : transpose[row]) {
+        f(prolongation.row(i), double(weight) * matrix.unscaled_diagonal_block(i));
+        for (Index k = matrix.first[i]; k < matrix.first[i + 1]; ++k)
+          f(prolongation.row(matrix.columns[k]), double(weight) * matrix.blocks[k]);
+        for (const auto* e = right.begin(i); e != right.end(i); ++e)
+          f(prolongation.row(e->column), double(weight) * transposed(matrix.blocks[e->position]));
+      }
     }
-    return Index(scratch.columns.size() - 1);
+  };
+
+  void find_pattern(const Factors& factors, const Loops& loops)
+  {
+    m_first.assign(m_order.size() + 1, 0);
+    for_each_row(loops, [&](Index row, Scratch& scratch) {
+      factors.for_each_product(row, [&](const Pruned_prolongation::Row& p, const Block&) {
+        for (const Index column : p.columns)
+          scratch.position_of(column);
+      });
+      m_first[row + 1] = Index(std::count_if(scratch.columns.begin(), scratch.columns.end(),
+                                             [row](Index column) { return column < row; }));
+    });
+    for (std::size_t row = 0; row < m_order.size(); ++row)
+      m_first[row + 1] += m_first[row];
+    m_columns.resize(m_first.back());
   }
 
-  void compute_row(const Block_matrix& fine, Index row, Block_matrix& coarse, Scratch& scratch)
+  void compute_row(const Factors& factors, Index row, Block_matrix& coarse, Scratch& scratch)
   {
-    for (const auto* e = m_prolongation.column_begin(row); e != m_prolongation.column_end(row); ++e) {
-      const Index i = e->row;
-      add(m_prolongation.row(i), e->weight * fine.unscaled_diagonal_block(i), scratch);
-      for (Index k = fine.first[i]; k < fine.first[i + 1]; ++k)
-        add(m_prolongation.row(fine.columns[k]), e->weight * fine.blocks[k], scratch);
-    }
+    factors.for_each_product(row, [&](const Pruned_prolongation::Row& p, const Block& block) { add(p, block, scratch); });
     coarse.set_diagonal(row, scratch.sums[0]);
-    std::copy(scratch.sums.begin() + 1, scratch.sums.end(), coarse.blocks.begin() + m_first[row]);
-    std::copy(scratch.columns.begin() + 1, scratch.columns.end(), m_columns.begin() + m_first[row]);
+    Index out = m_first[row];
+    for (std::size_t i = 1; i < scratch.columns.size(); ++i)
+      if (scratch.columns[i] < row) {
+        coarse.blocks[out] = scratch.sums[i];
+        m_columns[out++] = scratch.columns[i];
+      }
   }
 
   // No branch for weights that are 0: the processor would guess it wrong.

@@ -47,6 +47,14 @@ public:
     return m_diagonal[i] * x[i] + m_matrix.row_times(i, x);
   }
 
+  // y := A x
+  template <class Vector>
+  void multiply(const Vector& x, Vector& y) const
+  {
+    for (Index i = 0; i < size(); ++i)
+      y[i] = row_times(i, x);
+  }
+
   // Row i of b - A x
   template <class Vector>
   typename Vector::value_type residual(Index i, const Vector& b, const Vector& x) const

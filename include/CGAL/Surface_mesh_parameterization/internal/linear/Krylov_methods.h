@@ -19,7 +19,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Preconditioned Krylov methods, for unknowns that are blocks, or the values of several right sides side by side. The
 // system has
 //   number_of_rows(), loops(),
-//   row_times(i, x)             row i of A x
+//   multiply(x, y, z)           y := A x; returns the inner product of z and y
 //   precondition(r)             M^-1 r, in a vector that is valid until the next call
 //   squared_size(i, r)          what the residual r of row i contributes to the squared norm
 //   direction_factor(a, b)      for conjugate gradients: how much of the last direction the next one keeps, a / b where
@@ -63,9 +63,9 @@ Product_of<Vector> squared_norm(const System& system, const Vector& r)
                             [&](Index i) { return system.squared_size(i, r[i]); });
 }
 
-// y := A x; returns the inner product of `z` and y.
+// multiply() of a system that has row_times(i, x), which is row i of A x.
 template <class System, class Vector>
-Product_of<Vector> multiply(const System& system, const Vector& x, Vector& y, const Vector& z)
+Product_of<Vector> multiply_by_rows(const System& system, const Vector& x, Vector& y, const Vector& z)
 {
   typedef Product_of<Vector>   Product;
   return system.loops().sum(0, system.number_of_rows(), zero_product<Product>(), [&](Index i) {
@@ -113,7 +113,7 @@ std::size_t conjugate_gradients(System& system, Vector& x, Vector& r, Vector& p,
     const Product rz_before = std::exchange(rz, inner_product(loops, r, z)),
                   beta = system.direction_factor(zero - alpha * inner_product(loops, q, z), rz_before);
     loops.for_each(0, system.number_of_rows(), [&](Index i) { p[i] = z[i] + beta * p[i]; });
-    const Product curvature = multiply(system, p, q, p);
+    const Product curvature = system.multiply(p, q, p);
     alpha = quotient(rz, curvature);
     if (!is_less_or_equal(zero, curvature) || !is_finite(alpha))
       break;
@@ -143,13 +143,13 @@ std::size_t stabilized_biconjugate_gradients(System& system, Vector& x, Vector& 
                   beta = quotient(rho, rho_before) * quotient(alpha, omega);
     loops.for_each(0, n, [&](Index i) { p[i] = r[i] + beta * (p[i] - omega * v[i]); });
     const Vector& mp = system.precondition(p);
-    alpha = quotient(rho, multiply(system, mp, v, shadow));
+    alpha = quotient(rho, system.multiply(mp, v, shadow));
     norm2 = go_along(system, alpha, mp, v, x, r);
     if (system.is_finished(norm2))
       break;
 
     const Vector& mr = system.precondition(r);
-    const Product tr = multiply(system, mr, t, r);
+    const Product tr = system.multiply(mr, t, r);
     omega = quotient(tr, inner_product(loops, t, t));
     if (!is_finite(alpha) || !is_finite(omega))
       break;

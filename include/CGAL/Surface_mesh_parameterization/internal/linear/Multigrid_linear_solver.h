@@ -115,6 +115,7 @@ private:
     Index number_of_rows() const { return m_system.size(); }
     const Loops& loops() const { return m_system.loops(); }
     Value row_times(Index i, const Vector& x) const { return m_system.row_times(i, x); }
+    Value multiply(const Vector& x, Vector& y, const Vector& z) const { return multiply_by_rows(*this, x, y, z); }
     Value squared_size(Index i, const Value& r) const { return m_system.squared_size(i, r); }
 
     // Incomplete factors may be indefinite, and the iteration arrives all the same.

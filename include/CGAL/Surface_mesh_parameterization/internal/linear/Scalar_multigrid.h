@@ -117,12 +117,15 @@ public:
     {
       v_cycle(*this, g, m_right_side[g], m_solution[g]);
       if constexpr (columns == 1)
-        if (m_has_k_cycles && !is_coarsest(g))
+        if (m_has_k_cycles && !is_coarsest(g)) {
+          const Incomplete_LU<Real>& grid = m_multigrid.m_grids[g];
+          const auto product = [](const Value& a, const Value& b) { return double(a[0]) * b[0]; };
           take_second_step<Real>(
-              Loops(), [&](Index i, const Vector& x) { return m_multigrid.m_grids[g].row_times(i, x); },
-              [](const Value& a, const Value& b) { return double(a[0]) * b[0]; },
+              Loops(), [&](const Vector& x, Vector& ax) { grid.multiply(x, ax); },
+              [&](Index i, const Vector& x) { return product(x[i], grid.row_times(i, x)); }, product,
               [&](const Vector& r, Vector& z) { v_cycle(*this, g, r, z); }, m_solution[g], m_right_side[g],
               m_second_solution[g], m_product[g]);
+        }
     }
 
     void add_correction(std::size_t g, Vector& x) const

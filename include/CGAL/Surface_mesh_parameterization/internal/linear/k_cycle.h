@@ -16,18 +16,19 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // This is for energies that conformal motions hardly change: coarse grids resist such motions more than the finest one,
 // and with one cycle the error of a grid would add to those of all coarser ones.
 //
-// `row_times(i, x)` is row i of A x, `product(a, b)` the inner product of rows as a double, and `cycle(r, z)` makes a
-// cycle from 0. `z` and `ax` are scratch; `Real` is the type of the vectors' numbers.
-template <class Real, class Vector, class Row_times, class Product, class Cycle>
-void take_second_step(const Loops& loops, const Row_times& row_times, const Product& product, const Cycle& cycle,
-                      Vector& x, Vector& r, Vector& z, Vector& ax)
+// `multiply(x, ax)` makes A x, `energy_of_row(i, x)` is what row i contributes to x A x, `product(a, b)` the inner
+// product of rows as a double, and `cycle(r, z)` makes a cycle from 0. `z` and `ax` are scratch; `Real` is the type of
+// the vectors' numbers.
+template <class Real, class Vector, class Multiply, class Energy_of_row, class Product, class Cycle>
+void take_second_step(const Loops& loops, const Multiply& multiply, const Energy_of_row& energy_of_row,
+                      const Product& product, const Cycle& cycle, Vector& x, Vector& r, Vector& z, Vector& ax)
 {
   const Index n = Index(x.size());
   z.resize(n);
   ax.resize(n);
+  multiply(x, ax);
   typedef Values<double, 2>   Products;     // r x, x A x
   const Products first = loops.sum(0, n, Products::zero(), [&](Index i) {
-    ax[i] = row_times(i, x);
     return Products{ { product(r[i], x[i]), product(x[i], ax[i]) } };
   });
   if (!(first[1] > 0))
@@ -39,7 +40,7 @@ void take_second_step(const Loops& loops, const Row_times& row_times, const Prod
   typedef Values<double, 4>   More_products;      // x A z, r z, r x, z A z
   const More_products second = loops.sum(0, n, More_products::zero(), [&](Index i) {
     return More_products{ { product(ax[i], z[i]), product(r[i], z[i]), product(r[i], x[i]),
-                            product(z[i], row_times(i, z)) } };
+                            energy_of_row(i, z) } };
   });
   // The direction z - factor x is conjugate to x.
   const double factor = second[0] / first[1], curvature = second[3] - factor * second[0];

@@ -15,11 +15,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The pattern of a Hessian: the edges of a mesh, and behind them in each row what contacts join besides.
+// The pattern of a Hessian up to the diagonal: in each row the neighbors of lesser rank, in the order of the ring, and
+// behind them what contacts join besides.
 class Contact_pattern
 {
 public:
-  explicit Contact_pattern(const One_rings& rings) : m_rings(rings) { }
+  explicit Contact_pattern(const One_rings& rings) : m_rings(rings) { lay_out(); }
 
   // Has the pattern hold all that these contacts join; returns whether it is another one than before.
   bool join(const Contacts& contacts)
@@ -28,7 +29,7 @@ public:
     for (const Contact& c : contacts)
       for (const Index v : c.vertices)
         for (const Index w : c.vertices)
-          if (v != w && std::find(m_rings[v].begin(), m_rings[v].end(), w) == m_rings[v].end())
+          if (w < v && std::find(m_rings[v].begin(), m_rings[v].end(), w) == m_rings[v].end())
             joined.emplace_back(v, w);
     std::sort(joined.begin(), joined.end());
     joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
@@ -42,10 +43,7 @@ public:
   // The matrix refers to this pattern until it gets another one.
   void give_to(Block_matrix& matrix) const
   {
-    if (m_joined.empty())
-      matrix.set_pattern(m_rings.number_of_vertices(), m_rings.offsets(), m_rings.neighbors());
-    else
-      matrix.set_pattern(m_rings.number_of_vertices(), m_first.data(), m_columns.data());
+    matrix.set_pattern(m_rings.number_of_vertices(), m_first.data(), m_columns.data());
   }
 
   // The Hessian lacks the curvature of distances and angles themselves, which is indefinite. Instead the blocks on the
@@ -65,7 +63,7 @@ public:
           const Block block(g.x * h.x, g.x * h.y, g.y * h.x, g.y * h.y);
           if (i == j)
             matrix.set_diagonal(v, matrix.unscaled_diagonal_block(v) + (1 + damping) * block);
-          else
+          else if (c.vertices[j] < v)
             matrix.block(v, c.vertices[j]) += block;
         }
   }
@@ -73,11 +71,16 @@ public:
 private:
   void lay_out()
   {
-    m_first.assign(1, 0);
+    m_first.clear();
+    m_first.reserve(m_rings.number_of_vertices() + 1);
+    m_first.push_back(0);
     m_columns.clear();
+    m_columns.reserve(m_rings.number_of_slots() / 2 + m_joined.size());
     auto next = m_joined.begin();
     for (Index v = 0; v < m_rings.number_of_vertices(); ++v) {
-      m_columns.insert(m_columns.end(), m_rings[v].begin(), m_rings[v].end());
+      for (const Index w : m_rings[v])
+        if (w < v)
+          m_columns.push_back(w);
       for (; next != m_joined.end() && next->first == v; ++next)
         m_columns.push_back(next->second);
       m_first.push_back(Index(m_columns.size()));
@@ -85,7 +88,7 @@ private:
   }
 
   const One_rings& m_rings;
-  std::vector<std::pair<Index, Index>> m_joined;      // vertices without an edge, in both orders
+  std::vector<std::pair<Index, Index>> m_joined;      // vertices without an edge, the greater one first
   std::vector<Index> m_first, m_columns;              // see Block_matrix
 };
 

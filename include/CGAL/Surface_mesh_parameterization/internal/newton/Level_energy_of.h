@@ -14,10 +14,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/Star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/relax_vertex.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -86,19 +86,20 @@ private:
   void assemble_rows(Index begin, Index end, const Level::Uv& uv, double indefinite_part, Block_vectors& gradient,
                      Block_matrix& hessian) const override
   {
+    std::vector<Block> row;
     for (Index v = begin; v < end; ++v) {
       level().prefetch_neighbors_after(v, uv);
-      assemble_row(v, uv, indefinite_part, gradient[v], hessian);
+      assemble_row(v, uv, indefinite_part, row, gradient[v], hessian);
     }
   }
 
-  void assemble_row(Index v, const Level::Uv& uv, double indefinite_part, Block_vector& gradient,
-                    Block_matrix& hessian) const
+  // `row` is scratch.
+  void assemble_row(Index v, const Level::Uv& uv, double indefinite_part, std::vector<Block>& row,
+                    Block_vector& gradient, Block_matrix& hessian) const
   {
     const Level::Ring ring = level().one_ring(v);
     const Rest_corners corners = level().rest_corners(v);
-    Block* const row = hessian.blocks.data() + hessian.first[v];
-    std::fill(row, row + ring.size(), Block::zero());
+    row.assign(ring.size(), Block::zero());
     Block diagonal = Block::zero();
     gradient = Block_vector(0, 0);
     for (std::size_t i = 0; i < level().rings().number_of_triangles(v); ++i) {
@@ -112,6 +113,10 @@ private:
       row[i] -= h.to_v + h.to_b;
     }
     hessian.set_diagonal(v, diagonal);
+    Block* out = hessian.blocks.data() + hessian.first[v];
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      if (ring[i] < v)
+        *out++ = row[i];
   }
 
   Energy m_energy;

@@ -104,13 +104,14 @@ public:
   void add_previous_step(const Level::Uv& previous, const Level::Uv& uv)
   {
     const Block_matrix& a = m_multigrid.matrix();
-    Block_vectors &x = m_solution, &s = m_direction;
+    Block_vectors &x = m_solution, &s = m_direction, &as = m_multigrid.scratch();
     for_each_vertex(
         [&](Index v) { s[v] = Block_vector(uv[v].x() - previous[v].x(), uv[v].y() - previous[v].y()) / a.scale[v]; });
+    m_multigrid.multiply(s, as);
     typedef Values<double, 5>   Products;     // x A x, x A s, s A s, b x, b s
     const Products p = m_level.loops().sum(0, Index(x.size()), Products::zero(), [&](Index v) {
-      const Block_vector as = a.row_times(v, s), b = -a.scale[v] * m_gradient[v];
-      return Products{ { inner_product(x[v], b - m_residual[v]), inner_product(x[v], as), inner_product(s[v], as),
+      const Block_vector b = -a.scale[v] * m_gradient[v];
+      return Products{ { inner_product(x[v], b - m_residual[v]), inner_product(x[v], as[v]), inner_product(s[v], as[v]),
                          inner_product(b, x[v]), inner_product(b, s[v]) } };
     });
     const double determinant = p[0] * p[2] - p[1] * p[1];
@@ -140,7 +141,11 @@ private:
 
     Index number_of_rows() const { return m_multigrid.matrix().number_of_rows(); }
     const Loops& loops() const { return m_level.loops(); }
-    Block_vector row_times(Index i, const Block_vectors& x) const { return m_multigrid.matrix().row_times(i, x); }
+    double multiply(const Block_vectors& x, Block_vectors& y, const Block_vectors& z) const
+    {
+      m_multigrid.multiply(x, y);
+      return inner_product(loops(), z, y);
+    }
     Block_vectors& precondition(const Block_vectors& r) { return m_multigrid.cycle(r); }
     double squared_size(Index, const Block_vector& r) const { return inner_product(r, r); }
 
