@@ -161,7 +161,7 @@ private:
     result.cycles = m_system.solve(m_accuracy);
     if (m_trial.size() == uv.size())
       m_system.add_previous_step(m_trial, uv);      // the line search left the map before that step in m_trial
-    result.predicted = -0.5 * inner_product(m_level.loops(), m_system.gradient(), m_system.moves());
+    result.predicted = m_system.predicted_decrease();
     return result.predicted > 0;
   }
 

@@ -31,7 +31,7 @@ public:
       m_pattern(energy.level().rings())
   {
     m_pattern.give_to(m_multigrid.matrix());
-    for (Block_vectors* vectors : { &m_gradient, &m_solution, &m_residual, &m_direction })
+    for (Block_vectors* vectors : { &m_solution, &m_residual, &m_direction })
       vectors->resize(m_level.number_of_vertices());
   }
 
@@ -59,23 +59,23 @@ public:
       m_multigrid.forget_pattern();
       m_needs_setup = true;
     }
-    m_energy.assemble(uv, m_indefinite_part, m_gradient, matrix);
+    Block_vectors& gradient = m_residual;
+    m_energy.assemble(uv, m_indefinite_part, gradient, matrix);
     for (const Index v : m_fixed) {
-      m_gradient[v] = Block_vector(0, 0);
+      gradient[v] = Block_vector(0, 0);
       matrix.set_diagonal(v, m_options.stiffness_of_fixed_vertex * matrix.unscaled_diagonal_block(v));
     }
     m_pattern.add(contacts, matrix);
     for (const Contact& c : contacts)
       for (int i = 0; i < 3; ++i)
-        m_gradient[c.vertices[i]] += c.first * c.gradients[i];
+        gradient[c.vertices[i]] += c.first * c.gradients[i];
+    for_each_vertex([&](Index v) { m_residual[v] = -matrix.scale[v] * gradient[v]; });
     if (m_needs_setup || !contacts.empty())
       m_multigrid.setup();
     else
       m_multigrid.scale();
     return m_multigrid.is_ready();
   }
-
-  const Block_vectors& gradient() const { return m_gradient; }
 
   // When to end before the minimum of the model: where a cycle lowers it by less than the part `forcing` of what all
   // have lowered it by, or by `negligible`, or after so many cycles.
@@ -85,11 +85,9 @@ public:
     std::size_t most_cycles;
   };
 
-  // Finds the moves that lead to the minimum; returns the number of cycles.
+  // Finds the moves that lead to the minimum, once for each model; returns the number of cycles.
   std::size_t solve(const Accuracy& accuracy)
   {
-    const std::vector<double>& scale = m_multigrid.matrix().scale;
-    for_each_vertex([&](Index v) { m_residual[v] = -scale[v] * m_gradient[v]; });
     const std::size_t cycles = solve_for_residual(accuracy);
     m_needs_setup =
         (m_multigrid.is_direct() && m_level.is_finest()) || cycles > m_options.most_cycles_without_setup;
@@ -108,19 +106,21 @@ public:
     for_each_vertex(
         [&](Index v) { s[v] = Block_vector(uv[v].x() - previous[v].x(), uv[v].y() - previous[v].y()) / a.scale[v]; });
     m_multigrid.multiply(s, as);
-    typedef Values<double, 5>   Products;     // x A x, x A s, s A s, b x, b s
+    typedef Values<double, 3>   Products;     // x A s, s A s, r s; b = r + A x
     const Products p = m_level.loops().sum(0, Index(x.size()), Products::zero(), [&](Index v) {
-      const Block_vector b = -a.scale[v] * m_gradient[v];
-      return Products{ { inner_product(x[v], b - m_residual[v]), inner_product(x[v], as[v]), inner_product(s[v], as[v]),
-                         inner_product(b, x[v]), inner_product(b, s[v]) } };
+      return Products{ { inner_product(x[v], as[v]), inner_product(s[v], as[v]), inner_product(m_residual[v], s[v]) } };
     });
-    const double determinant = p[0] * p[2] - p[1] * p[1];
-    if (!(determinant > m_options.least_relative_determinant * p[0] * p[2]))
+    const double xx = m_energy_of_solution, xs = p[0], ss = p[1], bx = m_product_with_right_side, bs = p[2] + xs;
+    const double determinant = xx * ss - xs * xs;
+    if (!(determinant > m_options.least_relative_determinant * xx * ss))
       return;
-    const double factor_x = (p[3] * p[2] - p[4] * p[1]) / determinant,
-                 factor_s = (p[4] * p[0] - p[3] * p[1]) / determinant;
+    const double factor_x = (bx * ss - bs * xs) / determinant, factor_s = (bs * xx - bx * xs) / determinant;
     for_each_vertex([&](Index v) { x[v] = factor_x * x[v] + factor_s * s[v]; });
+    m_product_with_right_side = factor_x * bx + factor_s * bs;
   }
+
+  // By how much the last solution lowers the model, as the minimum along its direction.
+  double predicted_decrease() const { return 0.5 * m_product_with_right_side; }
 
   // Where the last solution moves the vertices. It is overwritten by the next one.
   const Block_vectors& moves()
@@ -170,7 +170,7 @@ private:
   };
 
   template <class Function>
-  void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, Index(m_gradient.size()), f); }
+  void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, Index(m_solution.size()), f); }
 
   // Solves for m_solution; the right side stands in m_residual.
   std::size_t solve_for_residual(const Accuracy& accuracy)
@@ -183,6 +183,10 @@ private:
         [&](double d) { return d > (std::max)(accuracy.forcing * (sum += d), accuracy.negligible); });
     for (const Index v : m_fixed)
       m_solution[v] = Block_vector(0, 0);
+    const Block_matrix& a = m_multigrid.matrix();
+    m_energy_of_solution = m_level.loops().sum(0, Index(m_solution.size()), 0.,
+                                               [&](Index v) { return a.energy_of_row(v, m_solution); });
+    m_product_with_right_side = m_energy_of_solution + inner_product(m_level.loops(), m_residual, m_solution);
     return cycles;
   }
 
@@ -194,8 +198,8 @@ private:
   bool m_needs_setup = true;
   double m_indefinite_part = 0;
   std::vector<Index> m_fixed;
-  Block_vectors m_gradient;
-  Block_vectors m_solution, m_residual, m_direction;      // of the linear system, in scaled variables
+  Block_vectors m_solution, m_residual, m_direction;      // of the linear system A x = b, in scaled variables
+  double m_energy_of_solution = 0, m_product_with_right_side = 0;     // x A x, b x
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
