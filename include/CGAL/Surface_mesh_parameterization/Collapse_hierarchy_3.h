@@ -17,8 +17,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <boost/range/iterator_range.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -110,7 +108,7 @@ public:
   std::size_t number_of_vertices() const { return m_points.size(); }
 
   /// number of triangles of the finest level, the input
-  std::size_t number_of_faces() const { return m_faces.last_triangle.size(); }
+  std::size_t number_of_faces() const { return m_faces.triangles.size(); }
 
   /// the exponent `k` for which a length on any level is `2^k` times the length in the user's units
   int scale_exponent() const { return m_scale_exponent; }
@@ -128,6 +126,19 @@ public:
 
   // What the hierarchy knows of the vertices alone.
   const internal::Vertex_hierarchy& vertices() const { return m_vertices; }
+
+  // The triangles of the finest level, by rank.
+  const std::vector<Triangle>& triangles() const { return m_faces.triangles; }
+
+  // The corners of a face of the mesh with so many vertices.
+  Triangle triangle(Index f, std::size_t number_of_vertices) const
+  {
+    Triangle result = m_faces.triangles[f];
+    for (Index& v : result)
+      while (v >= number_of_vertices)
+        v = kept_vertex(v);
+    return result;
+  }
   /// \endcond
 
   /// whether a vertex stays on every level: because it is constrained, or because its place in the plane is given and
@@ -159,8 +170,8 @@ public:
   Index input_face(Index f) const { return m_faces.input_face[f]; }
 
   /// the corners of a face just before a collapse removes it, counter-clockwise from any one; for a face of level 0,
-  /// its corners on that level
-  const Triangle& last_triangle(Index f) const { return m_faces.last_triangle[f]; }
+  /// its corners on that level. Found by following its corners down the hierarchy
+  Triangle last_triangle(Index f) const;
 
   /// @}
   /// \name Vertex splits
@@ -186,13 +197,6 @@ public:
   std::pair<Index, Index> removed_faces(Index v) const
   {
     return { m_faces.first_face[split_index(v) + 1], m_faces.first_face[split_index(v) + 2] };
-  }
-
-  /// the ranks of the faces whose corner `v` becomes `kept_vertex(v)`
-  boost::iterator_range<const Index*> fan_faces(Index v) const
-  {
-    const Index* const faces = m_faces.fan_faces.data();
-    return { faces + m_faces.first_fan_face[split_index(v)], faces + m_faces.first_fan_face[split_index(v) + 1] };
   }
 
   /// @}

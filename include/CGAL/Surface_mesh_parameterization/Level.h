@@ -7,7 +7,6 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
-#include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
@@ -62,18 +61,18 @@ public:
   // outlive the level, is that of the run.
   Level(const Collapse_hierarchy_3& hierarchy, std::size_t index, const internal::Loops& loops,
         internal::Run_progress* progress = nullptr)
-    : m_mesh(hierarchy), m_loops(loops), m_progress(progress)
+    : m_hierarchy(&hierarchy), m_loops(loops), m_progress(progress)
   {
     go_to(index);
   }
   /// \endcond
 
-  /// becomes another level of the hierarchy, by vertex splits or collapses from the current level.
+  /// becomes another level of the hierarchy.
   /// \pre `index < hierarchy().number_of_levels()`
   void go_to(std::size_t index);
 
   /// the hierarchy that the level belongs to
-  const Collapse_hierarchy_3& hierarchy() const { return m_mesh.hierarchy(); }
+  const Collapse_hierarchy_3& hierarchy() const { return *m_hierarchy; }
 
   /// position in the hierarchy: 0 is the coarsest level
   std::size_t index() const { return m_index; }
@@ -94,7 +93,7 @@ public:
   const Point_3& point(Index v) const { return hierarchy().point(v); }
 
   /// the triangles, by rank
-  const std::vector<Triangle>& triangles() const { return m_mesh.triangles(); }
+  const std::vector<Triangle>& triangles() const { return is_finest() ? hierarchy().triangles() : m_triangles; }
 
   /// whether `v` lies on the outer border or on that of a hole
   bool is_border(Index v) const { return m_rings.is_border(v); }
@@ -164,8 +163,9 @@ public:
   /// \endcond
 
 private:
-  Progressive_mesh_3 m_mesh;
+  const Collapse_hierarchy_3* m_hierarchy;
   std::size_t m_index;
+  std::vector<Triangle> m_triangles;      // of a level below the finest
   internal::Loops m_loops;
   internal::Run_progress* m_progress;
   internal::One_rings m_rings;

@@ -10,7 +10,10 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/range/iterator_range.hpp>
+
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -21,7 +24,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// sequence, vertex by vertex or level by level. The vertices of the mesh with `k` vertices have the ranks from 0
 /// to `k - 1`. The triangles keep their ranks, too.
 ///
-/// The hierarchy must outlive it.
+/// It takes about as much memory as the triangles of the input, twice. The hierarchy must outlive it.
 class Progressive_mesh_3
 {
 public:
@@ -35,6 +38,7 @@ public:
     m_triangles.reserve(hierarchy.number_of_faces());
     for (std::size_t f = 0; f < hierarchy.number_of_faces(0); ++f)
       m_triangles.push_back(hierarchy.last_triangle(Index(f)));
+    collect_fan_faces();
   }
 
   /// the hierarchy
@@ -46,13 +50,20 @@ public:
   /// the triangles, by rank; a triangle and its corners have the order of the input
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
+  /// the ranks of the faces whose corner `v`, which is not on level 0, becomes `hierarchy().kept_vertex(v)`
+  boost::iterator_range<const Index*> fan_faces(Index v) const
+  {
+    const std::size_t split = v - m_hierarchy->number_of_vertices(0);
+    return { m_fan_faces.data() + m_first_fan_face[split], m_fan_faces.data() + m_first_fan_face[split + 1] };
+  }
+
   /// undoes one collapse: brings back the missing vertex with the least rank.
   /// \pre `number_of_vertices() < hierarchy().number_of_vertices()`
   void split_vertex()
   {
     CGAL_precondition(m_number_of_vertices < m_hierarchy->number_of_vertices());
     const Index v = Index(m_number_of_vertices++);
-    for (Index f : m_hierarchy->fan_faces(v))
+    for (Index f : fan_faces(v))
       internal::replace_corner(m_triangles[f], m_hierarchy->kept_vertex(v), v);
     for (Index f = m_hierarchy->removed_faces(v).first; f < m_hierarchy->removed_faces(v).second; ++f)
       m_triangles.push_back(m_hierarchy->last_triangle(f));
@@ -65,7 +76,7 @@ public:
     CGAL_precondition(m_number_of_vertices > m_hierarchy->number_of_vertices(0));
     const Index v = Index(--m_number_of_vertices);
     m_triangles.resize(m_hierarchy->removed_faces(v).first);
-    for (Index f : m_hierarchy->fan_faces(v))
+    for (Index f : fan_faces(v))
       internal::replace_corner(m_triangles[f], v, m_hierarchy->kept_vertex(v));
   }
 
@@ -81,9 +92,29 @@ public:
   }
 
 private:
+  // A counting sort of the faces by the vertices that they lose as corners, but for the last one.
+  void collect_fan_faces()
+  {
+    const Index coarsest_vertices = Index(m_hierarchy->number_of_vertices(0));
+    const auto for_each_lost_corner = [&](const auto& f) {
+      for (Index face = 0; face < m_hierarchy->number_of_faces(); ++face) {
+        const Triangle last = m_hierarchy->last_triangle(face);
+        for (int i = 0; i < 3; ++i)
+          for (Index v = m_hierarchy->triangles()[face][i]; v != last[i]; v = m_hierarchy->kept_vertex(v))
+            f(v - coarsest_vertices, face);
+      }
+    };
+    m_first_fan_face.assign(m_hierarchy->number_of_vertices() - coarsest_vertices + 2, 0);
+    for_each_lost_corner([&](Index split, Index) { ++m_first_fan_face[split + 2]; });
+    std::partial_sum(m_first_fan_face.begin(), m_first_fan_face.end(), m_first_fan_face.begin());
+    m_fan_faces.resize(m_first_fan_face.back());
+    for_each_lost_corner([&](Index split, Index face) { m_fan_faces[m_first_fan_face[split + 1]++] = face; });
+  }
+
   const Collapse_hierarchy_3* m_hierarchy;
   std::size_t m_number_of_vertices;
   std::vector<Triangle> m_triangles;
+  std::vector<Index> m_first_fan_face, m_fan_faces;     // where those of each split begin, and they, by rank
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

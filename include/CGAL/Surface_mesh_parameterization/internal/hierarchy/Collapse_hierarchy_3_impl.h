@@ -63,6 +63,14 @@ const Collapse_hierarchy_3::Point_2& Collapse_hierarchy_3::fixed_place(Index v) 
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Collapse_hierarchy_3::Triangle Collapse_hierarchy_3::last_triangle(Index f) const
+{
+  const std::vector<Index>& first = m_faces.first_face;
+  const std::size_t place = std::upper_bound(first.begin(), first.end(), f) - first.begin() - 1;
+  return triangle(f, number_of_vertices(0) + place);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Collapse_hierarchy_3::Prolongation Collapse_hierarchy_3::prolongation(std::size_t coarse, std::size_t fine) const
 {
   CGAL_precondition(coarse <= fine && fine < number_of_levels());
@@ -89,9 +97,8 @@ std::size_t Collapse_hierarchy_3::memory() const
 {
   const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
   return bytes(m_vertices.level_vertices) + bytes(m_vertices.input_vertex) + bytes(m_vertices.splits) +
-         bytes(m_faces.last_triangle) + bytes(m_faces.input_face) + bytes(m_faces.first_face) +
-         bytes(m_faces.first_fan_face) + bytes(m_faces.fan_faces) + bytes(m_points) + bytes(m_fixed_places) +
-         bytes(m_springs) + (m_is_pinned.capacity() + m_is_fixed.capacity() + m_is_on_outer_border.capacity()) / 8;
+         bytes(m_faces.triangles) + bytes(m_faces.input_face) + bytes(m_faces.first_face) + bytes(m_points) +
+         bytes(m_fixed_places) + bytes(m_springs) + (m_is_pinned.capacity() + m_is_fixed.capacity() + m_is_on_outer_border.capacity()) / 8;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

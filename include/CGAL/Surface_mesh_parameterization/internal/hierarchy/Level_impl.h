@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
 
@@ -17,11 +18,19 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Level::go_to(std::size_t index)
 {
   m_index = index;
-  m_mesh.walk_to_level(index);
+  const std::size_t vertices = hierarchy().number_of_vertices(index);
   // On the way up the arrays grow into memory that is reserved but not yet used: where they were allocated anew for
   // every level, the system would have to clear that memory again and again.
   m_rings.reserve(hierarchy().number_of_vertices(), hierarchy().number_of_faces(), m_loops);
-  m_rings.build(m_mesh.number_of_vertices(), m_mesh.triangles(), m_loops);
+  if (is_finest())
+    m_triangles = std::vector<Triangle>();
+  else {
+    m_triangles.reserve(hierarchy().number_of_faces(hierarchy().number_of_levels() - 2));
+    m_triangles.resize(hierarchy().number_of_faces(index));
+    m_loops.for_each(0, Index(m_triangles.size()),
+                     [&](Index f) { m_triangles[f] = hierarchy().triangle(f, vertices); });
+  }
+  m_rings.build(vertices, triangles(), m_loops);
   if (is_finest())
     m_rings.release_scratch();
 }

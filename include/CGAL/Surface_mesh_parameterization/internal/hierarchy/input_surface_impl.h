@@ -4,7 +4,6 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_INPUT_SURFACE_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_INPUT_SURFACE_IMPL_H
 
-#include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
 
@@ -13,8 +12,6 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Triangulated_surface_3 input_surface(const Collapse_hierarchy_3& hierarchy)
 {
-  Progressive_mesh_3 mesh(hierarchy);
-  mesh.walk_to_level(hierarchy.number_of_levels() - 1);
   Triangulated_surface_3 surface;
   surface.scale_exponent = hierarchy.scale_exponent();
   surface.points.resize(hierarchy.number_of_vertices());
@@ -32,7 +29,7 @@ Triangulated_surface_3 input_surface(const Collapse_hierarchy_3& hierarchy)
   surface.triangles.resize(hierarchy.number_of_faces());
   for (Index rank = 0; rank < surface.triangles.size(); ++rank)
     for (int i = 0; i < 3; ++i)
-      surface.triangles[hierarchy.input_face(rank)][i] = hierarchy.input_vertex(mesh.triangles()[rank][i]);
+      surface.triangles[hierarchy.input_face(rank)][i] = hierarchy.input_vertex(hierarchy.triangles()[rank][i]);
   return surface;
 }
 
