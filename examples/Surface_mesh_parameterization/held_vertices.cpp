@@ -41,7 +41,10 @@ int main(int argc, char** argv)
   auto is_held = mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_held", false).first;
   auto index = mesh.add_property_map<Mesh::Vertex_index, int>("v:index").first;
   SMP::Circular_border_arc_length_parameterizer_3<Mesh> circle;
-  circle.parameterize(mesh, bhd, uvmap, index, is_held);
+  if (bhd == Mesh::null_halfedge() || circle.parameterize(mesh, bhd, uvmap, index, is_held) != SMP::OK) {
+    std::cerr << "the surface has no border that could be placed on a circle\n";
+    return 1;
+  }
 
   // The highest vertex, the tip of the nose of the built-in face, in its middle.
   const Mesh::Vertex_index tip = *std::max_element(
