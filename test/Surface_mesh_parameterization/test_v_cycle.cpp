@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Galerkin_product.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Grouped_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Contact_pattern.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
@@ -115,6 +116,12 @@ Block_vectors random_vectors(std::size_t n, Random& random)
   return result;
 }
 
+bool are_equal(const Block_vectors& x, const Block_vectors& y)
+{
+  return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                    [](const Block_vector& a, const Block_vector& b) { return a.x == b.x && a.y == b.y; });
+}
+
 TEST(Block_matrix, is_scaled_to_diagonal_blocks_of_trace_2)
 {
   Random random(4);
@@ -183,6 +190,39 @@ TEST(Block_matrix, sweeps_are_those_of_Gauss_and_Seidel)
   }
 }
 
+// What several threads do is the same, to the last digit.
+TEST(Grouped_rows, do_what_the_matrix_does)
+{
+  Random random(10);
+  const Finest_level f(grid(20, 20, wavy), parameters::coarsest_size(20));
+  Random_matrix a(f.level, random);
+  a.matrix.scale_blocks(Loops());
+  const std::size_t n = f.level.number_of_vertices();
+  std::vector<Index> group_ends;
+  for (std::size_t l = 0; l <= f.level.index(); ++l)
+    group_ends.push_back(Index(f.hierarchy.number_of_vertices(l)));
+  ASSERT_TRUE(Grouped_rows::can_be_grouped(a.matrix, group_ends));
+  const Grouped_rows grouped(a.matrix, group_ends, Loops());
+  const Block_vectors b = random_vectors(n, random);
+  Block_vectors x(n), right(n, Block_vector::zero()), y = x, right_of_y = right, ax(n), ay(n);
+  for (const bool is_last : { false, true }) {
+    a.matrix.relax_forward(b, is_last, x, right);
+    grouped.relax_forward(b, is_last, y, right_of_y);
+    EXPECT_TRUE(are_equal(x, y));
+    EXPECT_TRUE(are_equal(right, right_of_y));
+  }
+  right.assign(n, Block_vector::zero());
+  right_of_y = right;
+  a.matrix.relax_backward(b, x, right);
+  grouped.relax_backward(b, y, right_of_y);
+  EXPECT_TRUE(are_equal(x, y));
+  a.matrix.multiply(x, ax);
+  grouped.multiply(y, ay);
+  EXPECT_TRUE(are_equal(ax, ay));
+
+  EXPECT_FALSE(Grouped_rows::can_be_grouped(a.matrix, { group_ends.front(), Index(n) }));
+}
+
 TEST(Galerkin_product, is_the_product_of_the_matrices)
 {
   Random random(5);
@@ -240,7 +280,7 @@ struct Block_system
   const Loops& loops() const { return sequential; }
   double multiply(const Block_vectors& x, Block_vectors& y, const Block_vectors& z) const
   {
-    multigrid.matrix().multiply(x, y);
+    multigrid.multiply(x, y);
     return inner_product(sequential, z, y);
   }
   Block_vectors& precondition(const Block_vectors& r) { return multigrid.cycle(r); }
@@ -265,7 +305,7 @@ TEST(Conjugate_gradients, reach_the_residual_they_are_asked_for)
     const std::size_t iterations = conjugate_gradients(system, x, residual, scratch, 100);
     EXPECT_LT(iterations, 50u);
     Block_vectors ax(b.size());
-    multigrid.matrix().multiply(x, ax);
+    multigrid.multiply(x, ax);
     EXPECT_LE((dense_of(b) - dense_of(ax)).norm(), 1.001 * target);
   }
 }
@@ -287,7 +327,7 @@ std::size_t cycles_for_conformal_motion(Index n)
     const std::complex<double> z(uv[v].x() - 0.4, uv[v].y() - 0.3), w = z * z * z / multigrid.matrix().scale[v];
     motion.emplace_back(w.real(), w.imag());
   }
-  multigrid.matrix().multiply(motion, b);
+  multigrid.multiply(motion, b);
   Block_system system{ multigrid, 0.01 * std::sqrt(inner_product(Loops(), b, b)) };
   Block_vectors x(b.size(), Block_vector::zero()), scratch(b.size());
   return conjugate_gradients(system, x, b, scratch, 100);

@@ -57,6 +57,10 @@ struct Block
 
   friend Block operator+(Block a, const Block& b) { return a += b; }
   friend Block transposed(const Block& b) { return Block(b.xx(), b.yx(), b.xy(), b.yy()); }
+  friend Block_vector transposed_times(const Block& b, const Block_vector& x)
+  {
+    return Block_vector(inner_product(b.columns[0], x), inner_product(b.columns[1], x));
+  }
   friend Block operator*(double factor, Block b) { return b *= factor; }
   friend Block operator/(const Block& b, double divisor)
   {

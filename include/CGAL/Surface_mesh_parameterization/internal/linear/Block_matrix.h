@@ -18,8 +18,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 // A symmetric sparse matrix of 2x2 blocks, scaled so that every diagonal block has the trace 2. Each row is stored up to
 // the diagonal only: what is right of it stands transposed in the rows below. So a loop over the rows reads every block
-// once, takes it as the entry of its row, and adds what it contributes to the row above. One thread does that: where each
-// row gathered what is right of its diagonal, several threads could, but would take almost twice as long in sum.
+// once, takes it as the entry of its row, and adds what it contributes to the row above.
 //
 // In double precision: an almost conformal map can be changed into another one at a cost of 1e-9 of the diagonal, which
 // single precision does not see. Newton's method stalls with such a matrix, and takes more cycles where only the coarse
@@ -83,7 +82,7 @@ struct Block_matrix
   {
     for (Index i = 0; i < number_of_rows(); ++i) {
       prefetch_columns_after(i, x, y);
-      y[i] = diagonal_times(i, x[i]) + left_times(i, x);
+      y[i] = diagonal_and_left_times(i, x);
       add_right_times(i, x[i], y);
     }
   }
@@ -101,9 +100,7 @@ struct Block_matrix
   {
     for (Index i = 0; i < number_of_rows(); ++i) {
       prefetch_columns_after(i, x, right);
-      const Block_vector r = b[i] - left_times(i, x);
-      x[i] = relaxed(i, r - right[i]);
-      right[i] = is_last ? diagonal_times(i, x[i]) - r : Block_vector::zero();
+      relax_row_forward(i, b, is_last, x, right);
       add_right_times(i, x[i], right);
     }
   }
@@ -113,10 +110,29 @@ struct Block_matrix
   {
     for (Index i = number_of_rows(); i-- > 0;) {
       prefetch_columns_before(i, x, right);
-      x[i] = relaxed(i, b[i] - left_times(i, x) - right[i]);
-      right[i] = Block_vector::zero();
+      relax_row_backward(i, b, x, right);
       add_right_times(i, x[i], right);
     }
+  }
+
+  // The parts of these loops that belong to row i alone.
+
+  Block_vector diagonal_and_left_times(Index i, const Block_vectors& x) const
+  {
+    return diagonal_times(i, x[i]) + left_times(i, x);
+  }
+
+  void relax_row_forward(Index i, const Block_vectors& b, bool is_last, Block_vectors& x, Block_vectors& right) const
+  {
+    const Block_vector r = b[i] - left_times(i, x);
+    x[i] = relaxed(i, r - right[i]);
+    right[i] = is_last ? diagonal_times(i, x[i]) - r : Block_vector::zero();
+  }
+
+  void relax_row_backward(Index i, const Block_vectors& b, Block_vectors& x, Block_vectors& right) const
+  {
+    x[i] = relaxed(i, b[i] - left_times(i, x) - right[i]);
+    right[i] = Block_vector::zero();
   }
 
 private:
@@ -152,7 +168,7 @@ private:
   void add_right_times(Index i, const Block_vector& x, Block_vectors& y) const
   {
     for (Index k = first[i]; k < first[i + 1]; ++k)
-      y[columns[k]] += Block_vector(inner_product(blocks[k].columns[0], x), inner_product(blocks[k].columns[1], x));
+      y[columns[k]] += transposed_times(blocks[k], x);
   }
 
   void prefetch_columns_after(Index i, const Block_vectors& x, const Block_vectors& y) const

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Galerkin_product.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Grouped_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/k_cycle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/v_cycle.h>
 
@@ -68,6 +69,7 @@ public:
   // To be called when the matrix has got another pattern.
   void forget_pattern()
   {
+    m_rows_of_finest.reset();
     for (Grid& grid : m_grids)
       grid.galerkin_product.reset();
   }
@@ -95,10 +97,21 @@ public:
       if (&grid != &m_grids.front())
         grid.right_side.resize(grid.matrix.number_of_rows());
     }
+    group_rows_of_finest();
     factorize_coarsest();
   }
 
-  void scale() { matrix().scale_blocks(m_loops); }
+  // The product with the matrix of the finest grid: y := A x
+  void multiply(const Block_vectors& x, Block_vectors& y) const
+  {
+    rows_of(0, [&](const auto& rows) { rows.multiply(x, y); });
+  }
+
+  void scale()
+  {
+    matrix().scale_blocks(m_loops);
+    group_rows_of_finest();
+  }
 
   // Whether the direct solver at the bottom could factorize its matrix.
   bool is_ready() const { return m_direct_solver != nullptr; }
@@ -131,13 +144,13 @@ public:
     Grid& grid = m_grids[g];
     grid.right.assign(x.size(), Block_vector::zero());
     for (int i = 1; i <= m_options.sweeps; ++i)
-      grid.matrix.relax_forward(b, i == m_options.sweeps, x, grid.right);
+      rows_of(g, [&](const auto& rows) { rows.relax_forward(b, i == m_options.sweeps, x, grid.right); });
   }
 
   void smooth(std::size_t g, const Block_vectors& b, Block_vectors& x)
   {
     for (int i = 0; i < m_options.sweeps; ++i)
-      m_grids[g].matrix.relax_backward(b, x, m_grids[g].right);
+      rows_of(g, [&](const auto& rows) { rows.relax_backward(b, x, m_grids[g].right); });
   }
 
   void solve_coarse(std::size_t g)
@@ -201,6 +214,31 @@ private:
     Block_vectors second_solution, product;     // see take_second_step()
   };
 
+  // Calls f with what has the loops over the rows of a grid. On coarse grids the Galerkin operator joins the vertices
+  // of a group, so they are left to one thread.
+  template <class Function>
+  void rows_of(std::size_t g, const Function& f) const
+  {
+    if (g == 0 && m_rows_of_finest)
+      f(*m_rows_of_finest);
+    else
+      f(m_grids[g].matrix);
+  }
+
+  // To be called when the finest matrix has got other values.
+  void group_rows_of_finest()
+  {
+    if (m_rows_of_finest)
+      m_rows_of_finest->copy_blocks();
+    else if (m_loops.has_several_threads()) {
+      std::vector<Index> group_ends;
+      for (std::size_t l = 0; group_ends.empty() || group_ends.back() < matrix().number_of_rows(); ++l)
+        group_ends.push_back(Index(m_hierarchy.number_of_vertices(l)));
+      if (Grouped_rows::can_be_grouped(matrix(), group_ends))
+        m_rows_of_finest = std::make_unique<Grouped_rows>(matrix(), std::move(group_ends), m_loops);
+    }
+  }
+
   // The ranks of the vertices in the order of the input.
   std::vector<Index> input_order() const
   {
@@ -241,6 +279,7 @@ private:
   Loops m_loops;
   const Collapse_hierarchy_3& m_hierarchy;
   std::vector<Grid> m_grids;            // finest first
+  std::unique_ptr<Grouped_rows> m_rows_of_finest;     // for several threads; null if there is one
   std::unique_ptr<Direct_solver> m_direct_solver;
 };
 

@@ -105,7 +105,7 @@ public:
     Block_vectors &x = m_solution, &s = m_direction, &as = m_multigrid.scratch();
     for_each_vertex(
         [&](Index v) { s[v] = Block_vector(uv[v].x() - previous[v].x(), uv[v].y() - previous[v].y()) / a.scale[v]; });
-    a.multiply(s, as);
+    m_multigrid.multiply(s, as);
     typedef Values<double, 3>   Products;     // x A s, s A s, r s; b = r + A x
     const Products p = m_level.loops().sum(0, Index(x.size()), Products::zero(), [&](Index v) {
       return Products{ { inner_product(x[v], as[v]), inner_product(s[v], as[v]), inner_product(m_residual[v], s[v]) } };
@@ -143,7 +143,7 @@ private:
     const Loops& loops() const { return m_level.loops(); }
     double multiply(const Block_vectors& x, Block_vectors& y, const Block_vectors& z) const
     {
-      m_multigrid.matrix().multiply(x, y);
+      m_multigrid.multiply(x, y);
       return inner_product(loops(), z, y);
     }
     Block_vectors& precondition(const Block_vectors& r) { return m_multigrid.cycle(r); }
