@@ -98,7 +98,8 @@ std::size_t Collapse_hierarchy_3::memory() const
   const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
   return bytes(m_vertices.level_vertices) + bytes(m_vertices.input_vertex) + bytes(m_vertices.splits) +
          bytes(m_faces.triangles) + bytes(m_faces.input_face) + bytes(m_faces.first_face) + bytes(m_points) +
-         bytes(m_fixed_places) + bytes(m_springs) + (m_is_pinned.capacity() + m_is_fixed.capacity() + m_is_on_outer_border.capacity()) / 8;
+         bytes(m_fixed_places) + bytes(m_springs) +
+         (m_is_pinned.capacity() + m_is_fixed.capacity() + m_is_on_outer_border.capacity()) / 8;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

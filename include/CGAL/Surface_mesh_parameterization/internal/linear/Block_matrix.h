@@ -16,9 +16,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A symmetric sparse matrix of 2x2 blocks, scaled so that every diagonal block has the trace 2. Each row is stored up to
-// the diagonal only: what is right of it stands transposed in the rows below. So a loop over the rows reads every block
-// once, takes it as the entry of its row, and adds what it contributes to the row above.
+// A symmetric sparse matrix of 2x2 blocks, scaled so that every diagonal block has the trace 2. Each row is stored up
+// to the diagonal only: what is right of it stands transposed in the rows below. So a loop over the rows reads every
+// block once, takes it as the entry of its row, and adds what it contributes to the row above.
 //
 // In double precision: an almost conformal map can be changed into another one at a cost of 1e-9 of the diagonal, which
 // single precision does not see. Newton's method stalls with such a matrix, and takes more cycles where only the coarse
