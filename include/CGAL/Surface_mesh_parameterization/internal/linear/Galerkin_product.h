@@ -131,7 +131,8 @@ private:
 
   void compute_row(const Factors& factors, Index row, Block_matrix& coarse, Scratch& scratch)
   {
-    factors.for_each_product(row, [&](const Pruned_prolongation::Row& p, const Block& block) { add(p, block, scratch); });
+    factors.for_each_product(
+        row, [&](const Pruned_prolongation::Row& p, const Block& block) { add(p, block, scratch); });
     coarse.set_diagonal(row, scratch.sums[0]);
     Index out = m_first[row];
     for (std::size_t i = 1; i < scratch.columns.size(); ++i)
