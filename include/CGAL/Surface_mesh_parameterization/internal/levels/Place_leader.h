@@ -8,10 +8,10 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
@@ -65,9 +65,8 @@ public:
   bool run()
   {
     const double last_stiffness = m_level.is_finest() ? m_options.last_stiffness : m_options.last_stiffness_on_coarse;
-    const std::size_t most_rounds = Block_multigrid::has_grid_of_finest_level(m_level)
-                                        ? m_options.most_rounds
-                                        : m_options.most_rounds_between_grids;
+    const std::size_t most_rounds =
+        has_grid_of_finest_level(m_energy) ? m_options.most_rounds : m_options.most_rounds_between_grids;
     double stiffness = m_options.first_stiffness;
     settle(m_options.near_part);
     for (std::size_t round = 0; !is_done() && round < most_rounds && stiffness <= last_stiffness; ++round) {

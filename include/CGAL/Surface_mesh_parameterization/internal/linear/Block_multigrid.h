@@ -32,8 +32,8 @@ struct Block_multigrid_options
       1e-10;      // of the coarsest matrix, that is singular: the energies do not change when the plane is moved
 };
 
-// Cycles for a block matrix on a level, as preconditioner of conjugate gradients: Galerkin operators over every fifth
-// collapse group, block Gauss-Seidel sweeps as smoother, a direct solution at the bottom. On a hierarchy of one level
+// Cycles for a block matrix on a level, as preconditioner of conjugate gradients: Galerkin operators over every few
+// collapse groups, block Gauss-Seidel sweeps as smoother, a direct solution at the bottom. On a hierarchy of one level
 // there is only that one.
 class Block_multigrid
 {
@@ -54,8 +54,7 @@ public:
   Block_multigrid(const Block_multigrid&) = delete;
 
   // Whether a level has one of the grids of the finest one.
-  static bool has_grid_of_finest_level(const Level& level,
-                                       const Block_multigrid_options& options = Block_multigrid_options())
+  static bool has_grid_of_finest_level(const Level& level, const Block_multigrid_options& options)
   {
     const std::size_t groups_above = level.hierarchy().number_of_levels() - 1 - level.index();
     return groups_above % options.groups_per_grid == 0 || level.index() == 0;

@@ -9,10 +9,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Vertex_relaxation.h>
 
 #include <algorithm>
@@ -150,7 +150,7 @@ private:
   void iterate_newton()
   {
     Vertex_relaxation relaxation(m_energy, m_options.over_relaxation, m_barrier.get());
-    if (Block_multigrid::has_grid_of_finest_level(m_level)) {
+    if (has_grid_of_finest_level(m_energy)) {
       if (sweep_while_it_pays(relaxation))
         take_newton_steps(relaxation);
     } else

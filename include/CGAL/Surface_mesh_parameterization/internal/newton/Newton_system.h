@@ -20,6 +20,21 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+// Grids for Newton's systems on a level. Conformal motions, which a scale-invariant energy hardly resists, cost on a
+// coarse grid what the interpolation misses of them: such grids have to follow each other more closely.
+inline Block_multigrid_options multigrid_options_of(const Level_energy& energy)
+{
+  Block_multigrid_options result;
+  result.groups_per_grid = energy.is_scale_invariant() ? 5 : 6;
+  return result;
+}
+
+// Whether the level of an energy has one of the grids that the finest one has.
+inline bool has_grid_of_finest_level(const Level_energy& energy)
+{
+  return Block_multigrid::has_grid_of_finest_level(energy.level(), multigrid_options_of(energy));
+}
+
 // The quadratic model of a level's energy at a map: the exact gradient, and a Hessian that is made positive
 // semidefinite. Its linear systems are solved by conjugate gradients that are preconditioned by a multigrid cycle.
 // Patterns are made once, for all maps.
@@ -27,8 +42,8 @@ class Newton_system
 {
 public:
   Newton_system(const Level_energy& energy, const Newton_options& options)
-    : m_energy(energy), m_level(energy.level()), m_options(options), m_multigrid(energy.level()),
-      m_pattern(energy.level().rings())
+    : m_energy(energy), m_level(energy.level()), m_options(options),
+      m_multigrid(energy.level(), multigrid_options_of(energy)), m_pattern(energy.level().rings())
   {
     m_pattern.give_to(m_multigrid.matrix());
     for (Block_vectors* vectors : { &m_solution, &m_residual, &m_direction })
