@@ -178,40 +178,48 @@ private:
   void advance(Level::Uv& uv)
   {
     const auto is_displaced = [&](Index v) { return uv[v] != m_wanted[v]; };
+    m_is_star_changed.resize(uv.size(), false);
     m_displaced.clear();
     for (Index v = 0; v < uv.size(); ++v)
       if (is_displaced(v))
         m_displaced.push_back(v);
 
     m_before = uv;
-    std::vector<Index> touched;
     for (const Index v : m_displaced)
-      if (has_wanted_place(v)) {
-        uv[v] = m_wanted[v];
-        touched.push_back(v);
-        touched.insert(touched.end(), m_level.one_ring(v).begin(), m_level.one_ring(v).end());
-      }
-    std::sort(touched.begin(), touched.end());
-    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+      if (has_wanted_place(v))
+        move(uv, v, m_wanted[v]);
+    move_back_until_valid(uv);
+    m_displaced.erase(std::remove_if(m_displaced.begin(), m_displaced.end(), [&](Index v) { return !is_displaced(v); }),
+                      m_displaced.end());
+  }
+
+  void move(Level::Uv& uv, Index v, const Point_2& place)
+  {
+    if (uv[v] == place)
+      return;
+    uv[v] = place;
+    m_is_star_changed[v] = true;
+    for (const Index w : m_level.one_ring(v))
+      m_is_star_changed[w] = true;
+  }
+
+  // Passes over the changed stars until all are valid.
+  void move_back_until_valid(Level::Uv& uv)
+  {
     const auto is_valid = [&](Index v) {
       return is_star_positive(m_level.rings(), uv, v) && !turns_too_far(m_level.rings(), Place_of_vertex{ uv }, v);
     };
     bool has_changed = true;
     while (has_changed) {
       has_changed = false;
-      const auto move_back = [&](Index v) {
-        has_changed = has_changed || uv[v] != m_before[v];
-        uv[v] = m_before[v];
-      };
-      for (const Index v : touched)
-        if (!is_valid(v)) {
-          move_back(v);
+      for (Index v = 0; v < uv.size(); ++v)
+        if (std::exchange(m_is_star_changed[v], false) && !is_valid(v)) {
+          has_changed = true;
+          move(uv, v, m_before[v]);
           for (const Index w : m_level.one_ring(v))
-            move_back(w);
+            move(uv, w, m_before[w]);
         }
     }
-    m_displaced.erase(std::remove_if(m_displaced.begin(), m_displaced.end(), [&](Index v) { return !is_displaced(v); }),
-                      m_displaced.end());
   }
 
   Map_repair_options m_options;
@@ -221,6 +229,7 @@ private:
   bool m_is_mirrored = false;
   int m_exponent = 0;
   std::vector<Index> m_displaced;
+  std::vector<char> m_is_star_changed;      // since it was found to be valid
   Level_energy_of<MIPS_energy_2> m_conformal_energy;
   Level_energy_of<Symmetric_Dirichlet_energy_2> m_isometric_energy;      // makes room where the map has collapsed
 };
