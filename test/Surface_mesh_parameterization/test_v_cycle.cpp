@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Contact_pattern.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -316,12 +317,12 @@ std::size_t cycles_for_conformal_motion(Index n)
 {
   const Finest_level f(grid(n, n, flat), parameters::coarsest_size(20));
   const Level::Uv uv = identity_map(f.level);
-  Block_multigrid multigrid(f.level);
-  multigrid.use_k_cycles();
+  const Level_energy_of<MIPS_energy_2> energy(f.level, Triangle_weight::ONE);
+  Block_multigrid multigrid(f.level, multigrid_options_of(energy));
   const Contact_pattern pattern(f.level.rings());
   pattern.give_to(multigrid.matrix());
   Block_vectors gradient(uv.size()), motion, b(uv.size());
-  Level_energy_of<MIPS_energy_2>(f.level, Triangle_weight::ONE).assemble(uv, 0, gradient, multigrid.matrix());
+  energy.assemble(uv, 0, gradient, multigrid.matrix());
   multigrid.setup();
   for (Index v = 0; v < uv.size(); ++v) {
     const std::complex<double> z(uv[v].x() - 0.4, uv[v].y() - 0.3), w = z * z * z / multigrid.matrix().scale[v];

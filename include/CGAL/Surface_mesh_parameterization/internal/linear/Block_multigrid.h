@@ -28,6 +28,7 @@ struct Block_multigrid_options
   std::size_t groups_per_grid = 5;        // collapse groups from one grid to the next
   std::size_t coarsest_size = 1000;       // a grid of so many vertices is solved directly
   int sweeps = 2;                         // of the smoother, before and after the coarse grids
+  bool has_k_cycles = false;              // two steps of conjugate gradients on each coarse grid, see take_second_step()
   double shift =
       1e-10;      // of the coarsest matrix, that is singular: the energies do not change when the plane is moved
 };
@@ -118,9 +119,6 @@ public:
   // Whether there are no coarse grids, so that a cycle is a direct solution.
   bool is_direct() const { return m_grids.size() == 1; }
 
-  // From now on, cycles take two steps of conjugate gradients on each coarse grid, see take_second_step().
-  void use_k_cycles() { m_has_k_cycles = true; }
-
   // One cycle from 0 for A x = b, in scaled variables; the result is valid until the next one, and may be overwritten.
   Block_vectors& cycle(const Block_vectors& b)
   {
@@ -156,7 +154,7 @@ public:
   {
     Grid& grid = m_grids[g];
     v_cycle(*this, g, grid.right_side, grid.solution);
-    if (m_has_k_cycles && !is_coarsest(g))
+    if (m_options.has_k_cycles && !is_coarsest(g))
       take_second_step<double>(
           m_loops, [&](const Block_vectors& x, Block_vectors& ax) { grid.matrix.multiply(x, ax); },
           [&](Index i, const Block_vectors& x) { return grid.matrix.energy_of_row(i, x); },
@@ -274,7 +272,6 @@ private:
   }
 
   Block_multigrid_options m_options;
-  bool m_has_k_cycles = false;
   Loops m_loops;
   const Collapse_hierarchy_3& m_hierarchy;
   std::vector<Grid> m_grids;            // finest first

@@ -18,9 +18,6 @@ struct Newton_options
   double part_of_prediction_error = 0.3, least_forcing = 0.01, greatest_forcing = 0.05, forcing_with_flips = 1e-3;
   double residual_reduction = 1e-4, forcing_of_last_steps = 1e-8;
   std::size_t most_cycles = 60, most_cycles_after_short_step = 10;
-  // A K-cycle costs 1.4 times as much as a V-cycle. For scale-invariant energies it pays from a system that takes more
-  // V-cycles than these: almost conformal motions are all that is left then.
-  std::size_t most_v_cycles = 9;
   // The coarse grids of an earlier map serve as long as they need no more cycles than these: to make them costs as much
   // as three. A finest level without coarse grids has its matrix factorized for each map: what the factors of an
   // earlier one miss is little enough in a cycle to be taken for convergence.

@@ -21,11 +21,14 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Grids for Newton's systems on a level. Conformal motions, which a scale-invariant energy hardly resists, cost on a
-// coarse grid what the interpolation misses of them: such grids have to follow each other more closely.
+// coarse grid what the interpolation misses of them: such grids have to follow each other more closely, and are worth
+// more work than the smoother.
 inline Block_multigrid_options multigrid_options_of(const Level_energy& energy)
 {
   Block_multigrid_options result;
   result.groups_per_grid = energy.is_scale_invariant() ? 5 : 6;
+  result.sweeps = energy.is_scale_invariant() ? 1 : 2;
+  result.has_k_cycles = energy.is_scale_invariant();
   return result;
 }
 
@@ -106,8 +109,6 @@ public:
     const std::size_t cycles = solve_for_residual(accuracy);
     m_needs_setup =
         (m_multigrid.is_direct() && m_level.is_finest()) || cycles > m_options.most_cycles_without_setup;
-    if (cycles > m_options.most_v_cycles && m_energy.is_scale_invariant())
-      m_multigrid.use_k_cycles();
     return cycles;
   }
 
