@@ -46,7 +46,7 @@ struct Level_summary
   double energy_start = 0;        ///< the method's energy after the insertion of the new vertices, before refinement
   double energy_end = 0;          ///< the method's energy after refinement
   std::size_t iterations = 0;     ///< the method's iterations: Newton steps, sweeps, or those of a linear solver
-  std::size_t cycles = 0;         ///< V-cycles in all Newton steps
+  std::size_t cycles = 0;         ///< multigrid cycles in all Newton steps
   std::size_t vertex_visits = 0;  ///< steps of vertex relaxation, one vertex each
   bool converged = false;         ///< whether the method converged on this level, by its own criterion
   double seconds = 0;             ///< wall-clock time of insertion and refinement

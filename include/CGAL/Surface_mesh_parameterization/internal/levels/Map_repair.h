@@ -203,7 +203,8 @@ private:
       m_is_star_changed[w] = true;
   }
 
-  // Passes over the changed stars until all are valid.
+  // Moves vertices back to where they were in m_before, in passes over the stars that have changed, until all are
+  // valid.
   void move_back_until_valid(Level::Uv& uv)
   {
     const auto is_valid = [&](Index v) {

@@ -146,7 +146,7 @@ private:
     }
   }
 
-  // Newton's method pays on the levels that the V-cycle has as grids; in between a sweep carries the map over.
+  // Newton's method pays on the levels that its multigrid cycle has as grids; in between a sweep carries the map over.
   void iterate_newton()
   {
     Vertex_relaxation relaxation(m_energy, m_options.over_relaxation, m_barrier.get());

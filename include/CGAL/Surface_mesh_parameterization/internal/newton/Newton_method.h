@@ -32,7 +32,7 @@ public:
     double decrease = 0;          // of the energy, with the barrier's; 0 if no step was possible
     double predicted = 0;         // decrease of the quadratic model by the whole step
     double length = 0;            // 1 for the whole step; greater where that did not go far enough
-    std::size_t cycles = 0;       // V-cycles
+    std::size_t cycles = 0;       // of multigrid
     double slack = 0;             // a bound of what the barrier at the full turn costs
   };
 

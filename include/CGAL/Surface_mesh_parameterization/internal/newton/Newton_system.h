@@ -113,7 +113,7 @@ public:
   }
 
   // Makes the last solution that of solve() the best for the model among all combinations of it and the step that led
-  // from `previous` to `uv`, as nonlinear conjugate gradients do: where the V-cycle is weak, in almost conformal
+  // from `previous` to `uv`, as nonlinear conjugate gradients do: where the cycle is weak, in almost conformal
   // changes of an almost conformal map, this saves more than half of the steps.
   void add_previous_step(const Level::Uv& previous, const Level::Uv& uv)
   {
