@@ -253,21 +253,24 @@ TEST(V_cycle, is_a_symmetric_positive_preconditioner)
   Random random(6);
   const Finest_level f(grid(40, 40, wavy));
   const Finest_level many(grid(40, 40, wavy), parameters::coarsest_size(20));
-  for (const Level* level : { &f.level, &many.level }) {
-    Block_multigrid multigrid(*level);
-    const Random_matrix a(*level, random);
-    multigrid.matrix() = a.matrix;
-    multigrid.setup();
-    ASSERT_TRUE(multigrid.is_ready());
-    for (int i = 0; i < 5; ++i) {
-      const Block_vectors x = random_vectors(level->number_of_vertices(), random),
-                          y = random_vectors(level->number_of_vertices(), random);
-      const Block_vectors mx = multigrid.cycle(x), my = multigrid.cycle(y);
-      EXPECT_NEAR(inner_product(Loops(), mx, y), inner_product(Loops(), x, my),
-                  1e-10 * std::sqrt(inner_product(Loops(), mx, mx) * inner_product(Loops(), y, y)));
-      EXPECT_GT(inner_product(Loops(), mx, x), 0);
+  Block_multigrid_options one_sweep, two_sweeps;
+  one_sweep.sweeps = 1;
+  for (const Level* level : { &f.level, &many.level })
+    for (const Block_multigrid_options& options : { one_sweep, two_sweeps }) {
+      Block_multigrid multigrid(*level, options);
+      const Random_matrix a(*level, random);
+      multigrid.matrix() = a.matrix;
+      multigrid.setup();
+      ASSERT_TRUE(multigrid.is_ready());
+      for (int i = 0; i < 5; ++i) {
+        const Block_vectors x = random_vectors(level->number_of_vertices(), random),
+                            y = random_vectors(level->number_of_vertices(), random);
+        const Block_vectors mx = multigrid.cycle(x), my = multigrid.cycle(y);
+        EXPECT_NEAR(inner_product(Loops(), mx, y), inner_product(Loops(), x, my),
+                    1e-10 * std::sqrt(inner_product(Loops(), mx, mx) * inner_product(Loops(), y, y)));
+        EXPECT_GT(inner_product(Loops(), mx, x), 0);
+      }
     }
-  }
 }
 
 // The system as the method sees it.
