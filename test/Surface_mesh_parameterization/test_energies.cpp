@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Unfolding_energy_2.h>
 
 #include <gtest/gtest.h>
 
@@ -123,6 +124,23 @@ TEST(Map_invariants, agree_with_the_singular_values)
   }
 }
 
+// Compares an energy's derivatives with differences over 2 h. An error of the value, by rounding, is divided by h.
+template <class Energy>
+void expect_derivatives(const Energy& energy, double f, double d, double h, double error_of_value, double tolerance)
+{
+  const Distortion_derivatives_2 e = energy.derivatives(f, d);
+  EXPECT_NEAR(e.value, energy.value(f, d), error_of_value);
+  const double of_value = tolerance + error_of_value / h;
+  EXPECT_NEAR(e.f, (energy.value(f + h, d) - energy.value(f - h, d)) / (2 * h), of_value);
+  EXPECT_NEAR(e.d, (energy.value(f, d + h) - energy.value(f, d - h)) / (2 * h), of_value);
+  const auto by_f = [&](double t) { return energy.derivatives(t, d); };
+  const auto by_d = [&](double t) { return energy.derivatives(f, t); };
+  EXPECT_NEAR(e.ff, (by_f(f + h).f - by_f(f - h).f) / (2 * h), tolerance);
+  EXPECT_NEAR(e.fd, (by_d(d + h).f - by_d(d - h).f) / (2 * h), tolerance);
+  EXPECT_NEAR(e.fd, (by_f(f + h).d - by_f(f - h).d) / (2 * h), tolerance);
+  EXPECT_NEAR(e.dd, (by_d(d + h).d - by_d(d - h).d) / (2 * h), tolerance);
+}
+
 // ---- one check of the concept for all models ----
 
 template <class Energy>
@@ -149,17 +167,8 @@ TYPED_TEST(DistortionEnergy_2, derivatives_match_differences)
                  h = 1e-6 * d;
     if (f - 2 * d < 4 * h)    // the differences would leave what is possible
       continue;
-    const Distortion_derivatives_2 e = TypeParam().derivatives(f, d);
-    EXPECT_NEAR(e.value, TypeParam().value(f, d), 1e-13 * e.value);
-    const double tolerance = 1e-6 * e.value * (1 + 1 / (d * d));
-    EXPECT_NEAR(e.f, (TypeParam().value(f + h, d) - TypeParam().value(f - h, d)) / (2 * h), tolerance);
-    EXPECT_NEAR(e.d, (TypeParam().value(f, d + h) - TypeParam().value(f, d - h)) / (2 * h), tolerance);
-    const auto by_f = [&](double t) { return TypeParam().derivatives(t, d); };
-    const auto by_d = [&](double t) { return TypeParam().derivatives(f, t); };
-    EXPECT_NEAR(e.ff, (by_f(f + h).f - by_f(f - h).f) / (2 * h), tolerance);
-    EXPECT_NEAR(e.fd, (by_d(d + h).f - by_d(d - h).f) / (2 * h), tolerance);
-    EXPECT_NEAR(e.fd, (by_f(f + h).d - by_f(f - h).d) / (2 * h), tolerance);
-    EXPECT_NEAR(e.dd, (by_d(d + h).d - by_d(d - h).d) / (2 * h), tolerance);
+    const double value = TypeParam().value(f, d);
+    expect_derivatives(TypeParam(), f, d, h, 1e-13 * value, 1e-6 * value * (1 + 1 / (d * d)));
   }
 }
 
@@ -215,15 +224,7 @@ TEST(As_rigid_as_possible_energy_2, derivatives_match_differences)
       const Random_map map(random);
       const double f = map.f, d = map.d, q = f + 2 * d, h = 1e-5 * q;
       const Energy energy(2 * k);
-      const Distortion_derivatives_2 e = energy.derivatives(f, d);
-      EXPECT_NEAR(e.value, energy.value(f, d), 1e-14 * (1 + f));
-      const double tolerance = 1e-6 * (1 + 1 / (q * q)), rounding = 1e-14 * (1 + f) / h;
-      EXPECT_NEAR(e.f, (energy.value(f + h, d) - energy.value(f - h, d)) / (2 * h), tolerance + rounding);
-      EXPECT_NEAR(e.d, (energy.value(f, d + h) - energy.value(f, d - h)) / (2 * h), tolerance + rounding);
-      EXPECT_NEAR(e.ff, (energy.derivatives(f + h, d).f - energy.derivatives(f - h, d).f) / (2 * h), tolerance);
-      EXPECT_NEAR(e.fd, (energy.derivatives(f, d + h).f - energy.derivatives(f, d - h).f) / (2 * h), tolerance);
-      EXPECT_NEAR(e.fd, (energy.derivatives(f + h, d).d - energy.derivatives(f - h, d).d) / (2 * h), tolerance);
-      EXPECT_NEAR(e.dd, (energy.derivatives(f, d + h).d - energy.derivatives(f, d - h).d) / (2 * h), tolerance);
+      expect_derivatives(energy, f, d, h, 1e-14 * (1 + f), 1e-6 * (1 + 1 / (q * q)));
     }
 }
 
@@ -236,6 +237,39 @@ TEST(As_rigid_as_possible_energy_2, is_finite_everywhere)
         for (const double x : { e.value, e.f, e.d, e.ff, e.fd, e.dd })
           EXPECT_TRUE(std::isfinite(x)) << "stiffness " << k << ", f " << f << ", d " << d;
       }
+}
+
+// ---- unfolding ----
+
+TEST(Unfolding_energy_2, derivatives_match_differences_on_both_sides_of_zero)
+{
+  Random random(3);
+  for (const double width : { 0.1, 1., 5. })
+    for (int i = 0; i < 200; ++i) {
+      const double d = random(-2, 2), f = 2 * std::abs(d) + random(0.1, 3), h = 1e-5 * width;
+      const Unfolding_energy_2 energy(width);
+      const double scale = energy.value(f, d) * (1 + 1 / (width * width));
+      expect_derivatives(energy, f, d, h, 1e-14 * energy.value(f, d), 1e-6 * scale);
+    }
+}
+
+TEST(Unfolding_energy_2, is_that_of_MIPS_where_its_width_is_0_and_grows_where_triangles_are_flipped)
+{
+  for (const double d : { 1e-3, 1., 20. }) {
+    const Distortion_derivatives_2 e = Unfolding_energy_2(0).derivatives(50, d),
+                                   mips = MIPS_energy_2::derivatives(50, d);
+    for (double Distortion_derivatives_2::*const member :
+         { &Distortion_derivatives_2::value, &Distortion_derivatives_2::f, &Distortion_derivatives_2::d,
+           &Distortion_derivatives_2::ff, &Distortion_derivatives_2::fd, &Distortion_derivatives_2::dd })
+      EXPECT_NEAR(e.*member, mips.*member, 1e-13 * std::abs(mips.*member));
+  }
+  double last = 0;
+  for (double d = 2; d > -1e6; d -= 1 + std::abs(d)) {
+    const double value = Unfolding_energy_2(1e-3).value(2e6, d);
+    EXPECT_GT(value, last);
+    EXPECT_TRUE(std::isfinite(value));
+    last = value;
+  }
 }
 
 } // namespace

@@ -14,14 +14,12 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Progressive_mesh_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
-#include <CGAL/Surface_mesh_parameterization/settle_flips.h>
 
 #include <gtest/gtest.h>
 
@@ -29,8 +27,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -111,108 +107,6 @@ TYPED_TEST(Deep_tube, is_laid_out_without_a_flip)
   }
 }
 
-// ---- flips of other methods ----
-
-typedef Circular_border_arc_length_parameterizer_3<Mesh>                 Circle;
-typedef Hierarchical_parameterizer_3<LSCM_parameterizer_3<Mesh>>         LSCM;
-typedef Hierarchical_parameterizer_3<Discrete_conformal_map_parameterizer_3<Mesh, Circle>>   Conformal;
-
-template <class Parameterizer>
-class Flip_policies : public testing::Test { };
-typedef testing::Types<LSCM, Conformal> Methods_with_flips;
-TYPED_TEST_SUITE(Flip_policies, Methods_with_flips, );
-
-TYPED_TEST(Flip_policies, are_kept)
-{
-  Mapped_mesh m(crumpled_grid(14, 1));    // obtuse angles all over
-  const auto run = [&](Flip_policy policy) {
-    return m.parameterize(TypeParam(parameters::flip_policy(policy).summary(std::ref(m.summary))));
-  };
-
-  EXPECT_EQ(run(Flip_policy::FAIL), ERROR_NO_1_TO_1_MAPPING);
-  EXPECT_EQ(m.summary.error.code, ERROR_NO_1_TO_1_MAPPING);
-  EXPECT_GT(m.summary.flips, 0u);
-  EXPECT_TRUE(m.is_untouched());
-
-  EXPECT_EQ(run(Flip_policy::KEEP), OK);
-  EXPECT_FALSE(m.is_locally_one_to_one());
-  EXPECT_GT(m.quality().flips, 0u);
-
-  EXPECT_EQ(run(Flip_policy::REPAIR), OK);
-  EXPECT_TRUE(m.is_locally_one_to_one());
-  EXPECT_EQ(m.quality().flips, 0u);
-  EXPECT_GT(m.summary.flips, 0u);
-  EXPECT_GT(m.summary.moved_vertices, 0u);
-
-  const auto repaired = m.uv();
-  EXPECT_EQ(m.parameterize(TypeParam()), OK);     // the default
-  EXPECT_EQ(m.uv(), repaired);
-}
-
-// The plane's map of a grid, in which some vertices have lost their places.
-struct Spoiled_map : Mapped_mesh
-{
-  std::vector<Kernel::Point_2> good;
-
-  Spoiled_map() : Mapped_mesh(grid(24, 20, wavy))
-  {
-    for (const auto v : vertices(mesh))
-      uvmap[v] = Kernel::Point_2(mesh.point(v).x(), mesh.point(v).y());
-    good = uv();
-  }
-
-  std::size_t number_of_changes() const
-  {
-    std::size_t result = 0;
-    for (std::size_t i = 0; i < good.size(); ++i)
-      result += uv()[i] != good[i];
-    return result;
-  }
-};
-
-TEST(Settle_flips, moves_hardly_more_than_the_vertices_that_are_wrong)
-{
-  for (const bool is_mirrored : { false, true }) {
-    Spoiled_map m;
-    Random random(4);
-    std::size_t spoiled = 0;
-    for (const auto v : vertices(m.mesh))
-      if (random(0, 1) < 0.03 && ++spoiled)
-        m.uvmap[v] =
-            random(0, 1) < 0.2 ? Kernel::Point_2(std::nan(""), 0) : Kernel::Point_2(random(-2, 2), random(-2, 2));
-    if (is_mirrored)
-      for (const auto v : vertices(m.mesh)) {
-        m.uvmap[v] = Kernel::Point_2(-m.uvmap[v].x(), m.uvmap[v].y());
-        m.good[v] = Kernel::Point_2(-m.good[v].x(), m.good[v].y());
-      }
-    const auto before = m.uv();
-    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::FAIL, parameters::summary(std::ref(m.summary))),
-              ERROR_NO_1_TO_1_MAPPING);
-    EXPECT_GE(m.summary.flips, spoiled);
-    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR, parameters::summary(std::ref(m.summary))), OK);
-    EXPECT_TRUE(m.is_locally_one_to_one());
-    EXPECT_GE(m.number_of_changes(), spoiled);
-    EXPECT_LE(m.number_of_changes(), 3 * spoiled);
-    EXPECT_GE(m.summary.moved_vertices, spoiled);
-  }
-}
-
-TEST(Settle_flips, lets_a_good_map_be_and_makes_one_of_nothing)
-{
-  Spoiled_map m;
-  for (const Flip_policy policy : { Flip_policy::FAIL, Flip_policy::KEEP, Flip_policy::REPAIR }) {
-    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, policy, parameters::summary(std::ref(m.summary))), OK);
-    EXPECT_EQ(m.summary.moved_vertices, 0u);
-    EXPECT_EQ(m.number_of_changes(), 0u);
-  }
-  for (const double place : { 0., 1e300, std::numeric_limits<double>::infinity() }) {
-    for (const auto v : vertices(m.mesh))
-      m.uvmap[v] = Kernel::Point_2(place, place);
-    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR), OK) << place;
-    EXPECT_TRUE(m.is_locally_one_to_one()) << place;
-  }
-}
-
 // ---- random surfaces ----
 
 std::size_t number_of_random_surfaces()
@@ -259,6 +153,9 @@ Flat_mesh random_surface(unsigned int seed)
   }
   return result;
 }
+
+typedef Circular_border_arc_length_parameterizer_3<Mesh>                                     Circle;
+typedef Hierarchical_parameterizer_3<Discrete_conformal_map_parameterizer_3<Mesh, Circle>>   Conformal;
 
 TEST(Random_surfaces, are_laid_out_one_to_one)
 {

@@ -16,7 +16,7 @@ enum class Flip_policy
 {
   FAIL,     ///< flips are an error, `ERROR_NO_1_TO_1_MAPPING`
   KEEP,     ///< the map is returned as it is
-  REPAIR    ///< flips are removed; only vertices move that cannot stay where the method put them; the default
+  REPAIR    ///< flips are removed; vertices near them move, and others only where that is not enough; the default
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

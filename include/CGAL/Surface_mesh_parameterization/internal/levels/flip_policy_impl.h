@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Map_repair.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Patch_repair.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
@@ -55,38 +56,62 @@ inline std::size_t number_of_flips(const One_rings& rings, const std::vector<Poi
   return all - (std::max)(left, right);
 }
 
-// Makes a map with flips, given by the surface's points, free of them, and counts the vertices that were moved.
-inline Error_code repair_map(const Triangulated_surface_3& surface, const Hierarchy_options& options,
-                             std::vector<Point_2>& uv, std::size_t& moved_vertices)
+// Returns whether a map is valid, or becomes so, by new places for vertices near its flips.
+inline bool repair_patches(const Triangulated_surface_3& surface, std::vector<Point_2>& uv)
+{
+  if (!std::all_of(uv.begin(), uv.end(), [](const Point_2& p) { return is_finite(p); }))
+    return false;
+  double doubled_area = 0;
+  for (const Index_triangle& t : surface.triangles)
+    doubled_area += cross(uv[t[1]] - uv[t[0]], uv[t[2]] - uv[t[0]]);
+  const bool is_mirrored = doubled_area < 0;
+  if (is_mirrored)
+    uv = mirrored(uv);
+  const bool is_valid = Patch_repair(One_rings(uv.size(), surface.triangles), surface.points, uv).run();
+  if (is_mirrored)
+    uv = mirrored(uv);
+  return is_valid;
+}
+
+inline Error_code repair_by_hierarchy(const Triangulated_surface_3& surface, const Hierarchy_options& options,
+                                      std::vector<Point_2>& uv)
 {
   const Collapse_hierarchy_3 hierarchy(surface, options, Loops());
   std::vector<Point_2> map(uv.size()), repaired;
   for (Index rank = 0; rank < map.size(); ++rank)
     map[rank] = uv[hierarchy.input_vertex(rank)];
   const Error_code status = Map_repair(hierarchy, map).run(repaired);
-  if (status != OK)
-    return status;
-  for (Index rank = 0; rank < map.size(); ++rank)
-    if (repaired[rank] != map[rank]) {
+  if (status == OK)
+    for (Index rank = 0; rank < map.size(); ++rank)
       uv[hierarchy.input_vertex(rank)] = repaired[rank];
-      ++moved_vertices;
-    }
-  return OK;
+  return status;
 }
 
 // The same. Where doubles leave no room for a vertex, in another hierarchy they may; at last Tutte's map of the whole
 // surface is where the repair starts.
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code repair_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv, std::size_t& moved_vertices)
+inline Error_code repair_by_hierarchies(const Triangulated_surface_3& surface, std::vector<Point_2>& uv)
 {
   constexpr unsigned int most_seeds = 3;
   Hierarchy_options options;
   options.coarsest_size = 4;      // as coarse as possible: there Tutte's map has surely no flip, if a start is needed
   for (; options.random_seed < most_seeds; ++options.random_seed)
-    if (repair_map(surface, options, uv, moved_vertices) == OK)
+    if (repair_by_hierarchy(surface, options, uv) == OK)
       return OK;
   options.coarsest_size = surface.points.size();
-  return repair_map(surface, options, uv, moved_vertices);
+  return repair_by_hierarchy(surface, options, uv);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code repair_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv, std::size_t& moved_vertices)
+{
+  std::vector<Point_2> map = uv;
+  if (!repair_patches(surface, map))
+    if (const Error_code status = repair_by_hierarchies(surface, map); status != OK)
+      return status;
+  for (Index v = 0; v < uv.size(); ++v)
+    moved_vertices += map[v] != uv[v];
+  uv.swap(map);
+  return OK;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

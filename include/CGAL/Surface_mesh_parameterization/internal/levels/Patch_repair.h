@@ -1,0 +1,115 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_PATCH_REPAIR_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_PATCH_REPAIR_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Patch_unfolder.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+struct Patch_repair_options
+{
+  std::size_t most_rings = 4;                 // of vertices around bad stars, in a patch; from 1 on, doubled
+  std::size_t greatest_patch = 1000;          // in vertices
+  double greatest_part_of_vertices = 0.1;     // those of bad stars: of more flips than that, nothing is repaired
+};
+
+// Removes flips from a map by new places for the vertices of patches around them, and lets all others be. Of the
+// vertices in a patch, those on a border stay, too, if that can be.
+class Patch_repair
+{
+public:
+  // Most triangles are positive, and all places are finite.
+  Patch_repair(const One_rings& rings, const std::vector<Point_3>& points, std::vector<Point_2>& uv,
+               const Patch_repair_options& options = Patch_repair_options())
+    : m_options(options), m_rings(rings), m_uv(uv), m_unfolder(rings, points, uv)
+  { }
+
+  // Returns whether the map is valid at the end. Patches for which there are no valid places stay as they were.
+  bool run()
+  {
+    std::vector<Index> bad;
+    for (Index v = 0; v < m_uv.size(); ++v)
+      if (!is_star_good(v))
+        bad.push_back(v);
+    if (double(bad.size()) > m_options.greatest_part_of_vertices * double(m_uv.size()))
+      return false;
+    for (std::size_t rings = 1; !bad.empty() && rings <= m_options.most_rings; rings *= 2) {
+      for (const std::vector<Index>& patch : patches_around(bad, rings))
+        if (patch.size() <= m_options.greatest_patch)
+          repair(patch);
+      bad.erase(std::remove_if(bad.begin(), bad.end(), [&](Index v) { return is_star_good(v); }), bad.end());
+    }
+    return bad.empty();
+  }
+
+private:
+  bool is_star_good(Index v) const
+  {
+    return is_star_positive(m_rings, m_uv, v) && !turns_too_far(m_rings, Place_of_vertex{ m_uv }, v);
+  }
+
+  void repair(const std::vector<Index>& patch)
+  {
+    std::vector<Index> interior;
+    for (const Index v : patch)
+      if (!m_rings.is_border(v))
+        interior.push_back(v);
+    if (!m_unfolder.run(interior) && interior.size() < patch.size())
+      m_unfolder.run(patch);
+  }
+
+  // The connected parts of what is at most so many rings away from some vertices.
+  std::vector<std::vector<Index>> patches_around(const std::vector<Index>& vertices, std::size_t rings) const
+  {
+    std::vector<Mark> marks(m_uv.size(), Mark::OUTSIDE);
+    std::vector<Index> all;
+    for (const Index v : vertices)
+      mark(v, Mark::OUTSIDE, Mark::INSIDE, marks, all);
+    for (std::size_t begin = 0; rings > 0; --rings)
+      for (const std::size_t end = all.size(); begin < end; ++begin)
+        for (const Index w : m_rings[all[begin]])
+          mark(w, Mark::OUTSIDE, Mark::INSIDE, marks, all);
+
+    std::vector<std::vector<Index>> patches;
+    for (const Index v : all) {
+      std::vector<Index> patch;
+      mark(v, Mark::INSIDE, Mark::IN_PATCH, marks, patch);
+      for (std::size_t i = 0; i < patch.size(); ++i)
+        for (const Index w : m_rings[patch[i]])
+          mark(w, Mark::INSIDE, Mark::IN_PATCH, marks, patch);
+      if (!patch.empty())
+        patches.push_back(std::move(patch));
+    }
+    return patches;
+  }
+
+  enum class Mark : unsigned char { OUTSIDE, INSIDE, IN_PATCH };
+
+  // A vertex that has the mark `from` gets the mark `to`, and joins a list.
+  static void mark(Index v, Mark from, Mark to, std::vector<Mark>& marks, std::vector<Index>& list)
+  {
+    if (marks[v] == from) {
+      marks[v] = to;
+      list.push_back(v);
+    }
+  }
+
+  Patch_repair_options m_options;
+  const One_rings& m_rings;
+  std::vector<Point_2>& m_uv;
+  Patch_unfolder m_unfolder;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_PATCH_REPAIR_H

@@ -1,0 +1,263 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Flips of maps, found and repaired.
+
+#include "mesh_conversions.h"
+#include "one_to_one_maps.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Patch_unfolder.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+#include <CGAL/Surface_mesh_parameterization/settle_flips.h>
+
+#include <CGAL/number_utils.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+using internal::Patch_unfolder;
+using internal::Patch_unfolder_options;
+using internal::is_map_valid;
+using one_to_one::Mapped_mesh;
+using one_to_one::Mesh;
+namespace parameters = CGAL::parameters;
+
+// ---- policies ----
+
+typedef Circular_border_arc_length_parameterizer_3<Mesh>                 Circle;
+typedef Hierarchical_parameterizer_3<LSCM_parameterizer_3<Mesh>>         LSCM;
+typedef Hierarchical_parameterizer_3<Discrete_conformal_map_parameterizer_3<Mesh, Circle>>   Conformal;
+
+template <class Parameterizer>
+class Flip_policies : public testing::Test { };
+typedef testing::Types<LSCM, Conformal> Methods_with_flips;
+TYPED_TEST_SUITE(Flip_policies, Methods_with_flips, );
+
+TYPED_TEST(Flip_policies, are_kept)
+{
+  Mapped_mesh m(crumpled_grid(14, 1));    // obtuse angles all over
+  const auto run = [&](Flip_policy policy) {
+    return m.parameterize(TypeParam(parameters::flip_policy(policy).summary(std::ref(m.summary))));
+  };
+
+  EXPECT_EQ(run(Flip_policy::FAIL), ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(m.summary.error.code, ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_GT(m.summary.flips, 0u);
+  EXPECT_TRUE(m.is_untouched());
+
+  EXPECT_EQ(run(Flip_policy::KEEP), OK);
+  EXPECT_FALSE(m.is_locally_one_to_one());
+  EXPECT_GT(m.quality().flips, 0u);
+
+  EXPECT_EQ(run(Flip_policy::REPAIR), OK);
+  EXPECT_TRUE(m.is_locally_one_to_one());
+  EXPECT_EQ(m.quality().flips, 0u);
+  EXPECT_GT(m.summary.flips, 0u);
+  EXPECT_GT(m.summary.moved_vertices, 0u);
+
+  const auto repaired = m.uv();
+  EXPECT_EQ(m.parameterize(TypeParam()), OK);     // the default
+  EXPECT_EQ(m.uv(), repaired);
+}
+
+// ---- repair ----
+
+// The plane's map of a grid, in which some vertices have lost their places.
+struct Spoiled_map : Mapped_mesh
+{
+  std::vector<Kernel::Point_2> good;
+
+  Spoiled_map() : Mapped_mesh(grid(24, 20, wavy))
+  {
+    for (const auto v : vertices(mesh))
+      uvmap[v] = Kernel::Point_2(mesh.point(v).x(), mesh.point(v).y());
+    good = uv();
+  }
+
+  std::size_t number_of_changes() const
+  {
+    std::size_t result = 0;
+    for (std::size_t i = 0; i < good.size(); ++i)
+      result += uv()[i] != good[i];
+    return result;
+  }
+};
+
+TEST(Settle_flips, moves_hardly_more_than_the_vertices_that_are_wrong)
+{
+  for (const bool is_mirrored : { false, true }) {
+    Spoiled_map m;
+    Random random(4);
+    std::size_t spoiled = 0;
+    for (const auto v : vertices(m.mesh))
+      if (random(0, 1) < 0.03 && ++spoiled)
+        m.uvmap[v] =
+            random(0, 1) < 0.2 ? Kernel::Point_2(std::nan(""), 0) : Kernel::Point_2(random(-2, 2), random(-2, 2));
+    if (is_mirrored)
+      for (const auto v : vertices(m.mesh)) {
+        m.uvmap[v] = Kernel::Point_2(-m.uvmap[v].x(), m.uvmap[v].y());
+        m.good[v] = Kernel::Point_2(-m.good[v].x(), m.good[v].y());
+      }
+    const auto before = m.uv();
+    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::FAIL, parameters::summary(std::ref(m.summary))),
+              ERROR_NO_1_TO_1_MAPPING);
+    EXPECT_GE(m.summary.flips, spoiled);
+    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR, parameters::summary(std::ref(m.summary))), OK);
+    EXPECT_TRUE(m.is_locally_one_to_one());
+    EXPECT_GE(m.number_of_changes(), spoiled);
+    EXPECT_LE(m.number_of_changes(), 3 * spoiled);
+    EXPECT_GE(m.summary.moved_vertices, spoiled);
+  }
+}
+
+// By edges, from the nearest of some vertices.
+std::vector<int> distances_from(const Mesh& mesh, const std::vector<Mesh::Vertex_index>& sources)
+{
+  std::vector<int> distance(mesh.number_of_vertices(), -1);
+  std::vector<Mesh::Vertex_index> list = sources;
+  for (const auto v : list)
+    distance[v] = 0;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    for (const auto w : vertices_around_target(list[i], mesh))
+      if (distance[w] < 0) {
+        distance[w] = distance[list[i]] + 1;
+        list.push_back(w);
+      }
+  return distance;
+}
+
+TEST(Settle_flips, moves_vertices_near_flips_only)
+{
+  constexpr double stretch = 12;      // scales go from 1 to e^12
+  constexpr int farthest = 3;
+  for (const double sign : { 1., -1. }) {
+    Mapped_mesh m(grid(30, 24, flat));
+    std::vector<Mesh::Vertex_index> spoiled;
+    for (const auto v : vertices(m.mesh)) {
+      const Kernel::Point_3& p = m.mesh.point(v);
+      const double radius = std::exp(stretch * p.x()), angle = stretch * p.y();
+      m.uvmap[v] = Kernel::Point_2(sign * radius * std::cos(angle), radius * std::sin(angle));
+      if (const std::size_t i = v; i % 31 % 10 == 5 && i / 31 % 8 == 4)
+        spoiled.push_back(v);
+    }
+    ASSERT_TRUE(m.is_locally_one_to_one());
+    const auto good = m.uv();
+    for (const auto v : spoiled) {
+      const auto w = target(m.mesh.halfedge(v), m.mesh) == v ? source(m.mesh.halfedge(v), m.mesh) : v;
+      m.uvmap[v] = good[w] + 0.5 * (good[w] - good[v]);      // beyond a neighbor
+    }
+    ASSERT_FALSE(m.is_locally_one_to_one());
+    const auto before = m.uv();
+    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR, parameters::summary(std::ref(m.summary))), OK);
+    EXPECT_TRUE(m.is_locally_one_to_one());
+    const std::vector<int> distance = distances_from(m.mesh, spoiled);
+    for (const auto v : vertices(m.mesh))
+      EXPECT_TRUE(m.uvmap[v] == before[v] || (distance[v] <= farthest && !m.mesh.is_border(v))) << v;
+  }
+}
+
+TEST(Settle_flips, lets_a_good_map_be_and_makes_one_of_nothing)
+{
+  Spoiled_map m;
+  for (const Flip_policy policy : { Flip_policy::FAIL, Flip_policy::KEEP, Flip_policy::REPAIR }) {
+    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, policy, parameters::summary(std::ref(m.summary))), OK);
+    EXPECT_EQ(m.summary.moved_vertices, 0u);
+    EXPECT_EQ(m.number_of_changes(), 0u);
+  }
+  for (const double place : { 0., 1e300, std::numeric_limits<double>::infinity() }) {
+    for (const auto v : vertices(m.mesh))
+      m.uvmap[v] = Kernel::Point_2(place, place);
+    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR), OK) << place;
+    EXPECT_TRUE(m.is_locally_one_to_one()) << place;
+  }
+}
+
+// ---- patches ----
+
+// A flat grid, its places in the plane by a function of x and y, and what lies inside.
+struct Patch
+{
+  Flat_mesh mesh = grid(24, 12, flat);
+  One_rings rings = One_rings(mesh.points.size(), mesh.triangles);
+  std::vector<Point_2> uv;
+  std::vector<Index> interior;
+
+  template <class Function>
+  explicit Patch(const Function& place)
+  {
+    for (Index v = 0; v < mesh.points.size(); ++v) {
+      uv.push_back(place(mesh.points[v].x(), mesh.points[v].y()));
+      if (!rings.is_border(v))
+        interior.push_back(v);
+    }
+  }
+
+  bool unfold(const Patch_unfolder_options& options = Patch_unfolder_options())
+  {
+    return Patch_unfolder(rings, mesh.points, uv, options).run(interior);
+  }
+};
+
+TEST(Patch_unfolder, fills_what_is_not_convex)
+{
+  // Three quarters of a ring: Tutte's embedding leaves it.
+  Patch patch([](double x, double y) {
+    const double radius = 1 + 2 * y, angle = -1.5 * CGAL_PI * x;
+    return Point_2(radius * std::cos(angle), radius * std::sin(angle));
+  });
+  ASSERT_TRUE(is_map_valid(patch.rings, patch.uv));
+  Random random(5);
+  for (const Index v : patch.interior)
+    patch.uv[v] = Point_2(random(-2, 2), random(-2, 2));
+  ASSERT_FALSE(is_map_valid(patch.rings, patch.uv));
+  const std::vector<Point_2> before = patch.uv;
+
+  Patch_unfolder_options no_steps;
+  no_steps.most_steps = 0;
+  EXPECT_FALSE(patch.unfold(no_steps));
+  EXPECT_EQ(patch.uv, before);
+
+  EXPECT_TRUE(patch.unfold());
+  EXPECT_TRUE(is_map_valid(patch.rings, patch.uv));
+  for (Index v = 0; v < patch.uv.size(); ++v)
+    EXPECT_TRUE(patch.uv[v] == before[v] || !patch.rings.is_border(v));
+}
+
+TEST(Patch_unfolder, changes_nothing_where_there_are_no_valid_places)
+{
+  // The border goes around twice, or to the right, or is one point, or is nowhere.
+  const auto double_turn = [](double x, double y) {
+    const double u = x - 0.49, v = y - 0.26;
+    return Point_2(u * u - v * v, 2 * u * v);
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (Patch patch : { Patch(double_turn), Patch([](double x, double y) { return Point_2(-x, y); }),
+                       Patch([](double, double) { return Point_2(1, 1); }),
+                       Patch([nan](double, double) { return Point_2(0, nan); }) }) {
+    const std::vector<Point_2> before = patch.uv;
+    EXPECT_FALSE(patch.unfold());
+    for (Index v = 0; v < before.size(); ++v)
+      EXPECT_TRUE(patch.uv[v] == before[v] || std::isnan(before[v].y()));
+  }
+}
+
+} // namespace
