@@ -36,7 +36,7 @@ class Border_barrier
 public:
   // The energy is multiplied by `stiffness`.
   Border_barrier(const Level& level, double stiffness)
-    : m_stiffness(stiffness), m_edges(border_edges(level.rings())),
+    : m_part_of_edge(level.is_finest() ? 0.25 : 0.5), m_stiffness(stiffness), m_edges(border_edges(level.rings())),
       m_gap(level.number_of_vertices(), (std::numeric_limits<double>::infinity)())
   {
     for (const Border_edge& e : m_edges)
@@ -49,8 +49,7 @@ public:
   // Takes the gaps from a map; they stay until the next call.
   void set_gaps(const Level::Uv& uv)
   {
-    constexpr double part_of_edge = 0.25;
-    for_each_shortest_edge(uv, [&](Index v, double length) { m_gap[v] = part_of_edge * length; });
+    for_each_shortest_edge(uv, [&](Index v, double length) { m_gap[v] = m_part_of_edge * length; });
   }
 
   double operator()(const Level::Uv& uv) const
@@ -187,6 +186,7 @@ private:
     return { v, e, from_edge, t, std::sqrt(from_edge.squared_length()) };
   }
 
+  double m_part_of_edge;      // is the gap; coarse levels leave room for the vertices that are still to come
   double m_stiffness;
   std::vector<Border_edge> m_edges;       // one starts at each border vertex
   std::vector<Index> m_previous;          // where the edge comes from that ends where this one starts

@@ -147,10 +147,14 @@ private:
   }
 
   // Newton's method pays on the levels that its multigrid cycle has as grids; in between a sweep carries the map over.
+  // Borders that are kept apart slide along each other by an edge or so in a step: the longer the edges are, the sooner
+  // they get to their places.
   void iterate_newton()
   {
     Vertex_relaxation relaxation(m_energy, m_options.over_relaxation, m_barrier.get());
-    if (has_grid_of_finest_level(m_energy)) {
+    const std::size_t groups_to_finest = m_level.hierarchy().number_of_levels() - 1 - m_level.index();
+    if (has_grid_of_finest_level(m_energy) ||
+        (m_barrier && groups_to_finest % m_options.groups_between_slides == 0)) {
       if (sweep_while_it_pays(relaxation))
         take_newton_steps(relaxation);
     } else

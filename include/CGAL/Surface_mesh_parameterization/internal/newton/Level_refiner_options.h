@@ -23,6 +23,7 @@ struct Level_refiner_options
   // Sweeps before Newton's method go on while one lowers the excess energy by that part.
   std::size_t most_first_sweeps = 6;
   double least_decrease_of_first_sweeps = 0.05;
+  std::size_t groups_between_slides = 2;      // collapse groups between levels with Newton's method, if borders are kept apart
   // Levels below the finest only have to hand on a good start: they have converged when a Newton step lowers the excess
   // energy by less than this part.
   double decrease_on_coarse_levels = 5e-3;
