@@ -146,7 +146,9 @@ void expect_derivatives(const Energy& energy, double f, double d, double h, doub
 template <class Energy>
 class DistortionEnergy_2 : public testing::Test { };
 
-typedef testing::Types<MIPS_energy_2, Symmetric_Dirichlet_energy_2, Energy_archetype, Scale_bounded_energy_2<MIPS_energy_2>, As_rigid_as_possible_energy_2> All_energies;   // some let triangles flip
+// Some let triangles flip.
+typedef testing::Types<MIPS_energy_2, Symmetric_Dirichlet_energy_2, Energy_archetype,
+                       Scale_bounded_energy_2<MIPS_energy_2>, As_rigid_as_possible_energy_2>   All_energies;
 TYPED_TEST_SUITE(DistortionEnergy_2, All_energies, );
 
 TYPED_TEST(DistortionEnergy_2, has_its_minimum_at_an_isometry)

@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 #include <CGAL/Surface_mesh_parameterization/settle_flips.h>
 
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
 #include <gtest/gtest.h>
@@ -28,6 +29,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -93,25 +95,28 @@ struct Spoiled_map : Mapped_mesh
     good = uv();
   }
 
-  std::size_t number_of_changes() const
+  std::size_t number_of_changes() const { return number_of_changes_since(good); }
+
+  std::size_t number_of_changes_since(const std::vector<Kernel::Point_2>& before) const
   {
     std::size_t result = 0;
-    for (std::size_t i = 0; i < good.size(); ++i)
-      result += uv()[i] != good[i];
+    for (const auto v : vertices(mesh))
+      result += uvmap[v] != before[v];
     return result;
   }
 };
 
 TEST(Settle_flips, moves_hardly_more_than_the_vertices_that_are_wrong)
 {
-  for (const bool is_mirrored : { false, true }) {
+  for (const auto& [is_mirrored, part_of_nan] :
+       { std::pair(false, 0.2), std::pair(true, 0.2), std::pair(false, 0.), std::pair(true, 0.) }) {
     Spoiled_map m;
     Random random(4);
     std::size_t spoiled = 0;
     for (const auto v : vertices(m.mesh))
       if (random(0, 1) < 0.03 && ++spoiled)
-        m.uvmap[v] =
-            random(0, 1) < 0.2 ? Kernel::Point_2(std::nan(""), 0) : Kernel::Point_2(random(-2, 2), random(-2, 2));
+        m.uvmap[v] = random(0, 1) < part_of_nan ? Kernel::Point_2(std::nan(""), 0)
+                                                : Kernel::Point_2(random(-2, 2), random(-2, 2));
     if (is_mirrored)
       for (const auto v : vertices(m.mesh)) {
         m.uvmap[v] = Kernel::Point_2(-m.uvmap[v].x(), m.uvmap[v].y());
@@ -125,7 +130,7 @@ TEST(Settle_flips, moves_hardly_more_than_the_vertices_that_are_wrong)
     EXPECT_TRUE(m.is_locally_one_to_one());
     EXPECT_GE(m.number_of_changes(), spoiled);
     EXPECT_LE(m.number_of_changes(), 3 * spoiled);
-    EXPECT_GE(m.summary.moved_vertices, spoiled);
+    EXPECT_EQ(m.summary.moved_vertices, m.number_of_changes_since(before));
   }
 }
 
@@ -172,6 +177,42 @@ TEST(Settle_flips, moves_vertices_near_flips_only)
     const std::vector<int> distance = distances_from(m.mesh, spoiled);
     for (const auto v : vertices(m.mesh))
       EXPECT_TRUE(m.uvmap[v] == before[v] || (distance[v] <= farthest && !m.mesh.is_border(v))) << v;
+  }
+}
+
+TEST(Settle_flips, moves_few_vertices_for_one_that_is_far_away_or_inside)
+{
+  const Index middle = 25 * 10 + 12, border = 12, corner_of_ear = 24, corner = 0;
+  for (const Index index : { middle, border, corner_of_ear, corner })
+    for (const double place : { 0.4, 1e3, 1e20, 1e160 })
+      for (const double sign : { 1., -1. }) {
+        Spoiled_map m;
+        for (const auto v : vertices(m.mesh))
+          m.uvmap[v] = Kernel::Point_2(sign * m.good[v].x(), m.good[v].y());
+        const Mesh::Vertex_index v(index);
+        m.uvmap[v] = Kernel::Point_2(sign * 0.5, place);
+        if (m.is_locally_one_to_one())
+          continue;
+        EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR, parameters::summary(std::ref(m.summary))),
+                  OK);
+        EXPECT_TRUE(m.is_locally_one_to_one());
+        EXPECT_LE(m.summary.moved_vertices, 60u) << index << ' ' << place << ' ' << sign;
+      }
+}
+
+TEST(Settle_flips, repairs_mirrored_maps_of_floats)
+{
+  typedef CGAL::Simple_cartesian<float>::Point_2   Float_point;
+  for (const float sign : { 1.f, -1.f }) {
+    Spoiled_map m;
+    auto map = m.mesh.add_property_map<Mesh::Vertex_index, Float_point>("v:float_uv").first;
+    for (const auto v : vertices(m.mesh))
+      map[v] = Float_point(sign * float(m.good[v].x()), float(m.good[v].y()));
+    map[Mesh::Vertex_index(262)] = Float_point(sign * 0.9f, 0.9f);
+    EXPECT_EQ(settle_flips(m.mesh, m.bhd, map, Flip_policy::REPAIR), OK);
+    for (const auto v : vertices(m.mesh))
+      m.uvmap[v] = Kernel::Point_2(map[v].x(), map[v].y());
+    EXPECT_TRUE(m.is_locally_one_to_one());
   }
 }
 

@@ -55,9 +55,9 @@ void settle_flips_of_component(Mesh_component<TriangleMesh>& component, VertexUV
 ///
 /// finds the flips of a map from any parameterizer, by exact predicates, and treats them as `policy` says.
 ///
-/// A repair gives new places to the vertices of small patches around the flips. Where that is not enough, it goes to the
-/// finest level of a hierarchy on which the map has no flip, and inserts the vertices again from there. Each vertex goes
-/// to its old place if its triangles are positive then, and otherwise near it.
+/// A repair gives new places to the vertices of small patches around the flips. Where that is not enough, it goes to
+/// the finest level of a hierarchy on which the map has no flip, and inserts the vertices again from there, each at its
+/// old place if its triangles are positive then, and otherwise near it.
 ///
 /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
 /// \param bhd a halfedge on the outer border of the component that has the map

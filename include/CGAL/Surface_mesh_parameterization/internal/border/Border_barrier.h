@@ -24,7 +24,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Keeps the borders of a map from running into themselves or each other, as Smith and Schaefer (2015) do: by an energy
 // that grows beyond all bounds where a border vertex V comes near a border edge AB, and vanishes where the two are
-// farther apart than a gap, a small part of the border edges there:
+// farther apart than a gap, a part of the border edges there:
 //
 //       V            distance d = |V - Q|, see barrier_energy()
 //       |

@@ -70,19 +70,22 @@ public:
   }
 
 private:
-  // Units in which the map has about the area of the surface and is not mirrored: powers of two, so that no digit is
-  // lost.
+  // Units in which the map has about the area of the surface, and most triangles are positive: powers of two, so that
+  // no digit is lost.
   void set_units()
   {
     double doubled_area = 0, doubled_image_area = 0;
+    std::size_t positive = 0, negative = 0;
     for (const Index_triangle& t : m_level.triangles()) {
       const auto& p = [&](int i) -> const Point_3& { return m_hierarchy.point(t[i]); };
       doubled_area += std::sqrt(CGAL::cross_product(p(1) - p(0), p(2) - p(0)).squared_length());
       const double piece = cross(m_wanted[t[1]] - m_wanted[t[0]], m_wanted[t[2]] - m_wanted[t[0]]);
       if (std::isfinite(piece))
         doubled_image_area += piece;
+      positive += piece > 0;
+      negative += piece < 0;
     }
-    m_is_mirrored = doubled_image_area < 0;
+    m_is_mirrored = negative > positive;
     const double scale = std::sqrt(doubled_area / std::abs(doubled_image_area));
     m_exponent = std::isfinite(scale) && scale > 0 ? std::ilogb(scale) : 0;
   }
@@ -207,14 +210,11 @@ private:
   // valid.
   void move_back_until_valid(Level::Uv& uv)
   {
-    const auto is_valid = [&](Index v) {
-      return is_star_positive(m_level.rings(), uv, v) && !turns_too_far(m_level.rings(), Place_of_vertex{ uv }, v);
-    };
     bool has_changed = true;
     while (has_changed) {
       has_changed = false;
       for (Index v = 0; v < uv.size(); ++v)
-        if (std::exchange(m_is_star_changed[v], false) && !is_valid(v)) {
+        if (std::exchange(m_is_star_changed[v], false) && !is_fan_valid(m_level.rings(), uv, v)) {
           has_changed = true;
           move(uv, v, m_before[v]);
           for (const Index w : m_level.one_ring(v))

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -18,17 +19,19 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 struct Patch_repair_options
 {
-  std::size_t most_rings = 4;                 // of vertices around bad stars, in a patch; from 1 on, doubled
-  std::size_t greatest_patch = 1000;          // in vertices
+  // The numbers of rings around the vertices of flips that are tried for a patch. Without a ring the triangles of many
+  // flips would find little room.
+  std::array<std::size_t, 4> rings = { 0, 1, 2, 4 };
+  std::size_t greatest_patch_without_ring = 8, greatest_patch = 1000;      // in vertices
   double greatest_part_of_vertices = 0.1;     // those of bad stars: of more flips than that, nothing is repaired
 };
 
 // Removes flips from a map by new places for the vertices of patches around them, and lets all others be. Of the
-// vertices in a patch, those on a border stay, too, if that can be.
+// vertices in a patch, those on a border of the surface stay, too, if that can be.
 class Patch_repair
 {
 public:
-  // Most triangles are positive, and all places are finite.
+  // Precondition: most triangles are positive, and all places are finite.
   Patch_repair(const One_rings& rings, const std::vector<Point_3>& points, std::vector<Point_2>& uv,
                const Patch_repair_options& options = Patch_repair_options())
     : m_options(options), m_rings(rings), m_uv(uv), m_unfolder(rings, points, uv)
@@ -39,32 +42,39 @@ public:
   {
     std::vector<Index> bad;
     for (Index v = 0; v < m_uv.size(); ++v)
-      if (!is_star_good(v))
+      if (!is_good(v))
         bad.push_back(v);
     if (double(bad.size()) > m_options.greatest_part_of_vertices * double(m_uv.size()))
       return false;
-    for (std::size_t rings = 1; !bad.empty() && rings <= m_options.most_rings; rings *= 2) {
+    for (const std::size_t rings : m_options.rings) {
       for (const std::vector<Index>& patch : patches_around(bad, rings))
-        if (patch.size() <= m_options.greatest_patch)
+        if (patch.size() <= (rings == 0 ? m_options.greatest_patch_without_ring : m_options.greatest_patch))
           repair(patch);
-      bad.erase(std::remove_if(bad.begin(), bad.end(), [&](Index v) { return is_star_good(v); }), bad.end());
+      bad.erase(std::remove_if(bad.begin(), bad.end(), [this](Index v) { return is_good(v); }), bad.end());
     }
     return bad.empty();
   }
 
 private:
-  bool is_star_good(Index v) const
-  {
-    return is_star_positive(m_rings, m_uv, v) && !turns_too_far(m_rings, Place_of_vertex{ m_uv }, v);
-  }
+  bool is_good(Index v) const { return is_fan_valid(m_rings, m_uv, v); }
 
+  // Border vertices that stay may have bad fans yet when the others have got their places.
   void repair(const std::vector<Index>& patch)
   {
     std::vector<Index> interior;
+    std::vector<Point_2> before;
     for (const Index v : patch)
-      if (!m_rings.is_border(v))
+      if (!m_rings.is_border(v)) {
         interior.push_back(v);
-    if (!m_unfolder.run(interior) && interior.size() < patch.size())
+        before.push_back(m_uv[v]);
+      }
+    if (m_unfolder.run(interior)) {
+      if (std::all_of(patch.begin(), patch.end(), [this](Index v) { return is_good(v); }))
+        return;
+      for (std::size_t i = 0; i < interior.size(); ++i)
+        m_uv[interior[i]] = before[i];
+    }
+    if (interior.size() < patch.size())
       m_unfolder.run(patch);
   }
 

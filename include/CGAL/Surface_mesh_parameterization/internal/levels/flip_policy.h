@@ -23,8 +23,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Whether a map has no flips, or its mirror image has none.
 bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const Loops& loops = Loops());
 
-// Makes a map of a surface one without flips, see Map_repair; adds the number of vertices that it moves to
-// `moved_vertices`.
+// Makes a map of a surface one without flips: by a Patch_repair, and where that is not enough, by a Map_repair. Adds
+// the number of vertices that it moves to `moved_vertices`.
 Error_code repair_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv, std::size_t& moved_vertices);
 
 // What becomes of flips. `repair`, for a policy that needs it, is repair_map(): it is compiled, header-only, where maps

@@ -27,52 +27,66 @@ inline std::vector<Point_2> mirrored(const std::vector<Point_2>& uv)
   return result;
 }
 
+inline bool are_finite(const std::vector<Point_2>& uv)
+{
+  return std::all_of(uv.begin(), uv.end(), [](const Point_2& p) { return is_finite(p); });
+}
+
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const Loops& loops)
 {
-  if (!std::all_of(uv.begin(), uv.end(), [](const Point_2& p) { return is_finite(p); }))
+  if (!are_finite(uv))
     return false;
   return is_map_valid(rings, uv, loops) || is_map_valid(rings, mirrored(uv), loops);
 }
 
-// The triangles that are turned the other way than most, are degenerate, or have a coordinate that is no number.
-inline std::size_t number_of_flips(const One_rings& rings, const std::vector<Point_2>& uv)
+// How many triangles are turned to the left, and to the right. The others are degenerate, or have a coordinate that is
+// no number.
+struct Numbers_of_turns
 {
   std::size_t left = 0, right = 0, all = 0;
+
+  std::size_t flips() const { return all - (std::max)(left, right); }
+};
+
+inline Numbers_of_turns count_turns(const One_rings& rings, const std::vector<Point_2>& uv)
+{
+  Numbers_of_turns result;
   for (Index v = 0; v < uv.size(); ++v) {
     const One_rings::Ring ring = rings[v];
     for (std::size_t i = 0; i < rings.number_of_triangles(v); ++i) {
       const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
       if (!(v < a && v < b))
         continue;
-      ++all;
+      ++result.all;
       if (!is_finite(uv[v]) || !is_finite(uv[a]) || !is_finite(uv[b]))
         continue;
       const Orientation turn = exact_orientation(uv[v], uv[a], uv[b]);
-      left += turn == LEFT_TURN;
-      right += turn == RIGHT_TURN;
+      result.left += turn == LEFT_TURN;
+      result.right += turn == RIGHT_TURN;
     }
   }
-  return all - (std::max)(left, right);
+  return result;
 }
 
-// Returns whether a map is valid, or becomes so, by new places for vertices near its flips.
+// Gives new places to vertices near the flips of a map, where that removes flips. Returns whether none is left. A place
+// that is not finite is left to the hierarchy.
 inline bool repair_patches(const Triangulated_surface_3& surface, std::vector<Point_2>& uv)
 {
-  if (!std::all_of(uv.begin(), uv.end(), [](const Point_2& p) { return is_finite(p); }))
+  if (!are_finite(uv))
     return false;
-  double doubled_area = 0;
-  for (const Index_triangle& t : surface.triangles)
-    doubled_area += cross(uv[t[1]] - uv[t[0]], uv[t[2]] - uv[t[0]]);
-  const bool is_mirrored = doubled_area < 0;
+  const One_rings rings(uv.size(), surface.triangles);
+  const Numbers_of_turns turns = count_turns(rings, uv);
+  const bool is_mirrored = turns.right > turns.left;
   if (is_mirrored)
     uv = mirrored(uv);
-  const bool is_valid = Patch_repair(One_rings(uv.size(), surface.triangles), surface.points, uv).run();
+  const bool is_valid = Patch_repair(rings, surface.points, uv).run();
   if (is_mirrored)
     uv = mirrored(uv);
   return is_valid;
 }
 
+// Removes all flips from a map, see Map_repair.
 inline Error_code repair_by_hierarchy(const Triangulated_surface_3& surface, const Hierarchy_options& options,
                                       std::vector<Point_2>& uv)
 {
@@ -121,7 +135,7 @@ Error_code settle_flips(const Flip_settlement& settlement, const One_rings& ring
 {
   if (settlement.policy == Flip_policy::KEEP || has_no_flips(rings, uv))
     return OK;
-  summary.flips = number_of_flips(rings, uv);
+  summary.flips = count_turns(rings, uv).flips();
   if (settlement.policy == Flip_policy::FAIL)
     return ERROR_NO_1_TO_1_MAPPING;
   const Error_code status = settlement.repair(make_surface(), uv, summary.moved_vertices);

@@ -15,7 +15,7 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Makes a map that a user gives for a surface one to start from: mirrors it if all triangles are negative, and else
-// repairs flips and finds places for vertices whose coordinates are not finite, see Map_repair. Returns whether the
+// repairs flips and finds places for vertices whose coordinates are not finite, see repair_map(). Returns whether the
 // result is valid.
 bool make_starting_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv);
 

@@ -152,9 +152,8 @@ private:
   void iterate_newton()
   {
     Vertex_relaxation relaxation(m_energy, m_options.over_relaxation, m_barrier.get());
-    const std::size_t groups_to_finest = m_level.hierarchy().number_of_levels() - 1 - m_level.index();
-    if (has_grid_of_finest_level(m_energy) ||
-        (m_barrier && groups_to_finest % m_options.groups_between_slides == 0)) {
+    const std::size_t levels_to_finest = m_level.hierarchy().number_of_levels() - 1 - m_level.index();
+    if (has_grid_of_finest_level(m_energy) || (m_barrier && levels_to_finest % m_options.stride_with_barrier == 0)) {
       if (sweep_while_it_pays(relaxation))
         take_newton_steps(relaxation);
     } else

@@ -23,7 +23,9 @@ struct Level_refiner_options
   // Sweeps before Newton's method go on while one lowers the excess energy by that part.
   std::size_t most_first_sweeps = 6;
   double least_decrease_of_first_sweeps = 0.05;
-  std::size_t groups_between_slides = 2;      // collapse groups between levels with Newton's method, if borders are kept apart
+  // Where borders are kept apart, Newton's method runs on every level that is a multiple of so many levels, at least 1,
+  // below the finest.
+  std::size_t stride_with_barrier = 2;
   // Levels below the finest only have to hand on a good start: they have converged when a Newton step lowers the excess
   // energy by less than this part.
   double decrease_on_coarse_levels = 5e-3;

@@ -45,14 +45,17 @@ public:
     : m_rings(rings), m_points(points), m_uv(uv), m_options(options), m_unknown(uv.size(), no_index)
   { }
 
-  // Returns false, with all vertices where they were, if it finds no valid places for some `vertices`.
+  // Returns false, with all vertices where they were, if it finds no valid places for some `vertices`. These are few: a
+  // factorization for each step takes time and memory.
   bool run(const std::vector<Index>& vertices)
   {
     m_vertices = vertices;
     for (Index i = 0; i < m_vertices.size(); ++i)
       m_unknown[m_vertices[i]] = i;
     const std::vector<Point_2> before = places();
-    const bool is_valid = collect_triangles() && place_in_the_middle() && unfold();
+    collect_triangles();
+    const double area_before = area_of_image();
+    const bool is_valid = place_in_the_middle() && scale_to(area_before) && unfold();
     if (is_valid)
       lower_energy();
     else
@@ -66,7 +69,7 @@ private:
   struct Triangle
   {
     std::array<Index, 3> vertices;
-    std::array<Rest_corner, 3> corners;     // in units in which the sum of all areas is that of the image
+    std::array<Rest_corner, 3> corners;     // scaled so that the sum of all areas is that of the image
 
     double determinant(const std::vector<Point_2>& uv) const
     {
@@ -100,12 +103,9 @@ private:
       m_uv[m_vertices[i]] = places[i];
   }
 
-  // Returns whether the image has a positive area. That depends on what stays only, unless a border is free; where it
-  // has not, there are no valid places.
-  bool collect_triangles()
+  void collect_triangles()
   {
     m_triangles.clear();
-    double area = 0, doubled_image_area = 0;
     for (const Index v : m_vertices) {
       const One_rings::Ring ring = m_rings[v];
       for (std::size_t i = 0; i < m_rings.number_of_triangles(v); ++i) {
@@ -114,11 +114,31 @@ private:
           continue;
         const Point_3 &p = m_points[v], &q = m_points[a], &r = m_points[b];
         m_triangles.push_back({ { v, a, b }, { rest_corner(p, q, r), rest_corner(q, r, p), rest_corner(r, p, q) } });
-        area += 1 / m_triangles.back().corners[0].inverse_area;
-        doubled_image_area += cross(m_uv[a] - m_uv[v], m_uv[b] - m_uv[v]);
       }
     }
-    const double factor = 2 * area / doubled_image_area;
+  }
+
+  double area_of_image() const
+  {
+    double doubled_area = 0;
+    for (const Triangle& t : m_triangles)
+      doubled_area += cross(m_uv[t.vertices[1]] - m_uv[t.vertices[0]], m_uv[t.vertices[2]] - m_uv[t.vertices[0]]);
+    return 0.5 * doubled_area;
+  }
+
+  // Scales the triangles in space by the area of the image. If no border is free, that depends on what stays only; else
+  // it is too small for vertices in the middle of their neighbors, so the one before is taken if it can be. Returns
+  // false if it is not positive: then there are no valid places.
+  bool scale_to(double area_before)
+  {
+    const bool is_border_free =
+        std::any_of(m_vertices.begin(), m_vertices.end(), [this](Index v) { return m_rings.is_border(v); });
+    double area = 0;
+    for (const Triangle& t : m_triangles)
+      area += 1 / t.corners[0].inverse_area;
+    double factor = is_border_free ? area / area_before : 0;
+    if (!(factor > 0 && std::isfinite(factor)))
+      factor = area / area_of_image();
     for (Triangle& t : m_triangles)
       for (Rest_corner& c : t.corners)
         c.inverse_area *= factor;
@@ -191,10 +211,10 @@ private:
 
   bool is_valid() const
   {
-    const auto turns_right = [this](Index w) { return !turns_too_far(m_rings, Place_of_vertex{ m_uv }, w); };
-    return std::all_of(m_vertices.begin(), m_vertices.end(), [&](Index v) {
-      const One_rings::Ring ring = m_rings[v];
-      return is_star_positive(m_rings, m_uv, v) && turns_right(v) && std::all_of(ring.begin(), ring.end(), turns_right);
+    return std::all_of(m_vertices.begin(), m_vertices.end(), [this](Index v) {
+      return is_fan_valid(m_rings, m_uv, v) && std::all_of(m_rings[v].begin(), m_rings[v].end(), [this](Index w) {
+               return is_unknown(w) || !turns_too_far(m_rings, Place_of_vertex{ m_uv }, w);
+             });
     });
   }
 

@@ -21,7 +21,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Unfolding_energy_2
 {
 public:
-  static constexpr bool is_scale_invariant = false;
+  static constexpr bool is_scale_invariant = false;     // and so its Hessian is made positive semidefinite
 
   explicit Unfolding_energy_2(double width) : m_squared_width(width * width) { }
 

@@ -10,8 +10,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool round_map(const One_rings& rings, Round_coordinate round, int exponent, std::vector<Point_2>& uv)
+inline bool round_positive_map(const One_rings& rings, Round_coordinate round, int exponent, std::vector<Point_2>& uv)
 {
   constexpr int most_passes = 10;
   const auto rounded = [=](const Point_2& p) { return Point_2(round(p.x(), exponent), round(p.y(), exponent)); };
@@ -23,6 +22,21 @@ bool round_map(const One_rings& rings, Round_coordinate round, int exponent, std
       if (!is_star_valid(rings, uv, v))
         uv[v] = rounded(kernel_centroid(rings, uv, v, kernel));
   return is_map_valid(rings, uv);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool round_map(const One_rings& rings, Round_coordinate round, int exponent, std::vector<Point_2>& uv)
+{
+  const bool is_mirrored = !uv.empty() && !is_star_positive(rings, uv, 0);
+  const auto mirror_if_needed = [&] {
+    if (is_mirrored)
+      for (Point_2& p : uv)
+        p = Point_2(-p.x(), p.y());
+  };
+  mirror_if_needed();
+  const bool is_valid = round_positive_map(rings, round, exponent, uv);
+  mirror_if_needed();
+  return is_valid;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -117,6 +117,12 @@ inline bool is_star_valid(const One_rings& rings, const std::vector<Point_2>& uv
   return is_star_valid(rings, uv, Place_of_vertex{ uv }, v);
 }
 
+// The same without the turns around the neighbors of v. A map is valid if this holds for all vertices.
+inline bool is_fan_valid(const One_rings& rings, const std::vector<Point_2>& uv, Index v)
+{
+  return is_star_positive(rings, uv, v) && !turns_too_far(rings, Place_of_vertex{ uv }, v);
+}
+
 // Whether the invariant holds everywhere.
 inline bool is_map_valid(const One_rings& rings, const std::vector<Point_2>& uv, const Loops& loops = Loops())
 {
