@@ -173,8 +173,9 @@ private:
   const One_rings& m_rings;
   const std::vector<Point_3>& m_points;
   const std::vector<Point_2>& m_uv;
-  std::vector<Index> m_vertices, m_unknown;
-  std::vector<Triangle> m_triangles;
+  std::vector<Index> m_vertices;            // those that may move
+  std::vector<Index> m_unknown;             // the position of each vertex among them, no_index if it stays
+  std::vector<Triangle> m_triangles;        // with a vertex that may move
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
