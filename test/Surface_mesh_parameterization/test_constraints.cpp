@@ -14,7 +14,9 @@
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_progress.h>
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -181,6 +183,37 @@ TYPED_TEST(Held_vertices, start_from_a_map_of_the_users)
   EXPECT_EQ(m.summary.levels.size(), 1u);
   EXPECT_LE(m.summary.levels[0].iterations, 2u);
   EXPECT_LE(m.summary.energy, energy * (1 + 1e-12));
+  m.expect_places_are_held();
+}
+
+// Sees that the iterations on a level go on from those before them, and that energies are known.
+struct Watching_visitor : Hierarchy_visitor_3
+{
+  Parameterization_progress last;
+
+  bool progressed(const Parameterization_progress& progress)
+  {
+    if (progress.number_of_levels > 0) {
+      EXPECT_GT(progress.energy, 0);
+      if (progress.level == last.level) {
+        EXPECT_GE(progress.iterations, last.iterations);
+      }
+    }
+    last = progress;
+    return true;
+  }
+};
+
+TYPED_TEST(Held_vertices, let_a_visitor_follow_the_way_to_their_places)
+{
+  Constrained_mesh m(delaunay_patch(800, 3, wavy));
+  ASSERT_EQ(m.run<TypeParam>(), OK);
+  m.hold_some(20);
+  m.bend(0.3);
+  m.places = m.uv();
+  ASSERT_EQ(m.parameterize(Hierarchical_parameterizer_3<TypeParam>(
+                np::vertex_is_constrained_map(m.is_held).visitor(Watching_visitor()))),
+            OK);
   m.expect_places_are_held();
 }
 

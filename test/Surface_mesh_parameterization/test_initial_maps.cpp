@@ -127,6 +127,19 @@ TYPED_TEST(Initial_map, may_overlap_where_the_result_must_not)
   EXPECT_EQ(one_to_one::pairs_by_counting(m), 0u);
 }
 
+// A small surface has one level, on which no vertex is new.
+TYPED_TEST(Initial_map, may_overlap_where_there_are_no_coarse_levels)
+{
+  one_to_one::Mapped_mesh m(grid(29, 2, flat));
+  one_to_one::bend(m, 1.3);
+  ASSERT_GT(one_to_one::pairs_by_counting(m), 0u);
+  ASSERT_EQ(m.parameterize(Hierarchical_parameterizer_3<TypeParam>(
+                TypeParam(parameters::globally_injective(true)), parameters::initial_map(true))),
+            OK);
+  EXPECT_TRUE(m.is_valid());
+  EXPECT_EQ(one_to_one::pairs_by_counting(m), 0u);
+}
+
 TYPED_TEST(Initial_map, may_lack_the_places_of_filled_holes)
 {
   test_meshes::Mapped_mesh m(grid_with_holes(20));

@@ -15,9 +15,11 @@
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
@@ -287,6 +289,52 @@ TEST(Multigrid_solver_traits, solves_rows_of_very_different_size_directly)
 }
 
 // The unknowns of which sit elsewhere than the vertex index map says.
+// Whether the 0 is stored or not.
+TEST(Multigrid_solver_traits, solves_directly_what_has_0_on_the_diagonal)
+{
+  const double x[3] = { 1, -2, 3 };
+  for (const bool is_stored : { false, true }) {
+    internal::Sparse_matrix a(3);
+    if (is_stored)
+      a.set_coef(0, 0, 0, true);
+    a.set_coef(0, 1, 1, true);
+    a.set_coef(1, 0, 2, true);
+    a.set_coef(1, 1, 1, true);
+    a.set_coef(2, 2, 3, true);
+    const auto solver = internal::make_multigrid_linear_solver<1>(nullptr, a.rows(), {}, {});
+    const double b[3] = { x[1], 2 * x[0] + x[1], 3 * x[2] };
+    double found[3];
+    EXPECT_TRUE(solver->solve({ b }, { found }, internal::Linear_solver_options()).is_solved);
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(found[i], x[i], 1e-14);
+  }
+}
+
+// A matrix that lacks one entry of a symmetric one, above the diagonal or below, or has another value there.
+TEST(Mesh_system, tells_symmetric_matrices_from_others)
+{
+  const auto is_symmetric = [](Index row, Index column, double change) {
+    auto rows = std::make_shared<internal::Sparse_rows<double>>();
+    rows->first.push_back(0);
+    for (Index i = 0; i < 4; ++i) {
+      for (Index j = 0; j < 4; ++j)
+        if (const double value = (i == j ? 4 : -1) + (i == row && j == column ? change : 0); value != 0) {
+          rows->columns.push_back(j);
+          rows->values.push_back(value);
+        }
+      rows->first.push_back(Index(rows->columns.size()));
+    }
+    return internal::Mesh_system(nullptr, rows, {}).is_symmetric();
+  };
+  EXPECT_TRUE(is_symmetric(0, 0, 1));
+  for (const double change : { 1., 0.5 })
+    for (Index i = 0; i < 4; ++i)
+      for (Index j = 0; j < 4; ++j)
+        if (i != j) {
+          EXPECT_FALSE(is_symmetric(i, j, change)) << i << ' ' << j;
+        }
+}
+
 TEST(Multigrid_solver_traits, solves_directly_what_does_not_match_the_mesh)
 {
   const Flat_mesh m = delaunay_patch(2000, 1, wavy);

@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/corner_hessian.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/longest_step_of_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Star.h>
@@ -209,6 +210,17 @@ TYPED_TEST(Newton_of, finds_the_same_minimum_as_relaxation)
       energy[i] = summary.energy_end;
     }
     EXPECT_NEAR((energy[0] - TypeParam::minimum) / (energy[1] - TypeParam::minimum), 1, 1e-4);
+  }
+}
+
+// A triangle that opens before it closes: its area is (1 - t) (width + t).
+TEST(Longest_step, is_exact_for_triangles_that_are_almost_degenerate)
+{
+  const Finest_level f(single_triangle());
+  for (const double width : { 1e-2, 1e-10, 1e-16, 1e-30, 0x1p-1000 }) {
+    const Level::Uv uv = { Point_2(0, 0), Point_2(1, 0), Point_2(0, width) };
+    const Block_vectors direction = { Block_vector(0, 0), Block_vector(-1, 0), Block_vector(0, 1) };
+    EXPECT_NEAR(longest_step_of_triangles(f.level, uv, direction), 1, 1e-15) << width;
   }
 }
 

@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Two_vertices_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -33,6 +34,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -204,6 +206,52 @@ TEST(Wrapped_LSCM, pins_the_given_vertices)
             OK);
   found.expect_equal(expected, tolerance);
   EXPECT_EQ(get(found.uvmap, Surface_mesh::Vertex_index(42)), Kernel::Point_2(0.3, 0.9));
+}
+
+// Holds the ends of a part of the border.
+template <class Mesh>
+struct Ends_of_border
+{
+  typedef Mesh                                                                                      Triangle_mesh;
+  typedef typename CGAL::Kernel_traits<typename Mesh::Point>::Kernel::Point_2                       Point_2;
+  typedef typename Mesh::Halfedge_index                                                             Halfedge_index;
+
+  template <class M, class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
+  Error_code parameterize(const M& mesh, Halfedge_index bhd, VertexUVMap uvmap, VertexIndexMap,
+                          VertexParameterizedMap vpmap)
+  {
+    Halfedge_index h = bhd;
+    for (const int u : { 0, 1 }) {
+      put(uvmap, mesh.target(h), Point_2(u, 0));
+      put(vpmap, mesh.target(h), true);
+      for (int i = 0; i < 20; ++i)
+        h = mesh.next(h);
+    }
+    return OK;
+  }
+};
+
+// A deep tube with waves shrinks to below the steps of floats: if there is no room, that is an error.
+TEST(Wrapped_LSCM, has_no_flips_in_floats)
+{
+  typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>                  Float_mesh;
+  typedef LSCM_parameterizer_3<Float_mesh, Ends_of_border<Float_mesh>>                LSCM;
+  Flat_mesh surface = tube(90, 40, 14);
+  for (Point_3& p : surface.points)
+    p = Point_3(p.x() * (1 + 0.4 * std::sin(7 * p.z() + 2 * std::atan2(p.y(), p.x()))), p.y(), p.z());
+  auto mesh = make<Float_mesh>(surface);
+  Mapped<Float_mesh> mapped(mesh);
+  Parameterization_summary summary;
+  const Error_code status = mapped.parameterize(
+      Hierarchical_parameterizer_3<LSCM>(Ends_of_border<Float_mesh>(), parameters::summary(std::ref(summary))),
+      longest_border(mesh));
+  EXPECT_GT(summary.flips, 0u);
+  EXPECT_EQ(status, summary.error.code);
+  if (status == OK) {
+    EXPECT_EQ(parameterization_quality(mesh, mapped.uvmap).flips, 0u);
+  } else {
+    EXPECT_TRUE(mapped.is_untouched());
+  }
 }
 
 TEST(Wrapped_LSCM, of_a_small_surface_needs_no_multigrid)

@@ -133,18 +133,17 @@ private:
     if (!level.is_finest())
       return refine_without_flips(level, uv, summary);
     if (!internal::is_free(level))
-      if (const Error_code status = lead_to_places(level, uv); status != OK)
+      if (const Error_code status = lead_to_places(level, uv, summary); status != OK)
         return status;
     const bool has_scale = m_lambda > 0 || !level.hierarchy().springs().empty();
     return has_scale ? internal::minimize_energy(level_energy(level), uv, m_options, summary)
                         : internal::minimize_conformal_energy(level, uv, m_options, summary);
   }
 
-  static Error_code lead_to_places(const Level& level, Level::Uv& uv)
+  static Error_code lead_to_places(const Level& level, Level::Uv& uv, Level_summary& summary)
   {
-    Level_summary unused_summary;
     const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, Triangle_weight::AREA);
-    return internal::lead_to_places(energy, false, uv, unused_summary);
+    return internal::lead_to_places(energy, false, uv, summary);
   }
 
   Error_code refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) const

@@ -19,17 +19,20 @@ bool separate_borders(const Level& level, Level::Uv& uv)
   constexpr int most_rounds = 45;
   constexpr double part_of_way = 0.4;
   const std::vector<Border_edge> edges = border_edges(level.rings());
+  const std::size_t first_new = level.index() == 0 ? level.number_of_vertices() : level.first_new_vertex();
   for (int i = 0; i < most_rounds; ++i) {
     bool is_separate = true;
     std::vector<Index> to_move;
     for_each_crossing(edges, uv, [&](std::size_t e, std::size_t f) {
       is_separate = false;
       for (const Index v : { edges[e].source, edges[e].target, edges[f].source, edges[f].target })
-        if (v >= level.first_new_vertex())
+        if (v >= first_new)
           to_move.push_back(v);
     });
     if (is_separate)
       return true;
+    if (to_move.empty())
+      return false;
     std::sort(to_move.begin(), to_move.end());
     to_move.erase(std::unique(to_move.begin(), to_move.end()), to_move.end());
     for (const Index v : to_move) {

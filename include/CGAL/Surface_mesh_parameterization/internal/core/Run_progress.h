@@ -53,6 +53,7 @@ public:
     m_now.level = level;
     m_now.number_of_levels = number_of_levels;
     m_now.vertices = vertices;
+    m_now.iterations = 0;
   }
 
   // Tells what has been done in the stage. The part of it may be any number, or none: it is an estimate. Returns

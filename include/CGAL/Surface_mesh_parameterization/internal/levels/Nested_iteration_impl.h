@@ -31,16 +31,17 @@ Error_code Nested_iteration::run(Triangulated_surface_3 surface, CGAL::Real_time
 {
   constexpr double part_of_hierarchy = 0.05;      // of the time, more or less
   m_start.swap(uv);
+  double seconds_hierarchy = 0, seconds_parameterize = 0;      // of all attempts
   for (;;) {
     m_progress.start_stage(part_of_hierarchy);
     const Collapse_hierarchy_3 hierarchy(std::move(surface), m_options.hierarchy, m_method.loops());
     m_summary = Parameterization_summary();
-    m_summary.seconds_hierarchy = timer.time();
+    m_summary.seconds_hierarchy = seconds_hierarchy = timer.time() - seconds_parameterize;
 
     Level::Uv uv_by_rank;
     uv_by_rank.reserve(hierarchy.number_of_vertices());
     const Error_code status = m_summary.error.code = parameterize(hierarchy, uv_by_rank);
-    m_summary.seconds_parameterize = timer.time() - m_summary.seconds_hierarchy;
+    m_summary.seconds_parameterize = seconds_parameterize = timer.time() - seconds_hierarchy;
     if (status == OK) {
       uv.resize(uv_by_rank.size());
       for (Index rank = 0; rank < uv.size(); ++rank)
@@ -49,7 +50,6 @@ Error_code Nested_iteration::run(Triangulated_surface_3 surface, CGAL::Real_time
     }
     if (status != ERROR_NO_1_TO_1_MAPPING || !can_try_another_way(hierarchy))
       return status;
-    timer.reset();
     surface = input_surface(hierarchy);
   }
 }

@@ -69,6 +69,8 @@ public:
         has_grid_of_finest_level(m_energy) ? m_options.most_rounds : m_options.most_rounds_between_grids;
     double stiffness = m_options.first_stiffness;
     settle(m_options.near_part);
+    if (!is_done() && !tell())
+      return false;
     for (std::size_t round = 0; !is_done() && round < most_rounds && stiffness <= last_stiffness; ++round) {
       const double before = distance();
       if (!pull(stiffness))
@@ -82,6 +84,14 @@ public:
   }
 
 private:
+  // Tells of the energy without the springs. Returns whether the run may go on.
+  bool tell()
+  {
+    if (m_level.is_watched())
+      m_summary.energy_end = m_energy(m_uv) / m_energy.unit();
+    return m_level.progressed(m_summary, 0);
+  }
+
   const Point_2& place(Index v) const { return m_level.fixed_place(v); }
 
   // The greatest distance of a vertex from its place.
@@ -108,7 +118,7 @@ private:
       current = energy(m_uv);
       ++m_summary.iterations;
       m_summary.cycles += step.cycles;
-      if (!m_level.progressed(m_summary, 0))
+      if (!tell())
         return false;
       if (!(step.decrease > m_options.least_decrease * energy.energy_of_springs(m_uv)))
         break;

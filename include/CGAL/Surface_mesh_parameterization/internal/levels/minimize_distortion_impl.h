@@ -167,15 +167,11 @@ inline Error_code minimize_with_places(const Level_energy& free_energy, Level::U
   const bool borders_must_not_meet = options.is_globally_injective;
   if (borders_must_not_meet && !separate_borders(level, uv))
     return ERROR_NO_1_TO_1_MAPPING;
-  Level_summary way;
-  way.energy_start = energy(uv) / energy.unit();
-  Error_code status = energy.is_flip_free() ? lead_to_places(energy, borders_must_not_meet, uv, way) : OK;
-  if (status == ERROR_STOPPED || (status != OK && level.is_finest()))
-    return status;
-  status = minimize_from(energy, uv, options, summary);
-  summary.energy_start = way.energy_start;
-  summary.iterations += way.iterations;
-  summary.cycles += way.cycles;
+  const double energy_start = energy(uv) / energy.unit();
+  Error_code status = energy.is_flip_free() ? lead_to_places(energy, borders_must_not_meet, uv, summary) : OK;
+  if (status != ERROR_STOPPED && (status == OK || !level.is_finest()))
+    status = minimize_from(energy, uv, options, summary);
+  summary.energy_start = energy_start;
   return status;
 }
 

@@ -41,6 +41,10 @@ private:
   Eigen::Index m_size;
 };
 
+// The factors of a few million rows have more entries than an `int` can count.
+template <class Real>
+using Eigen_matrix = Eigen::SparseMatrix<Real, Eigen::ColMajor, std::ptrdiff_t>;
+
 template <class Solver>
 std::unique_ptr<Direct_solver> factorize_by_Eigen(Index n, const std::vector<Matrix_entry>& entries)
 {
@@ -53,7 +57,7 @@ std::unique_ptr<Direct_solver> factorize_by_Eigen(Index n, const std::vector<Mat
 template <class Real>
 std::unique_ptr<Direct_solver> factorize_symmetric(Index n, const std::vector<Matrix_entry>& entries)
 {
-  return factorize_by_Eigen<Eigen::SimplicialLDLT<Eigen::SparseMatrix<Real>>>(n, entries);
+  return factorize_by_Eigen<Eigen::SimplicialLDLT<Eigen_matrix<Real>>>(n, entries);
 }
 
 template <class Real>
@@ -68,7 +72,7 @@ std::unique_ptr<Direct_solver> factorize(Index n, const std::vector<Matrix_entry
   };
   if (!is_full(has_row) || !is_full(has_column))
     return nullptr;
-  return factorize_by_Eigen<Eigen::SparseLU<Eigen::SparseMatrix<Real>>>(n, entries);
+  return factorize_by_Eigen<Eigen::SparseLU<Eigen_matrix<Real>>>(n, entries);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

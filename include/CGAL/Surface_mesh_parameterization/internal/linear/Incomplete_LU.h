@@ -132,6 +132,7 @@ private:
     m_factors = m_matrix.values;
     m_inverse_pivots.resize(size());
     std::vector<Index> position(size(), no_index);      // of a column in row i
+    constexpr Index great_factor = 8;
     for (Index i = 0; i < size(); ++i) {
       Real pivot = enlargement * m_diagonal[i];
       for (Index k = first[i]; k < first[i + 1]; ++k)
@@ -139,16 +140,39 @@ private:
       for (Index k = first[i]; k < m_first_upper[i]; ++k) {
         const Index j = columns[k];
         m_factors[k] *= m_inverse_pivots[j];
-        for (Index l = m_first_upper[j]; l < first[j + 1]; ++l)
+        const auto subtract = [&](Index l) {
           if (columns[l] == i)
             pivot -= m_factors[k] * m_factors[l];
           else if (position[columns[l]] != no_index)
             m_factors[position[columns[l]]] -= m_factors[k] * m_factors[l];
+        };
+        const Index begin = m_first_upper[j], end = first[j + 1];
+        if (end - begin <= great_factor * (first[i + 1] - first[i]))
+          for (Index l = begin; l < end; ++l)
+            subtract(l);
+        else
+          for_each_common_column(i, k, begin, end, subtract);
       }
       for (Index k = first[i]; k < first[i + 1]; ++k)
         position[columns[k]] = no_index;
       m_inverse_pivots[i] = 1 / pivot;
     }
+  }
+
+  // Calls f(l) for those of the entries l from `begin` to `end`, whose columns are ascending, that lie in a column of
+  // row i behind that of its entry k, or in column i. In the row of a vertex of high valence there are few.
+  template <class Function>
+  void for_each_common_column(Index i, Index k, Index begin, Index end, const Function& f) const
+  {
+    const auto columns = m_matrix.columns.begin();
+    const auto look_up = [&](Index column) {
+      const auto found = std::lower_bound(columns + begin, columns + end, column);
+      if (found != columns + end && *found == column)
+        f(Index(found - columns));
+    };
+    look_up(i);
+    while (++k < m_matrix.first[i + 1])
+      look_up(m_matrix.columns[k]);
   }
 
   Sparse_rows<Real> m_matrix;           // without the diagonal

@@ -167,37 +167,53 @@ private:
 
   void read_diagonal()
   {
-    m_inverse_diagonal.assign(size(), 0);
+    m_inverse_diagonal.assign(size(), 1);      // of a row that cannot be scaled by its diagonal
     m_is_fixed.assign(size(), true);
     for (Index i = 0; i < size(); ++i) {
+      double inverse = 0;
       for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k)
         if (m_rows->columns[k] == i)
-          m_inverse_diagonal[i] = 1 / m_rows->values[k];
+          inverse = 1 / m_rows->values[k];
         else if (m_rows->values[k] != 0)
           m_is_fixed[i] = false;
-      m_is_regular = m_is_regular && std::isfinite(m_inverse_diagonal[i]) && m_inverse_diagonal[i] != 0;
+      if (std::isfinite(inverse) && inverse != 0)
+        m_inverse_diagonal[i] = inverse;
+      else
+        m_is_regular = false;
     }
   }
 
-  // The entries below the diagonal of a row are met in their order when the rows above it are gone through.
+  // The entries below the diagonal of a row are met in their order when the rows above it are gone through. One without
+  // a partner above the diagonal must vanish.
   bool has_symmetric_free_part() const
   {
     constexpr double tolerance = 1e-10;
     const Rows& a = *m_rows;
+    const auto vanishes = [&](double value, Index i, Index j) {
+      return std::abs(value * m_inverse_diagonal[i]) <= tolerance && std::abs(value * m_inverse_diagonal[j]) <= tolerance;
+    };
     std::vector<Index> next(a.first.begin(), a.first.end() - 1);
+    const auto pass_below = [&](Index j, Index end) {
+      for (Index& l = next[j]; l < a.first[j + 1] && a.columns[l] < end; ++l)
+        if (!m_is_fixed[a.columns[l]] && !vanishes(a.values[l], j, a.columns[l]))
+          return false;
+      return true;
+    };
     for (Index i = 0; i < size(); ++i)
       for (Index k = a.first[i]; k < a.first[i + 1] && !m_is_fixed[i]; ++k) {
         const Index j = a.columns[k];
         if (j <= i || m_is_fixed[j])
           continue;
+        if (!pass_below(j, i))
+          return false;
         Index& l = next[j];
-        while (l < a.first[j + 1] && a.columns[l] < i)
-          ++l;
-        const double transposed = l < a.first[j + 1] && a.columns[l] == i ? a.values[l] : 0;
-        const double scale = (std::min)(std::abs(1 / m_inverse_diagonal[i]), std::abs(1 / m_inverse_diagonal[j]));
-        if (!(std::abs(a.values[k] - transposed) <= tolerance * scale))
+        const double transposed = l < a.first[j + 1] && a.columns[l] == i ? a.values[l++] : 0;
+        if (!vanishes(a.values[k] - transposed, i, j))
           return false;
       }
+    for (Index j = 0; j < size(); ++j)
+      if (!m_is_fixed[j] && !pass_below(j, j))
+        return false;
     return true;
   }
 

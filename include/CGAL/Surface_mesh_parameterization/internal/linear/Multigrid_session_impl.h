@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <new>
 #include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -35,7 +36,12 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Multigrid_session::~Multigrid_session()
 {
   m_options.progress = nullptr;     // nobody listens any more
-  finish();
+  if (m_waiting_solution.use_count() <= 1)
+    return;
+  try {
+    finish();
+  }
+  catch (const std::bad_alloc&) { }      // who waits has no numbers
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

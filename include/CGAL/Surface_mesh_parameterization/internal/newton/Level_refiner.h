@@ -32,7 +32,7 @@ public:
   Level_refiner(const Level_energy& energy, Level::Uv& uv, const Refinement_options& refinement, Level_summary& summary,
                 const Level_refiner_options& options = Level_refiner_options())
     : m_energy(energy), m_level(energy.level()), m_uv(uv), m_refinement(refinement), m_options(options),
-      m_summary(summary), m_unit(m_energy.unit()), m_current(m_energy(uv))
+      m_summary(summary), m_iterations_before(summary.iterations), m_unit(m_energy.unit()), m_current(m_energy(uv))
   {
     if (refinement.is_globally_injective)
       m_barrier =
@@ -68,12 +68,14 @@ private:
     return !m_is_stopped;
   }
 
+  // Those of this refinement: the summary may have others before them.
+  std::size_t iterations() const { return m_summary.iterations - m_iterations_before; }
+
   // The part that is done when an iteration has lowered the energy by `decrease`, and the last one lowers the excess
   // energy by less than the part `least_decrease`.
   double part_done(double decrease, double least_decrease) const
   {
-    return part_of_iteration(decrease / excess(), least_decrease, m_summary.iterations,
-                             m_refinement.number_of_iterations);
+    return part_of_iteration(decrease / excess(), least_decrease, iterations(), m_refinement.number_of_iterations);
   }
 
   bool is_coarsest_of_many() const { return m_level.index() == 0 && !m_level.is_finest(); }
@@ -136,7 +138,7 @@ private:
     const bool is_random = m_refinement.optimizer == Optimizer::RANDOM_VERTICES;
     const Vertex_relaxation relaxation(m_energy, is_random ? 1 : m_options.over_relaxation, m_barrier.get());
     std::mt19937 random(m_refinement.random_seed);
-    while (!m_is_stopped && m_summary.iterations < most_sweeps && !m_summary.converged) {
+    while (!m_is_stopped && iterations() < most_sweeps && !m_summary.converged) {
       const double before = m_current;
       lower_by(is_random ? relaxation.random_steps(m_uv, size(), random) : relaxation.sweep(m_uv));
       m_summary.vertex_visits += size();
@@ -181,7 +183,7 @@ private:
     newton.fix_vertices(fixed_vertices(m_level));
     relaxation.set_turn_barrier(newton.turn_barrier());
     std::vector<double> decreases;      // by the last steps, all of them regular
-    while (!m_is_stopped && m_summary.iterations < m_refinement.number_of_iterations && !m_summary.converged) {
+    while (!m_is_stopped && iterations() < m_refinement.number_of_iterations && !m_summary.converged) {
       const double negligible =
           m_energy.is_flip_free() ? m_options.negligible_part * m_refinement.tolerance * excess() : 0;
       const auto step = newton.step(m_uv, m_current, negligible);
@@ -217,7 +219,7 @@ private:
   void take_last_steps(Newton_method& newton)
   {
     double greatest_promise = (std::numeric_limits<double>::infinity)();
-    while (!m_is_stopped && m_summary.iterations < m_refinement.number_of_iterations) {
+    while (!m_is_stopped && iterations() < m_refinement.number_of_iterations) {
       const auto step = newton.last_step(m_uv, greatest_promise, m_options.rounding * m_current);
       m_summary.cycles += step.cycles;
       if (step.length == 0)
@@ -259,6 +261,7 @@ private:
   const Refinement_options& m_refinement;
   Level_refiner_options m_options;
   Level_summary& m_summary;
+  const std::size_t m_iterations_before;
   std::unique_ptr<Border_barrier> m_barrier;      // none unless the map has to be globally injective
   const double m_unit;
   double m_current;       // the energy of m_uv

@@ -28,9 +28,11 @@ inline double longest_step_of_triangles(const Level& level, const Level::Uv& uv,
       const Block_vector d = direction[a] - direction[v], e = direction[b] - direction[v];
       const Vector_2 dp(d.x, d.y), dq(e.x, e.y);
       const double c0 = cross(p, q), c1 = cross(p, dq) + cross(dp, q), c2 = cross(dp, dq);
-      // The least positive root of c0 + c1 t + c2 t^2, c0 > 0, in the form that does not cancel.
+      // The least positive root of c0 + c1 t + c2 t^2, c0 > 0, in the form whose terms do not cancel.
       const double discriminant = c1 * c1 - 4 * c0 * c2;
-      const double root = discriminant < 0 || (c1 >= 0 && c2 >= 0) ? 0 : 2 * c0 / (std::sqrt(discriminant) - c1);
+      if (discriminant < 0 || (c1 >= 0 && c2 >= 0))
+        return;
+      const double s = std::sqrt(discriminant), root = c1 > 0 ? (s + c1) / (-2 * c2) : 2 * c0 / (s - c1);
       if (root > 0)
         least = (std::min)(least, root);
     });

@@ -83,7 +83,7 @@ inline bool repair(Chart& chart, const Corner_mesh& component, Round_coordinate 
 {
   std::size_t unused_number = 0;
   return repair_map(surface_of(component), chart.points, unused_number) == OK &&
-         (!round || round_map(One_rings(chart.points.size(), chart.triangles), round, 0, chart.points)) &&
+         round_map(One_rings(chart.points.size(), chart.triangles), round, 0, chart.points) &&
          is_positive(chart);
 }
 

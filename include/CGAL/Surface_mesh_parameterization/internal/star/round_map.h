@@ -29,7 +29,8 @@ constexpr Round_coordinate rounding_to()
 }
 
 // Rounds the coordinates of a valid map, or of the mirror image of one. A vertex whose star would not be valid any more
-// goes to the middle of the kernel of its star, rounded. Returns whether the result is valid, or its mirror image.
+// goes to the middle of the kernel of its star, rounded. Returns whether the result is valid, or its mirror image. If
+// `round` is null, there is nothing to do.
 bool round_map(const One_rings& rings, Round_coordinate round, int exponent, std::vector<Point_2>& uv);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -27,6 +27,8 @@ inline bool round_positive_map(const One_rings& rings, Round_coordinate round, i
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool round_map(const One_rings& rings, Round_coordinate round, int exponent, std::vector<Point_2>& uv)
 {
+  if (!round)
+    return true;
   const bool is_mirrored = !uv.empty() && !is_star_positive(rings, uv, 0);
   const auto mirror_if_needed = [&] {
     if (is_mirrored)

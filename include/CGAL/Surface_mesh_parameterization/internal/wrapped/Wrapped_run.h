@@ -34,6 +34,7 @@
 #include <cstddef>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -145,15 +146,11 @@ public:
     if (m_options.flips.policy == Flip_policy::KEEP)
       return error();
     std::vector<Point_2> map = flat_map(uv);
-    const One_rings rings(uv.size(), m_surface.triangles);
+    m_rings.emplace(uv.size(), m_surface.triangles);
     summary().error.code = internal::settle_flips(
-        m_options.flips, rings, [this] { return std::move(m_surface); }, map, summary());
-    const Round_coordinate round = rounding_to<Point>();
-    if (error() == OK && summary().moved_vertices > 0 && round && !round_map(rings, round, 0, map))
-      summary().error.code = ERROR_NO_1_TO_1_MAPPING;
-    if (summary().moved_vertices > 0)
-      for (std::size_t i = 0; i < uv.size(); ++i)
-        uv[i] = Point(map[i].x(), map[i].y());
+        m_options.flips, *m_rings, [this] { return std::move(m_surface); }, map, summary());
+    if (error() == OK && summary().moved_vertices > 0)
+      round_and_copy(map, uv);
     return error();
   }
 
@@ -168,22 +165,22 @@ public:
   // Whether so many vertices were moved by a repair that little is left of the map.
   bool is_mostly_moved() { return summary().moved_vertices > m_vertices.size() / 10; }
 
-  // Makes another map by `make_map(map, summary)`; the summary tells of both.
+  // After settle_flips(): makes another map by `make_map(map, summary)`; the summary tells of both.
   template <class Point, class Function>
   Error_code replace_map(std::vector<Point>& uv, const Function& make_map)
   {
     std::vector<Point_2> map(uv.size());
     Parameterization_summary other;
-    const Error_code code = make_map(map, other);
+    make_map(map, other);
     other.flips = summary().flips;
     other.moved_vertices = uv.size();
     other.linear_solver = summary().linear_solver;
     other.seconds_hierarchy += summary().seconds_hierarchy;
     other.seconds_parameterize = m_timer.time() - other.seconds_hierarchy;
     summary() = other;
-    for (std::size_t i = 0; i < uv.size(); ++i)
-      uv[i] = Point(map[i].x(), map[i].y());
-    return code;
+    if (error() == OK)
+      round_and_copy(map, uv);
+    return error();
   }
 
   Run_progress& progress() { return m_progress; }
@@ -213,6 +210,16 @@ private:
     summary().converged = code == OK && summary().linear_solver.failures == 0;
     summary().seconds_parameterize = m_timer.time() - summary().seconds_hierarchy;
     return code;
+  }
+
+  // Copies a map without flips to the user's numbers, where it must have none, either.
+  template <class Point>
+  void round_and_copy(std::vector<Point_2>& map, std::vector<Point>& uv)
+  {
+    if (!round_map(*m_rings, rounding_to<Point>(), 0, map))
+      summary().error.code = ERROR_NO_1_TO_1_MAPPING;
+    for (std::size_t i = 0; i < uv.size(); ++i)
+      uv[i] = Point(map[i].x(), map[i].y());
   }
 
   // Of the surface there stays what the flip policy needs.
@@ -276,6 +283,7 @@ private:
   std::vector<vertex_descriptor> m_vertices;
   Index_map m_index;
   Triangulated_surface_3 m_surface;
+  std::optional<One_rings> m_rings;     // of its vertices, once flips are settled
   std::size_t m_border_size = 0;        // vertices on the outer border
   std::shared_ptr<const Hierarchy_interpolation> m_interpolation;
   Parameterization_summary m_own_summary;
