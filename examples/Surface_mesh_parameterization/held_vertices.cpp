@@ -62,6 +62,6 @@ int main(int argc, char** argv)
   if (argc < 3)
     return 0;
   std::ofstream out(argv[2]);
-  SMP::IO::write_OBJ(out, mesh, uvmap, CGAL::Constant_property_map<Mesh::Vertex_index, bool>(true));
+  SMP::IO::write_OBJ(out, mesh, uvmap);
   return out ? 0 : 1;
 }

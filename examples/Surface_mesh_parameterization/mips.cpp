@@ -44,6 +44,6 @@ int main(int argc, char** argv)
   std::cout << quality.flips << " flips, mean angle distortion " << quality.angle << '\n';
 
   std::ofstream out(argv[2]);
-  SMP::IO::write_OBJ(out, mesh, uvmap, CGAL::Constant_property_map<Mesh::Vertex_index, bool>(true));
+  SMP::IO::write_OBJ(out, mesh, uvmap);
   return out ? 0 : 1;
 }

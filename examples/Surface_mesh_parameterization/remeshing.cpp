@@ -61,7 +61,7 @@ void run(const Arguments& arguments)
               std::size_t(result.number_of_faces()) >> 2 * subdivisions, subdivisions,
               std::size_t(result.number_of_faces()), distance / box_diagonal(mesh));
   write_file(arguments.text("output", "remeshing.obj"), [&](std::ostream& out) {
-    SMP::IO::write_OBJ(out, result, new_uvmap, CGAL::Constant_property_map<Mesh::Vertex_index, bool>(true));
+    SMP::IO::write_OBJ(out, result, new_uvmap);
     write_coarse_edges(out, subdivided);
   });
 }

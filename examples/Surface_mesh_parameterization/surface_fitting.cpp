@@ -164,7 +164,7 @@ void run(const Arguments& arguments)
       "%zu points, %zu x %zu control points, error in diagonals of the box: greatest %.3g, root mean square %.3g\n",
       points.size(), columns, rows, std::sqrt(greatest) / unit, std::sqrt(sum / double(points.size())) / unit);
   write_file(arguments.text("output", "surface_fitting.obj"), [&](std::ostream& out) {
-    SMP::IO::write_OBJ(out, mesh, uvmap, CGAL::Constant_property_map<Mesh::Vertex_index, bool>(true));
+    SMP::IO::write_OBJ(out, mesh, uvmap);
   });
 }
 

@@ -59,6 +59,9 @@ void print_summary(const Input& input, const Options& options, const Run_record&
   if (input.number_of_pieces > 0)
     std::cerr << name << ": has " << input.number_of_pieces
               << " components whose borders coincide with those of others; --stitch joins them\n";
+  if (run.summary.is_replaced)
+    std::cerr << name << ": the map of " << options.method->name
+              << " had flips whose repair would leave little of it; a method without flips made this one\n";
   const std::string levels = run.summary.levels.empty() || run.atlas
                                  ? ""
                                  : std::to_string(run.summary.levels.size()) + " levels, ";

@@ -183,8 +183,9 @@ const Component& largest(const std::vector<Component>& components)
 void take_as_chart(const Component& component, Input& input)
 {
   if (component.number_of_borders == 0)
-    throw Input_error{ "is closed: a chart needs a border; --cut auto makes one, or cut it open first, by leaving out a "
-                       "face or by doubling the vertices along a path of edges",
+    throw Input_error{ "is closed: a chart needs a border; --cut auto makes one, but not for --flat, --levels, --start "
+                       "and --hold; or cut it open first, by leaving out a face or by doubling the vertices along a "
+                       "path of edges",
                        SMP::ERROR_NO_TOPOLOGICAL_DISC };
   input.faces = component.faces;
   input.number_of_borders = component.number_of_borders;

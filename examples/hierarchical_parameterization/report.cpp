@@ -51,6 +51,7 @@ std::string report_line(const Run_record& run)
     { "seconds", { { "read", run.seconds_read }, { "hierarchy", summary.seconds_hierarchy },
                    { "parameterize", summary.seconds_parameterize }, { "write", run.seconds_write } } },
     { "linear_solver", nullptr },
+    { "repair", nullptr },
     { "peak_memory_bytes", peak_memory_bytes() },
     { "quality", nullptr } };
   if (!run.error.empty())
@@ -80,6 +81,10 @@ std::string report_line(const Run_record& run)
                                 { "direct_solutions", solver.direct_solutions },
                                 { "failures", solver.failures },
                                 { "seconds", solver.seconds_setup + solver.seconds_solve } };
+  if (summary.flips > 0)
+    report["repair"] = { { "flips_before", summary.flips },
+                         { "moved_vertices", summary.moved_vertices },
+                         { "is_replaced", summary.is_replaced } };
   if (const auto& quality = run.quality)
     report["quality"] = { { "flips", quality->flips },
                           { "degenerate", quality->degenerate },

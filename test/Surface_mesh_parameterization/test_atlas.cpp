@@ -9,8 +9,10 @@
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_progress.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/cut_to_disk.h>
@@ -308,6 +310,55 @@ TEST(Atlas, tells_of_seams_that_leave_no_disk)
   for (const Kernel::Point_2& p : surface.corners())
     untouched_corners += p == untouched;
   EXPECT_EQ(untouched_corners, 3 * summary.charts[0].faces);
+}
+
+struct Stopping_visitor : Hierarchy_visitor_3
+{
+  std::size_t* calls;
+  std::size_t most_calls;
+
+  bool progressed(const Parameterization_progress&) { return ++*calls < most_calls; }
+};
+
+TEST(Atlas, is_not_made_if_a_visitor_stops_a_chart)
+{
+  std::size_t all_calls = 0;
+  const std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
+  for (const std::size_t most_calls : { unlimited, std::size_t(1), std::size_t(8) }) {
+    Surface surface(with_component(sphere(9, 12), grid(4, 4, wavy)));
+    std::size_t calls = 0;
+    Stopping_visitor visitor;
+    visitor.calls = &calls;
+    visitor.most_calls = most_calls;
+    const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv, parameters::default_values(),
+                                                         parameters::visitor(visitor));
+    if (most_calls == unlimited) {
+      EXPECT_TRUE(summary.is_ok());
+      all_calls = calls;
+      continue;
+    }
+    EXPECT_EQ(summary.error.code, ERROR_STOPPED);
+    EXPECT_LT(most_calls, all_calls);
+    EXPECT_EQ(calls, most_calls);
+    for (const Kernel::Point_2& p : surface.corners())
+      EXPECT_EQ(p, untouched);
+  }
+}
+
+TEST(Atlas, tells_the_chart_of_each_face)
+{
+  Surface surface(with_component(sphere(9, 12), grid(4, 4, wavy)));
+  const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv);
+  ASSERT_EQ(summary.chart_of_face.size(), surface.mesh.number_of_faces());
+  for (std::size_t i = 0; i < summary.charts.size(); ++i)
+    EXPECT_EQ(std::size_t(std::count(summary.chart_of_face.begin(), summary.chart_of_face.end(), i)),
+              summary.charts[i].faces);
+  for (const auto h : surface.mesh.halfedges()) {
+    const auto o = surface.mesh.opposite(h);
+    if (!surface.mesh.is_border(h) && !surface.mesh.is_border(o) && surface.uv[h] == surface.uv[surface.mesh.prev(o)]) {
+      EXPECT_EQ(summary.chart_of_face[surface.mesh.face(h)], summary.chart_of_face[surface.mesh.face(o)]);
+    }
+  }
 }
 
 #ifdef CGAL_LINKED_WITH_TBB

@@ -232,6 +232,26 @@ TEST(Settle_flips, lets_a_good_map_be_and_makes_one_of_nothing)
   }
 }
 
+// Every triangle of the square of a disk's points is positive, but its middle is surrounded twice.
+TEST(Settle_flips, counts_vertices_around_which_a_map_winds_twice)
+{
+  one_to_one::Mapped_mesh m(cap(6, 24, 0.1));
+  for (const auto v : vertices(m.mesh)) {
+    const Kernel::Point_3& p = m.mesh.point(v);
+    m.uvmap[v] = Kernel::Point_2(p.x() * p.x() - p.y() * p.y(), 2 * p.x() * p.y());
+  }
+  for (const bool is_mirrored : { false, true }) {
+    EXPECT_EQ(m.quality().flips, 0u);
+    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::FAIL, parameters::summary(std::ref(m.summary))),
+              ERROR_NO_1_TO_1_MAPPING);
+    EXPECT_EQ(m.summary.flips, 1u) << is_mirrored;
+    for (const auto v : vertices(m.mesh))
+      m.uvmap[v] = Kernel::Point_2(-m.uvmap[v].x(), m.uvmap[v].y());
+  }
+  EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR), OK);
+  EXPECT_TRUE(m.is_locally_one_to_one());
+}
+
 // ---- patches ----
 
 // A flat grid, its places in the plane by a function of x and y, and what lies inside.

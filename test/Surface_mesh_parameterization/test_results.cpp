@@ -24,6 +24,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -163,6 +164,34 @@ TEST(Parameterization_quality, does_not_depend_on_units)
       EXPECT_NEAR(q.angle / r.angle, 1, 1e-12);
       EXPECT_NEAR(q.area / r.area, 1, 1e-12);
     }
+}
+
+TEST(Parameterization_quality, of_a_mirrored_map_is_that_of_the_mirror_image)
+{
+  Mapped_mesh mapped(grid(12, 9, wavy)), mirrored(grid(12, 9, wavy));
+  for (const auto v : vertices(mapped.mesh)) {
+    const Kernel::Point_3 p = mapped.mesh.point(v);
+    mapped.uvmap[v] = Kernel::Point_2(p.x() + 0.3 * p.z(), p.y());
+    mirrored.uvmap[v] = Kernel::Point_2(-p.x() - 0.3 * p.z(), p.y());
+  }
+  const auto expect_equal = [&] {
+    const Parameterization_quality q = mapped.quality(), r = mirrored.quality();
+    EXPECT_FALSE(q.is_mirrored);
+    EXPECT_TRUE(r.is_mirrored);
+    EXPECT_EQ(std::make_pair(q.flips, q.degenerate), std::make_pair(r.flips, r.degenerate));
+    EXPECT_EQ(q.overlaps, r.overlaps);
+    EXPECT_EQ(q.mips, r.mips);
+    EXPECT_EQ(q.symmetric_dirichlet, r.symmetric_dirichlet);
+    EXPECT_EQ(q.linf_stretch, r.linf_stretch);
+    EXPECT_EQ(q.area, r.area);
+  };
+  expect_equal();
+  EXPECT_EQ(mirrored.quality().flips + mirrored.quality().overlaps, 0u);
+  mapped.uvmap[Surface_mesh::Vertex_index(40)] = mapped.uvmap[Surface_mesh::Vertex_index(80)];
+  const Kernel::Point_2 p = mapped.uvmap[Surface_mesh::Vertex_index(80)];
+  mirrored.uvmap[Surface_mesh::Vertex_index(40)] = Kernel::Point_2(-p.x(), p.y());
+  expect_equal();
+  EXPECT_GT(mirrored.quality().flips, 0u);
 }
 
 TEST(Parameterization_quality, counts_what_is_not_positive)

@@ -115,6 +115,19 @@ TEST(Write_OBJ, writes_what_can_be_read_back)
   }
 }
 
+TEST(Write_OBJ, has_a_place_for_every_vertex_unless_it_is_told_which_have_one)
+{
+  Mapped_mesh mapped(grid(4, 3, wavy));
+  for (const auto v : vertices(mapped.mesh))
+    mapped.uvmap[v] = Kernel::Point_2(mapped.mesh.point(v).x(), mapped.mesh.point(v).y());
+  std::ostringstream file, other_file;
+  SMP::IO::write_OBJ(file, mapped.mesh, mapped.uvmap);
+  SMP::IO::write_OBJ(other_file, mapped.mesh, mapped.uvmap,
+                     CGAL::Constant_property_map<Surface_mesh::Vertex_index, bool>(true));
+  EXPECT_EQ(file.str(), other_file.str());
+  EXPECT_EQ(Lines(file.str()).uv.size(), mapped.mesh.number_of_vertices());
+}
+
 // ---- maps of corners ----
 
 // A square of two charts, and a face without a map.

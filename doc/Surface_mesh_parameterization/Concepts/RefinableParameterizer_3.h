@@ -72,6 +72,21 @@ public:
   /// \return whether the method was asked to keep borders apart
   bool keep_borders_apart(bool yes);
 
+  /// optional, for a method whose results may have flips: the energy of a map of a level, as `Level_summary` reports it.
+  /// If so, the summary of a repaired map has its energy
+  double energy(const CGAL::Surface_mesh_parameterization::Level& level,
+                const CGAL::Surface_mesh_parameterization::Level::Uv& uv) const;
+
+  /// optional, beside `energy()`: improves a flip-free map of the finest level and keeps it flip-free. It is called with
+  /// the map that `refine()` started from, if a repair of the result failed or moved more than a tenth of the vertices,
+  /// and gives the result if the repair failed or left more energy.
+  ///
+  /// \return `OK` or an error
+  CGAL::Surface_mesh_parameterization::Error_code
+  refine_without_flips(const CGAL::Surface_mesh_parameterization::Level& level,
+                       CGAL::Surface_mesh_parameterization::Level::Uv& uv,
+                       CGAL::Surface_mesh_parameterization::Level_summary& summary);
+
   /// makes the first map, that of the coarsest level.
   ///
   /// \param level the coarsest level, with about a hundred vertices, or the whole input in a flat run

@@ -112,6 +112,24 @@ public:
     return status;
   }
 
+  /// the energy of a map of a level, as CGAL reports it
+  double energy(const Level& level, const Level::Uv& uv) const
+  {
+    return std::ldexp(level_energy(level)(uv), -2 * level.scale_exponent());
+  }
+
+  /// improves a flip-free map of a level for the symmetric Dirichlet energy, and keeps it flip-free. On the finest level
+  /// this is the result where a repair of flips would fail, or leave little of the map at a higher energy.
+  /// \return `OK`, or `ERROR_STOPPED`
+  Error_code refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) const
+  {
+    constexpr double tolerance_of_start = 1e-3;
+    Refinement_options options = m_options;
+    options.tolerance = (std::max)(options.tolerance, tolerance_of_start);
+    const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, m_options.triangle_weight);
+    return internal::minimize_energy(energy, uv, options, summary);
+  }
+
 private:
   // with lambda in the units of the level; reported in the user's units
   internal::Level_energy_of<Energy> level_energy(const Level& level) const
@@ -120,12 +138,6 @@ private:
     internal::Level_energy_of<Energy> result(level, Triangle_weight::AREA, Energy(std::ldexp(m_lambda, exponent)));
     result.set_unit(std::ldexp(1., exponent));
     return result;
-  }
-
-  // in the user's units
-  double energy(const Level& level, const Level::Uv& uv) const
-  {
-    return std::ldexp(level_energy(level)(uv), -2 * level.scale_exponent());
   }
 
   Error_code minimize(const Level& level, Level::Uv& uv, Level_summary& summary) const
@@ -144,15 +156,6 @@ private:
   {
     const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, Triangle_weight::AREA);
     return internal::lead_to_places(energy, false, uv, summary);
-  }
-
-  Error_code refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) const
-  {
-    constexpr double tolerance_of_start = 1e-3;
-    Refinement_options options = m_options;
-    options.tolerance = (std::max)(options.tolerance, tolerance_of_start);
-    const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, m_options.triangle_weight);
-    return internal::minimize_energy(energy, uv, options, summary);
   }
 
   double m_lambda = 1000;

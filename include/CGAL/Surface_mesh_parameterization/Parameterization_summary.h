@@ -81,11 +81,16 @@ struct Parameterization_summary
   /// whether the finest level converged; of a method that solves linear systems, whether it got all solutions. The
   /// guarantees about flips do not depend on it
   bool converged = false;
-  double energy = 0;      ///< the method's energy of the result: the sum over the triangles, or the mean over the area
+  /// the method's energy of the result: the sum over the triangles, or the mean over the area; after a repair, if the
+  /// method tells the energy of any map, see `RefinableParameterizer_3`
+  double energy = 0;
   std::vector<Level_summary> levels;      ///< from the coarsest level to the finest
-  std::size_t flips =
-      0;      ///< triangles that the method flipped, before a repair; not counted if the `Flip_policy` is `KEEP`
+  /// triangles that the method flipped, before a repair; if there are none, vertices around which its map winds more
+  /// than once, or not at all. Not counted if the `Flip_policy` is `KEEP`
+  std::size_t flips = 0;
   std::size_t moved_vertices = 0;         ///< vertices that the repair moved
+  /// whether the repair would have left little of the map, so that a method without flips made another one
+  bool is_replaced = false;
   Linear_solver_summary linear_solver;    ///< of a method that solves linear systems by multigrid
   double seconds_hierarchy = 0;           ///< wall-clock time of reading the mesh and of building the hierarchy
   double seconds_parameterize = 0;        ///< wall-clock time from the coarsest level to the result

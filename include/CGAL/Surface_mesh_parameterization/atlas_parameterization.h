@@ -28,6 +28,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <atomic>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -50,6 +51,7 @@ struct Atlas_summary
   Parameterization_error error;         ///< of the surface, of the first chart that has no map, or of the packing
   Cut_summary cut;                      ///< the seams, and the components of the surface
   std::vector<Chart> charts;            ///< in the order of their first faces
+  std::vector<std::size_t> chart_of_face;         ///< number of each face's chart, in the order of `faces(mesh)`
   double used_part = 0;                 ///< of the area of the square
   double seconds_cut = 0;               ///< wall-clock time of reading and cutting
   double seconds_parameterize = 0;      ///< wall-clock time of the charts' maps
@@ -90,6 +92,16 @@ auto with_injectivity(const NamedParameters& np)
     return np;
 }
 
+// The number of each face's chart.
+inline std::vector<std::size_t> chart_of_face(const Atlas& atlas)
+{
+  std::vector<std::size_t> result(atlas.mesh.number_of_faces());
+  for (std::size_t i = 0; i < atlas.charts.size(); ++i)
+    for (const Index f : atlas.charts[i])
+      result[f] = i;
+  return result;
+}
+
 // Parameterizes a chart, and scales the map to the chart's area in space.
 template <template <class...> class Method, class NamedParameters>
 Parameterization_summary parameterize_chart(const Corner_mesh& chart, const NamedParameters& np,
@@ -128,7 +140,7 @@ inline Parameterization_error error_in_mesh(const Parameterization_error& error,
   return result;
 }
 
-// Parameterizes all charts. Returns which have a map.
+// Parameterizes all charts, unless a visitor stops the run. Returns which have a map.
 template <template <class...> class Method, class NamedParameters>
 std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, const Loops& loops,
                                       Atlas_summary& result)
@@ -136,13 +148,16 @@ std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, c
   const Index number_of_charts = Index(atlas.charts.size());
   result.charts.resize(number_of_charts);
   atlas.uv.assign(atlas.mesh.number_of_vertices(), Point_2(0, 0));
+  std::atomic<bool> is_stopped(false);
   const auto make_scratch = [&] { return std::vector<Index>(atlas.mesh.number_of_vertices(), no_index); };
   const auto parameterize = [&](Index begin, Index end, std::vector<Index>& scratch) {
-    for (Index i = begin; i < end; ++i) {
+    for (Index i = begin; i < end && !is_stopped; ++i) {
       const std::vector<Index>& faces = atlas.charts[i];
       const Corner_mesh chart = component_of(atlas.mesh, faces, scratch);
       std::vector<Point_2> uv;
       Parameterization_summary summary = parameterize_chart<Method>(chart, np, uv);
+      if (summary.error.code == ERROR_STOPPED)
+        is_stopped = true;
       summary.error = error_in_mesh(summary.error, chart, faces);
       if (summary.is_ok()) {
         const std::vector<Index> vertices = vertices_of(atlas.mesh, faces);
@@ -160,6 +175,8 @@ std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, c
     if (result.is_ok())
       result.error = chart.summary.error;
   }
+  if (is_stopped)
+    result.error = { ERROR_STOPPED, Parameterization_error::NOWHERE, 0 };
   return has_map;
 }
 
@@ -186,11 +203,14 @@ std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, c
 ///
 /// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; it is only read
 /// \param uvmap a writable property map from halfedges to points of the plane. Untouched on an error, except that of a
-///        chart: the corners of that chart are untouched, the others have their places
+///        chart: the corners of that chart are untouched, the others have their places. To tell them apart, fill the
+///        map with coordinates that are not finite before, which is also what `IO::write_OBJ()` looks for, or ask
+///        `chart_of_face`
 /// \param np the named parameters of `cut_to_disk()` and of `pack_charts()`, and
 /// - `edge_is_constrained_map`: a readable property map from edges to `bool`: where the surface is cut in any case;
 ///   default: nowhere
-/// \param np_of_charts those of `hierarchical_parameterization()`, for every chart
+/// \param np_of_charts those of `hierarchical_parameterization()`, for every chart. A `visitor` is told of one chart
+///        after the other; if it stops one, there is no atlas
 ///
 /// \return what was done, with the first error
 template <template <class...> class Method = Symmetric_Dirichlet_parameterizer_3, class ConcurrencyTag = Sequential_tag,
@@ -218,12 +238,15 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
     if (!result.is_ok())
       return result;
     atlas.charts = connected_components(atlas.mesh);
+    result.chart_of_face = internal::chart_of_face(atlas);
     result.seconds_cut = timer.time();
 
     const std::vector<bool> has_map =
         internal::parameterize_charts<Method>(atlas, np_of_charts, loops, result);
     result.seconds_parameterize = timer.time() - result.seconds_cut;
 
+    if (result.error.code == ERROR_STOPPED)
+      return result;
     result.used_part = internal::pack_and_write(mesh, atlas, has_map, np, uvmap, result.error);
     result.seconds_pack = timer.time() - result.seconds_cut - result.seconds_parameterize;
   } else

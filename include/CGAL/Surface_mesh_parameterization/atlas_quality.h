@@ -46,11 +46,11 @@ inline Mapped_triangle mapped_triangle(const Atlas& atlas, Index f)
   return Mapped_triangle(points, uv);
 }
 
-// The number of pairs of some triangles that overlap, within charts and between them. Where there is no flip the
-// borders tell mostly that there is none.
-inline std::size_t number_of_overlapping_pairs(const Atlas& atlas, const std::vector<Index>& faces, bool has_flips)
+// The number of pairs of some triangles that overlap, within charts and between them. Where all triangles are positive
+// the borders tell mostly that there is none.
+inline std::size_t number_of_overlapping_pairs(const Atlas& atlas, const std::vector<Index>& faces, bool all_positive)
 {
-  if (!has_flips) {
+  if (all_positive) {
     std::vector<Index> chart_of_face(atlas.mesh.number_of_faces(), no_index), chart_of_edge;
     std::vector<Border_edge> edges;
     Index number_of_charts = 0;
@@ -90,7 +90,7 @@ inline Parameterization_quality quality(const Atlas& atlas, const std::vector<In
       finite_faces.push_back(f);
   }
   Parameterization_quality result = sums.quality();
-  result.overlaps = number_of_overlapping_pairs(atlas, finite_faces, result.flips > 0);
+  result.overlaps = number_of_overlapping_pairs(atlas, finite_faces, result.flips == 0 && !result.is_mirrored);
   return result;
 }
 

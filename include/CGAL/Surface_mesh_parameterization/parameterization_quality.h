@@ -32,11 +32,14 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
 /// Measures of a parameterization. `s1 >= s2` are the singular values of a triangle's map from space to the plane. All
-/// measures except the counts are infinite if a triangle is not positive.
+/// measures except the counts are infinite if there are flips. A map that is mirrored as a whole has none: its measures
+/// are those of its mirror image.
 struct Parameterization_quality
 {
-  std::size_t flips =
-      0;      ///< triangles that are not positive, by exact predicates: flipped, degenerate, or with a coordinate that is not finite
+  bool is_mirrored = false;     ///< whether most triangles are negative, that is, clockwise
+  /// triangles that are not turned as most are, by exact predicates: flipped, degenerate, or with a coordinate that is
+  /// not finite
+  std::size_t flips = 0;
   std::size_t degenerate = 0;   ///< those of them whose corners lie on a line
   std::size_t overlaps =
       0;      ///< pairs of triangles whose interiors meet, by exact predicates; if a map overlaps itself many times, only a part is counted
@@ -62,15 +65,17 @@ public:
 
   void add(const Mapped_triangle& t)
   {
-    const Orientation turn = t.is_finite() ? internal::exact_orientation(t.uv[0], t.uv[1], t.uv[2]) : RIGHT_TURN;
     ++m_triangles;
-    if (turn != LEFT_TURN) {
-      ++m_quality.flips;
-      m_quality.degenerate += turn == COLLINEAR;
+    if (!t.is_finite())
       return;
-    }
+    const Orientation turn = internal::exact_orientation(t.uv[0], t.uv[1], t.uv[2]);
+    m_positive += turn == LEFT_TURN;
+    m_negative += turn == RIGHT_TURN;
+    m_quality.degenerate += turn == COLLINEAR;
+    if (turn == COLLINEAR)
+      return;
     const Map_invariants map(m_scale(t));
-    const double f = map.frobenius, d = map.determinant;
+    const double f = map.frobenius, d = std::abs(map.determinant);
     m_area += map.area;
     m_image_area += map.area * d;
     m_quality.mips += MIPS_energy_2::value(f, d);
@@ -84,6 +89,8 @@ public:
   Parameterization_quality quality() const
   {
     Parameterization_quality q = m_quality;
+    q.is_mirrored = m_negative > m_positive;
+    q.flips = m_triangles - (std::max)(m_positive, m_negative);
     if (q.flips > 0) {
       q.mips = q.mips_excess = q.symmetric_dirichlet = q.l2_stretch = q.linf_stretch = q.angle = q.area =
           (std::numeric_limits<double>::infinity)();
@@ -102,7 +109,7 @@ public:
 private:
   Unit_scale m_scale;
   Parameterization_quality m_quality;
-  std::size_t m_triangles = 0;
+  std::size_t m_triangles = 0, m_positive = 0, m_negative = 0;
   double m_area = 0, m_image_area = 0, m_dirichlet = 0, m_inverse_dirichlet = 0, m_angle = 0, m_inverse_determinant = 0;
 };
 
@@ -147,16 +154,24 @@ public:
     for (const halfedge_descriptor h : halfedges)
       edges.push_back({ index(source(h, mesh)), index(target(h, mesh)) });
   }
+
+  void mirror()
+  {
+    for (Point_2& p : uv)
+      p = Point_2(-p.x(), p.y());
+  }
 };
 
 // The number of pairs of faces that overlap in the plane. Where there is no flip the borders tell mostly that there is
 // none.
 template <class TriangleMesh, class FaceRange, class VertexUVMap>
 std::size_t number_of_overlapping_faces(const TriangleMesh& mesh, const FaceRange& face_range, VertexUVMap uvmap,
-                                        bool has_flips)
+                                        const Parameterization_quality& quality)
 {
-  if (!has_flips) {
-    const Borders_of_faces<TriangleMesh, VertexUVMap> borders(mesh, face_range, uvmap);
+  if (quality.flips == 0) {
+    Borders_of_faces<TriangleMesh, VertexUVMap> borders(mesh, face_range, uvmap);
+    if (quality.is_mirrored)
+      borders.mirror();
     if (are_borders_one_to_one(borders.edges, borders.uv))
       return 0;
   }
@@ -188,8 +203,7 @@ bool is_map_one_to_one(const TriangleMesh& mesh, const FaceRange& face_range, Ve
 
   Borders_of_faces<TriangleMesh, VertexUVMap> borders(mesh, face_range, uvmap);
   if (turn_of_all == RIGHT_TURN)
-    for (Point_2& p : borders.uv)
-      p = Point_2(-p.x(), p.y());
+    borders.mirror();
   return are_borders_one_to_one(borders.edges, borders.uv) ||
          (!has_crossings(borders.edges, borders.uv) && number_of_overlapping_pairs(triangles) == 0);
 }
@@ -218,7 +232,7 @@ Parameterization_quality parameterization_quality(const TriangleMesh& mesh, cons
     for (const auto f : face_range)
       sums.add(internal::Mapped_triangle(f, mesh, uvmap));
     result = sums.quality();
-    result.overlaps = internal::number_of_overlapping_faces(mesh, face_range, uvmap, result.flips > 0);
+    result.overlaps = internal::number_of_overlapping_faces(mesh, face_range, uvmap, result);
   } else
     Check::tell();
   return result;

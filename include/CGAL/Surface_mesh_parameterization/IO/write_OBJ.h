@@ -12,6 +12,7 @@
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -162,13 +163,16 @@ void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, Ve
 /// \param mesh a model of `FaceListGraph` with an internal vertex point map
 /// \param uvmap a readable property map from halfedges to points of the plane: the place of the corner to which a
 ///        halfedge leads in its face. A face with a corner whose place is not finite is written without texture
-///        coordinates
-template <class TriangleMesh, class HalfedgeUVMap>
-void write_OBJ(std::ostream& os, const TriangleMesh& mesh, HalfedgeUVMap uvmap)
+///        coordinates. Or one from vertices: then all of them have a place
+template <class TriangleMesh, class UVMap>
+void write_OBJ(std::ostream& os, const TriangleMesh& mesh, UVMap uvmap)
 {
   typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
-                           internal::Halfedge_uv_map_check<HalfedgeUVMap, TriangleMesh, true>>   Check;
-  if constexpr (Check::value)
+                           internal::Halfedge_uv_map_check<UVMap, TriangleMesh, true>>   Check;
+  if constexpr (internal::Readable_uv_map_check<UVMap, TriangleMesh>::value)
+    write_OBJ(os, mesh, uvmap,
+              CGAL::Constant_property_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, bool>(true));
+  else if constexpr (Check::value)
     internal::write_OBJ(os, mesh, uvmap);
   else
     Check::tell();

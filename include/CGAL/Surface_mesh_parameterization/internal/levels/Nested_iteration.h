@@ -41,6 +41,10 @@ public:
   virtual bool leave_room() = 0;
   virtual bool keep_borders_apart(bool yes) = 0;
 
+  // The energy of a map, and a map without flips from another one. Returns false if the method has no such function.
+  virtual bool find_energy(const Level& level, const Level::Uv& uv, double& energy) const = 0;
+  virtual bool refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) = 0;
+
   // Does with the flips of a finished map what the policy says, see internal::settle_flips().
   virtual Error_code settle_flips(const Flip_settlement& settlement, const One_rings& rings,
                                   Function_ref<Triangulated_surface_3()> make_surface, Level::Uv& uv,
@@ -117,6 +121,11 @@ private:
   Error_code insert_vertices(const Level& level, Level::Uv& uv) const;
   Error_code finish(const Level& level, Level::Uv& uv);
 
+  // Does with flips what the policy says. Where a repair fails or leaves little of the map, a map without flips takes
+  // its place if that is better.
+  Error_code settle_flips(const Level& level, Level::Uv& uv);
+  Error_code replace_map(const Level& level, Error_code status, Level::Uv& uv);
+
   // Tells of the vertex of a result that is farthest from its given place, if one is not there; the status with that.
   Error_code check_places(const Level& level, const Level::Uv& uv, Error_code status);
   Error_code round(const Level& level, Level::Uv& uv);
@@ -139,6 +148,7 @@ private:
   bool m_watches_borders = false;
   Level::Uv m_map_apart;            // of the finest level so far on which no borders met; empty if there is none
   std::size_t m_level_apart = 0;
+  Level::Uv m_map_before;           // on the finest level, before the method may flip triangles, where a repair may follow
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

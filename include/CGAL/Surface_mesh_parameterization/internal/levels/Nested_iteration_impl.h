@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -182,6 +183,8 @@ Error_code Nested_iteration::refine(const Level& level, Level::Uv& uv)
   Level_summary& summary = m_summary.levels.back();
   summary.vertices = level.number_of_vertices();
   summary.faces = level.number_of_faces();
+  if (level.is_finest() && m_options.flips.policy == Flip_policy::REPAIR)
+    m_map_before = uv;
   const Error_code status = m_method.refine(level, uv, summary);
   summary.seconds = m_timer_of_level.time();
   if (m_progress.is_stopped() || (status == OK && !level.progressed(summary, 1)))
@@ -210,6 +213,18 @@ Error_code Nested_iteration::finish(const Level& level, Level::Uv& uv)
   m_summary.energy = m_summary.levels.back().energy_end;
   m_summary.converged = m_summary.levels.back().converged;
   m_is_finished = true;
+  Error_code status = settle_flips(level, uv);
+  if (status == OK && m_options.round)
+    status = round(level, uv);
+  if (status != OK)
+    return status;
+  return m_progress.finish() ? OK : ERROR_STOPPED;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::settle_flips(const Level& level, Level::Uv& uv)
+{
+  constexpr std::size_t greatest_part_moved = 10;      // a tenth of the vertices
   const auto surface_by_rank = [&] {
     Triangulated_surface_3 surface;
     surface.triangles = level.triangles();
@@ -220,12 +235,34 @@ Error_code Nested_iteration::finish(const Level& level, Level::Uv& uv)
     }
     return surface;
   };
-  Error_code status = m_method.settle_flips(m_options.flips, level.rings(), surface_by_rank, uv, m_summary);
-  if (status == OK && m_options.round)
-    status = round(level, uv);
-  if (status != OK)
+  const Error_code status = m_method.settle_flips(m_options.flips, level.rings(), surface_by_rank, uv, m_summary);
+  if (m_options.flips.policy != Flip_policy::REPAIR || (status == OK && m_summary.moved_vertices == 0))
     return status;
-  return m_progress.finish() ? OK : ERROR_STOPPED;
+  m_method.find_energy(level, uv, m_summary.energy);
+  const bool leaves_little = m_summary.moved_vertices > uv.size() / greatest_part_moved;
+  return status == OK && !leaves_little && displaced_vertices(level, uv).empty() ? OK : replace_map(level, status, uv);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::replace_map(const Level& level, Error_code status, Level::Uv& uv)
+{
+  Level_summary summary;
+  double energy;
+  if (!is_map_valid(level.rings(), m_map_before) || !m_method.refine_without_flips(level, m_map_before, summary) ||
+      !m_method.find_energy(level, m_map_before, energy))
+    return status;
+  if (m_progress.is_stopped())
+    return ERROR_STOPPED;
+  const bool is_better = status != OK || energy < m_summary.energy ||
+                         displaced_vertices(level, m_map_before).size() < displaced_vertices(level, uv).size();
+  if (!is_better)
+    return status;
+  uv.swap(m_map_before);
+  m_summary.energy = energy;
+  m_summary.converged = summary.converged;
+  m_summary.moved_vertices = uv.size();
+  m_summary.is_replaced = true;
+  return OK;
 }
 
 // What is promised of the map is promised of what the user gets.

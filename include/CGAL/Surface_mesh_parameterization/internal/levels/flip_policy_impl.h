@@ -69,6 +69,16 @@ inline Numbers_of_turns count_turns(const One_rings& rings, const std::vector<Po
   return result;
 }
 
+// The vertices whose triangles do not wind around them once, in a map whose triangles are turned alike.
+inline std::size_t count_windings(const One_rings& rings, const std::vector<Point_2>& uv, bool is_mirrored)
+{
+  const std::vector<Point_2> map = is_mirrored ? mirrored(uv) : uv;
+  std::size_t result = 0;
+  for (Index v = 0; v < map.size(); ++v)
+    result += !is_fan_valid(rings, map, v);
+  return result;
+}
+
 // Gives new places to vertices near the flips of a map, where that removes flips. Returns whether none is left. A place
 // that is not finite is left to the hierarchy.
 inline bool repair_patches(const Triangulated_surface_3& surface, std::vector<Point_2>& uv)
@@ -135,7 +145,8 @@ Error_code settle_flips(const Flip_settlement& settlement, const One_rings& ring
 {
   if (settlement.policy == Flip_policy::KEEP || has_no_flips(rings, uv))
     return OK;
-  summary.flips = count_turns(rings, uv).flips();
+  const Numbers_of_turns turns = count_turns(rings, uv);
+  summary.flips = turns.flips() > 0 ? turns.flips() : count_windings(rings, uv, turns.right > turns.left);
   if (settlement.policy == Flip_policy::FAIL)
     return ERROR_NO_1_TO_1_MAPPING;
   const Error_code status = settlement.repair(make_surface(), uv, summary.moved_vertices);

@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/detection.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
@@ -52,6 +53,19 @@ public:
   bool leave_room() override { return leave_room(m_method, 0); }
   bool keep_borders_apart(bool yes) override { return keep_borders_apart(m_method, yes, 0); }
 
+  bool find_energy(const Level& level, const Level::Uv& uv, double& energy) const override
+  {
+    if constexpr (is_detected<Energy_of, Method>)
+      energy = m_method.energy(level, uv);
+    return is_detected<Energy_of, Method>;
+  }
+  bool refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) override
+  {
+    if constexpr (is_detected<Refined_without_flips, Method>)
+      return m_method.refine_without_flips(level, uv, summary) == OK;
+    return false;
+  }
+
   // Results without flips need no repair, and their methods do not compile it.
   Error_code settle_flips(const Flip_settlement& settlement, const One_rings& rings,
                           Function_ref<Triangulated_surface_3()> make_surface, Level::Uv& uv,
@@ -68,6 +82,14 @@ public:
   }
 
 private:
+  template <class M>
+  using Energy_of = decltype(std::declval<const M&>().energy(std::declval<const Level&>(),
+                                                             std::declval<const Level::Uv&>()));
+
+  template <class M>
+  using Refined_without_flips = decltype(std::declval<M&>().refine_without_flips(
+      std::declval<const Level&>(), std::declval<Level::Uv&>(), std::declval<Level_summary&>()));
+
   // These call the optional members of the concept.
   template <class M>
   static auto leave_room(M& method, int) -> decltype(method.leave_room()) { return method.leave_room(); }

@@ -174,6 +174,7 @@ public:
     make_map(map, other);
     other.flips = summary().flips;
     other.moved_vertices = uv.size();
+    other.is_replaced = true;
     other.linear_solver = summary().linear_solver;
     other.seconds_hierarchy += summary().seconds_hierarchy;
     other.seconds_parameterize = m_timer.time() - other.seconds_hierarchy;
