@@ -231,15 +231,46 @@ struct Ends_of_border
   }
 };
 
-// A deep tube with waves shrinks to below the steps of floats: if there is no room, that is an error.
+Flat_mesh tube_with_waves(Index rings, double length)
+{
+  Flat_mesh surface = tube(rings, 40, length);
+  for (Point_3& p : surface.points)
+    p = Point_3(p.x() * (1 + 0.4 * std::sin(7 * p.z() + 2 * std::atan2(p.y(), p.x()))), p.y(), p.z());
+  return surface;
+}
+
+// Most of such a tube shrinks to almost a point, with flips: the map of MIPS takes the place of that of LSCM.
+TEST(Wrapped_LSCM, gives_way_to_a_method_without_flips)
+{
+  typedef LSCM_parameterizer_3<Surface_mesh, Ends_of_border<Surface_mesh>>            LSCM;
+  auto mesh = make<Surface_mesh>(tube_with_waves(200, 40));
+  Mapped<Surface_mesh> mapped(mesh);
+  Parameterization_summary summary;
+  const auto run = [&](Flip_policy policy) {
+    return mapped.parameterize(
+        Hierarchical_parameterizer_3<LSCM>(Ends_of_border<Surface_mesh>(),
+                                           parameters::flip_policy(policy).summary(std::ref(summary))),
+        longest_border(mesh));
+  };
+  EXPECT_EQ(run(Flip_policy::FAIL), ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_TRUE(mapped.is_untouched());
+  EXPECT_FALSE(summary.is_replaced);
+  EXPECT_EQ(run(Flip_policy::REPAIR), OK);
+  EXPECT_EQ(parameterization_quality(mesh, mapped.uvmap).flips, 0u);
+  EXPECT_TRUE(summary.is_replaced);
+  EXPECT_EQ(summary.moved_vertices, mesh.number_of_vertices());
+  EXPECT_GT(summary.flips, 0u);
+  EXPECT_EQ(run(Flip_policy::KEEP), OK);
+  EXPECT_GT(parameterization_quality(mesh, mapped.uvmap).flips, 0u);
+  EXPECT_FALSE(summary.is_replaced);
+}
+
+// Where floats leave no room for the tube, that is an error.
 TEST(Wrapped_LSCM, has_no_flips_in_floats)
 {
   typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>                  Float_mesh;
   typedef LSCM_parameterizer_3<Float_mesh, Ends_of_border<Float_mesh>>                LSCM;
-  Flat_mesh surface = tube(90, 40, 14);
-  for (Point_3& p : surface.points)
-    p = Point_3(p.x() * (1 + 0.4 * std::sin(7 * p.z() + 2 * std::atan2(p.y(), p.x()))), p.y(), p.z());
-  auto mesh = make<Float_mesh>(surface);
+  auto mesh = make<Float_mesh>(tube_with_waves(90, 14));
   Mapped<Float_mesh> mapped(mesh);
   Parameterization_summary summary;
   const Error_code status = mapped.parameterize(

@@ -143,7 +143,7 @@ private:
   {
     const internal::Level_energy_of<E> energy(level, m_options.triangle_weight);
     if constexpr (!internal::is_finite_energy<E>)
-      if (!std::isfinite(energy(uv)) && lower_distortion(level, uv) == ERROR_STOPPED)
+      if (is_out_of_reach(energy, uv) && lower_distortion(level, uv) == ERROR_STOPPED)
         return ERROR_STOPPED;
     const Error_code status = internal::minimize_flip_free(
         energy, Energy::is_scale_invariant && level.is_finest(), uv, m_options, summary);
@@ -151,6 +151,15 @@ private:
       if (status == OK && level.is_finest() && !std::isfinite(energy(uv)))
         return ERROR_NO_1_TO_1_MAPPING;
     return status;
+  }
+
+  // Whether an energy that overflows does so, or is so great that steps of Newton's method lead nowhere.
+  template <class E>
+  static bool is_out_of_reach(const internal::Level_energy_of<E>& energy, const Level::Uv& uv)
+  {
+    constexpr double greatest_ratio = 1e100;
+    const double value = energy(uv), minimum = energy.minimum() * energy.total_weight();
+    return !std::isfinite(value) || (minimum > 0 && value > greatest_ratio * minimum);
   }
 
   // Brings a map to where an energy that overflows may be finite: to a minimum of one that does not.

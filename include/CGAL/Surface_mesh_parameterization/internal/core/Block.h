@@ -13,7 +13,7 @@ struct alignas(16) Block_vector
 {
   double x, y;
 
-  Block_vector() = default;       // leaves the coordinates as they are
+  Block_vector() = default;
   Block_vector(double x, double y) : x(x), y(y) { }
 
   Block_vector& operator+=(const Block_vector& v) { x += v.x; y += v.y; return *this; }

@@ -37,22 +37,23 @@ public:
     : m_options(options), m_rings(rings), m_uv(uv), m_unfolder(rings, points, uv)
   { }
 
-  // Returns whether the map is valid at the end. Patches for which there are no valid places stay as they were.
-  bool run()
+  // Returns at how many vertices the map is not valid at the end. Patches for which there are no valid places stay as
+  // they were.
+  std::size_t run()
   {
     std::vector<Index> bad;
     for (Index v = 0; v < m_uv.size(); ++v)
       if (!is_good(v))
         bad.push_back(v);
     if (double(bad.size()) > m_options.greatest_part_of_vertices * double(m_uv.size()))
-      return false;
+      return bad.size();
     for (const std::size_t rings : m_options.rings) {
       for (const std::vector<Index>& patch : patches_around(bad, rings))
         if (patch.size() <= (rings == 0 ? m_options.greatest_patch_without_ring : m_options.greatest_patch))
           repair(patch);
       bad.erase(std::remove_if(bad.begin(), bad.end(), [this](Index v) { return is_good(v); }), bad.end());
     }
-    return bad.empty();
+    return bad.size();
   }
 
 private:

@@ -24,8 +24,9 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const Loops& loops = Loops());
 
 // Makes a map of a surface one without flips: by a Patch_repair, and where that is not enough, by a Map_repair. Adds
-// the number of vertices that it moves to `moved_vertices`.
-Error_code repair_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv, std::size_t& moved_vertices);
+// the number of vertices that it moves to `moved_vertices`. It may give up where little of the map would be left.
+Error_code repair_map(const Triangulated_surface_3& surface, bool may_give_up, std::vector<Point_2>& uv,
+                      std::size_t& moved_vertices);
 
 // What becomes of flips. `repair`, for a policy that needs it, is repair_map(): it is compiled, header-only, where maps
 // may have flips or a policy is given, and not by everybody.
@@ -33,6 +34,7 @@ struct Flip_settlement
 {
   Flip_policy policy = Flip_policy::FAIL;
   decltype(&repair_map) repair = nullptr;
+  bool may_give_up = false;       // the repair
 };
 
 // As named parameters say, or else a repair of maps that may have flips.
@@ -40,9 +42,9 @@ template <bool may_have_flips, class NamedParameters>
 Flip_settlement flip_settlement_of(const NamedParameters& np)
 {
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::flip_policy_t>::value)
-    return { parameters::get_parameter(np, internal_np::flip_policy), &repair_map };
+    return { parameters::get_parameter(np, internal_np::flip_policy), &repair_map, false };
   else if constexpr (may_have_flips)
-    return { Flip_policy::REPAIR, &repair_map };
+    return { Flip_policy::REPAIR, &repair_map, false };
   else
     return Flip_settlement();
 }

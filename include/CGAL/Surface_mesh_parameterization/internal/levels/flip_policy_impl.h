@@ -79,21 +79,21 @@ inline std::size_t count_windings(const One_rings& rings, const std::vector<Poin
   return result;
 }
 
-// Gives new places to vertices near the flips of a map, where that removes flips. Returns whether none is left. A place
-// that is not finite is left to the hierarchy.
-inline bool repair_patches(const Triangulated_surface_3& surface, std::vector<Point_2>& uv)
+// Gives new places to vertices near the flips of a map, where that removes flips. Returns at how many vertices the map is
+// not valid then. A map with a place that is not finite is left to the hierarchy.
+inline std::size_t repair_patches(const Triangulated_surface_3& surface, std::vector<Point_2>& uv)
 {
   if (!are_finite(uv))
-    return false;
+    return uv.size();
   const One_rings rings(uv.size(), surface.triangles);
   const Numbers_of_turns turns = count_turns(rings, uv);
   const bool is_mirrored = turns.right > turns.left;
   if (is_mirrored)
     uv = mirrored(uv);
-  const bool is_valid = Patch_repair(rings, surface.points, uv).run();
+  const std::size_t bad_vertices = Patch_repair(rings, surface.points, uv).run();
   if (is_mirrored)
     uv = mirrored(uv);
-  return is_valid;
+  return bad_vertices;
 }
 
 // Removes all flips from a map, see Map_repair.
@@ -126,12 +126,17 @@ inline Error_code repair_by_hierarchies(const Triangulated_surface_3& surface, s
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code repair_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv, std::size_t& moved_vertices)
+Error_code repair_map(const Triangulated_surface_3& surface, bool may_give_up, std::vector<Point_2>& uv,
+                      std::size_t& moved_vertices)
 {
+  constexpr double part_given_up = 0.005;       // with so many vertices in large folds, the hierarchy moves nearly all
   std::vector<Point_2> map = uv;
-  if (!repair_patches(surface, map))
+  if (const std::size_t bad_vertices = repair_patches(surface, map); bad_vertices > 0) {
+    if (may_give_up && double(bad_vertices) > part_given_up * double(uv.size()))
+      return ERROR_NO_1_TO_1_MAPPING;
     if (const Error_code status = repair_by_hierarchies(surface, map); status != OK)
       return status;
+  }
   for (Index v = 0; v < uv.size(); ++v)
     moved_vertices += map[v] != uv[v];
   uv.swap(map);
@@ -149,7 +154,7 @@ Error_code settle_flips(const Flip_settlement& settlement, const One_rings& ring
   summary.flips = turns.flips() > 0 ? turns.flips() : count_windings(rings, uv, turns.right > turns.left);
   if (settlement.policy == Flip_policy::FAIL)
     return ERROR_NO_1_TO_1_MAPPING;
-  const Error_code status = settlement.repair(make_surface(), uv, summary.moved_vertices);
+  const Error_code status = settlement.repair(make_surface(), settlement.may_give_up, uv, summary.moved_vertices);
   return status != OK || has_no_flips(rings, uv) ? status : ERROR_NO_1_TO_1_MAPPING;
 }
 

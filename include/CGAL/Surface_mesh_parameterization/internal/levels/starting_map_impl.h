@@ -20,7 +20,7 @@ bool make_starting_map(const Triangulated_surface_3& surface, std::vector<Point_
 {
   const One_rings rings(uv.size(), surface.triangles);
   std::size_t unused = 0;
-  if (!has_no_flips(rings, uv) && repair_map(surface, uv, unused) != OK)
+  if (!has_no_flips(rings, uv) && repair_map(surface, false, uv, unused) != OK)
     return false;
   mirror_back(rings, uv);
   return is_map_valid(rings, uv);

@@ -46,7 +46,7 @@ inline Scalar_multigrid_options scalar_multigrid_options_in_plane()
 }
 
 // V-cycles, or K-cycles on request, for a matrix whose unknowns sit at the vertices of a hierarchy: Galerkin operators
-// over every fourth collapse group, incomplete LU as the smoother before and after, a direct solution at the bottom.
+// over every few collapse groups, incomplete LU as the smoother before and after, a direct solution at the bottom.
 // With a symmetric matrix the V-cycle is symmetric, too.
 template <class Real>
 class Scalar_multigrid

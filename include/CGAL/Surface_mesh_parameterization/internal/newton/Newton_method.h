@@ -160,7 +160,7 @@ private:
       return false;
     result.cycles = m_system.solve(m_accuracy);
     if (m_trial.size() == uv.size())
-      m_system.add_previous_step(m_trial, uv);      // the line search left the map before that step in m_trial
+      m_system.add_previous_step(m_trial, uv);      // from the map before the last step, or the last trial of none
     result.predicted = m_system.predicted_decrease();
     return result.predicted > 0;
   }

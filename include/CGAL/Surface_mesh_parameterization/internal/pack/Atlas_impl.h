@@ -82,7 +82,7 @@ inline bool is_positive(const Chart& chart)
 inline bool repair(Chart& chart, const Corner_mesh& component, Round_coordinate round)
 {
   std::size_t unused_number = 0;
-  return repair_map(surface_of(component), chart.points, unused_number) == OK &&
+  return repair_map(surface_of(component), false, chart.points, unused_number) == OK &&
          round_map(One_rings(chart.points.size(), chart.triangles), round, 0, chart.points) &&
          is_positive(chart);
 }

@@ -21,7 +21,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Polygon_kernel_2
 {
 public:
-  // The kernel of the whole box of half-width `half_width` around `origin`.
+  // Starts from the square around `origin` whose sides are `half_width` away.
   void reset(const Point_2& origin, double half_width)
   {
     m_origin = origin;

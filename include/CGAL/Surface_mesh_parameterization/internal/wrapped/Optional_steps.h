@@ -28,7 +28,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Steps of a wrapped run that only some named parameters ask for. Who gives none of these does not compile them.
+// Steps that not every wrapped run takes, and that are compiled only for those that do: holes are filled where a named
+// parameter asks for it, and a parameterizer may have a relative without flips.
 template <class Parameterizer>
 struct Optional_steps
 {
@@ -37,7 +38,7 @@ struct Optional_steps
   typedef typename Wrapped_run<Triangle_mesh>::Index_map                      Index_map;
   typedef typename Flip_free_relative<Parameterizer>::type                    Relative;
 
-  // The names that ask for them.
+  // The names that only these parameterizers take.
   typedef Names<internal_np::fill_holes_t, internal_np::flip_policy_t>   Option_names;
 
   // A copy of the mesh without holes; null if the mesh type cannot have one.

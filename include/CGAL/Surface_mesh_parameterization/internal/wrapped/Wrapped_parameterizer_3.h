@@ -112,11 +112,12 @@ private:
                                          Component_map<Index_map, char>{ run.index(), &is_placed },
                                          std::forward<Others>(others)...);
     });
+    const auto run_relative = this->optional_steps().run_relative;
     if (code == OK)
-      code = run.settle_flips(uv);
-    if (code == OK && this->optional_steps().run_relative && run.is_mostly_moved()) {
+      code = run.settle_flips(uv, run_relative != nullptr);
+    if (run_relative && run.is_map_lost()) {
       code = run.replace_map(uv, [&](std::vector<Point_2>& places, Parameterization_summary& summary) {
-        return this->optional_steps().run_relative(mesh, bhd, run.index(), places, run.progress(), summary);
+        return run_relative(mesh, bhd, run.index(), places, run.progress(), summary);
       });
       is_placed.assign(uv.size(), true);
     }

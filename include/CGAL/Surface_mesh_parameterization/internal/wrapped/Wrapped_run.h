@@ -139,16 +139,19 @@ public:
     return close(may_go_on ? parameterize() : ERROR_STOPPED, uv);
   }
 
-  // Does with the flips of a map what the policy says.
+  // Does with the flips of a map what the policy says. A repair may give up if there is another method, see
+  // is_map_lost().
   template <class Point>
-  Error_code settle_flips(std::vector<Point>& uv)
+  Error_code settle_flips(std::vector<Point>& uv, bool has_other_method)
   {
     if (m_options.flips.policy == Flip_policy::KEEP)
       return error();
     std::vector<Point_2> map = flat_map(uv);
     m_rings.emplace(uv.size(), m_surface.triangles);
+    Flip_settlement settlement = m_options.flips;
+    settlement.may_give_up = has_other_method;
     summary().error.code = internal::settle_flips(
-        m_options.flips, *m_rings, [this] { return std::move(m_surface); }, map, summary());
+        settlement, *m_rings, [this] { return std::move(m_surface); }, map, summary());
     if (error() == OK && summary().moved_vertices > 0)
       round_and_copy(map, uv);
     return error();
@@ -162,10 +165,14 @@ public:
     return error();
   }
 
-  // Whether so many vertices were moved by a repair that little is left of the map.
-  bool is_mostly_moved() { return summary().moved_vertices > m_vertices.size() / 10; }
+  // After settle_flips(): whether a repair has left little of the map, or nothing.
+  bool is_map_lost()
+  {
+    return m_options.flips.policy == Flip_policy::REPAIR &&
+           (error() == ERROR_NO_1_TO_1_MAPPING || summary().moved_vertices > m_vertices.size() / 10);
+  }
 
-  // After settle_flips(): makes another map by `make_map(map, summary)`; the summary tells of both.
+  // Makes another map by `make_map(map, summary)`; the summary tells of both.
   template <class Point, class Function>
   Error_code replace_map(std::vector<Point>& uv, const Function& make_map)
   {
