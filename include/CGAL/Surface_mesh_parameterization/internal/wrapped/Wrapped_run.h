@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/flat_map.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/properties.h>
@@ -30,7 +31,6 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <numeric>
@@ -212,7 +212,7 @@ private:
   template <class Point>
   Error_code close(Error_code code, const std::vector<Point>& uv)
   {
-    if (code == OK && !are_finite(uv))
+    if (code == OK && !is_finite_map(uv))
       code = ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
     summary().error.code = code;
     summary().converged = code == OK && summary().linear_solver.failures == 0;
@@ -264,25 +264,6 @@ private:
     for (Point& p : uv)
       p = Point(replace(p.x()), replace(p.y()));
     return OK;
-  }
-
-  template <class Point>
-  static std::vector<Point_2> flat_map(const std::vector<Point>& points)
-  {
-    std::vector<Point_2> map;
-    map.reserve(points.size());
-    for (const Point& p : points)
-      map.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
-    return map;
-  }
-
-  template <class Point>
-  static bool are_finite(const std::vector<Point>& points)
-  {
-    for (const Point& p : points)
-      if (!std::isfinite(CGAL::to_double(p.x())) || !std::isfinite(CGAL::to_double(p.y())))
-        return false;
-    return true;
   }
 
   const Wrapped_options& m_options;

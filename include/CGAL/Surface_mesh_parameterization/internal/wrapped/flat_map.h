@@ -1,0 +1,38 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_FLAT_MAP_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_FLAT_MAP_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// The places of a map in doubles, of any point type of the user's.
+template <class Point>
+std::vector<Point_2> flat_map(const std::vector<Point>& points)
+{
+  std::vector<Point_2> map;
+  map.reserve(points.size());
+  for (const Point& p : points)
+    map.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+  return map;
+}
+
+// Whether they are finite numbers.
+template <class Point>
+bool is_finite_map(const std::vector<Point>& points)
+{
+  return std::all_of(points.begin(), points.end(), [](const Point& p) {
+    return is_finite(Point_2(CGAL::to_double(p.x()), CGAL::to_double(p.y())));
+  });
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_WRAPPED_FLAT_MAP_H
