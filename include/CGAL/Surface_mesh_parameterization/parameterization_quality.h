@@ -154,12 +154,6 @@ public:
     for (const halfedge_descriptor h : halfedges)
       edges.push_back({ index(source(h, mesh)), index(target(h, mesh)) });
   }
-
-  void mirror()
-  {
-    for (Point_2& p : uv)
-      p = Point_2(-p.x(), p.y());
-  }
 };
 
 // The number of pairs of faces that overlap in the plane. Where there is no flip the borders tell mostly that there is
@@ -171,7 +165,7 @@ std::size_t number_of_overlapping_faces(const TriangleMesh& mesh, const FaceRang
   if (quality.flips == 0) {
     Borders_of_faces<TriangleMesh, VertexUVMap> borders(mesh, face_range, uvmap);
     if (quality.is_mirrored)
-      borders.mirror();
+      mirror(borders.uv);
     if (are_borders_one_to_one(borders.edges, borders.uv))
       return 0;
   }
@@ -203,7 +197,7 @@ bool is_map_one_to_one(const TriangleMesh& mesh, const FaceRange& face_range, Ve
 
   Borders_of_faces<TriangleMesh, VertexUVMap> borders(mesh, face_range, uvmap);
   if (turn_of_all == RIGHT_TURN)
-    borders.mirror();
+    mirror(borders.uv);
   return are_borders_one_to_one(borders.edges, borders.uv) ||
          (!has_crossings(borders.edges, borders.uv) && number_of_overlapping_pairs(triangles) == 0);
 }

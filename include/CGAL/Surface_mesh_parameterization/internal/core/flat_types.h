@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -28,6 +29,13 @@ constexpr Index no_index = (std::numeric_limits<Index>::max)();
 
 inline double cross(const Vector_2& a, const Vector_2& b) { return a.x() * b.y() - a.y() * b.x(); }
 inline bool is_finite(const Point_2& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
+
+inline void mirror(Point_2& p) { p = Point_2(-p.x(), p.y()); }
+inline void mirror(std::vector<Point_2>& points)
+{
+  for (Point_2& p : points)
+    mirror(p);
+}
 
 inline void replace_corner(Index_triangle& t, Index from, Index to)
 {

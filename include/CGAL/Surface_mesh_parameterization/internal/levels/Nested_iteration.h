@@ -145,6 +145,7 @@ private:
   bool m_is_finished = false;       // the method, with a map of the finest level
   bool m_is_flat = false;           // the hierarchy has only the finest level
   std::vector<Point_2> m_start;     // in the order of the surface's vertices; empty if there is none
+  bool m_must_keep_apart;           // the method, the borders of the result
   bool m_watches_borders = false;
   Level::Uv m_map_apart;            // of the finest level so far on which no borders met; empty if there is none
   std::size_t m_level_apart = 0;

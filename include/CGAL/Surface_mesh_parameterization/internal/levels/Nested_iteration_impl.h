@@ -25,6 +25,7 @@ Nested_iteration::Nested_iteration(Refinable_method& method, const Nested_iterat
 {
   m_options.hierarchy.progress = &m_progress;
   m_timer_of_level.start();
+  m_must_keep_apart = m_method.keep_borders_apart(true);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -95,7 +96,7 @@ Error_code Nested_iteration::refine_start(Level& level, Level::Uv& uv)
   for (Index rank = 0; rank < level.number_of_vertices(); ++rank)
     uv.push_back(m_start[level.hierarchy().input_vertex(rank)]);
   m_start = std::vector<Point_2>();      // another attempt starts anew
-  if (is_free(level) && !bring_to_scale(level, m_method.keep_borders_apart(true), uv))
+  if (is_free(level) && !bring_to_scale(level, m_must_keep_apart, uv))
     return ERROR_NO_1_TO_1_MAPPING;
   return refine(level, uv);
 }
@@ -109,7 +110,8 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::parameterize_level_by_level(Level& level, Level::Uv& uv)
 {
   m_summary.levels.clear();
-  m_watches_borders = m_method.keep_borders_apart(false);
+  m_method.keep_borders_apart(false);
+  m_watches_borders = m_must_keep_apart;
   m_map_apart.clear();
   m_level_apart = 0;
   level.go_to(0);
@@ -272,7 +274,7 @@ Error_code Nested_iteration::round(const Level& level, Level::Uv& uv)
   if (!m_method.is_flip_free() && m_options.flips.policy == Flip_policy::KEEP)
     return OK;
   const bool is_good = round_map(level.rings(), m_options.round, level.scale_exponent(), uv) &&
-                       !(m_method.keep_borders_apart(true) && has_crossings(border_edges(level.rings()), uv));
+                       !(m_must_keep_apart && has_crossings(border_edges(level.rings()), uv));
   return is_good ? OK : ERROR_NO_1_TO_1_MAPPING;
 }
 

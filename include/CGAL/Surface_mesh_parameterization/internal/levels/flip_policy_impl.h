@@ -18,13 +18,10 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-inline std::vector<Point_2> mirrored(const std::vector<Point_2>& uv)
+inline std::vector<Point_2> mirrored(std::vector<Point_2> uv)
 {
-  std::vector<Point_2> result;
-  result.reserve(uv.size());
-  for (const Point_2& p : uv)
-    result.emplace_back(-p.x(), p.y());
-  return result;
+  mirror(uv);
+  return uv;
 }
 
 inline bool are_finite(const std::vector<Point_2>& uv)
@@ -52,20 +49,15 @@ struct Numbers_of_turns
 inline Numbers_of_turns count_turns(const One_rings& rings, const std::vector<Point_2>& uv)
 {
   Numbers_of_turns result;
-  for (Index v = 0; v < uv.size(); ++v) {
-    const One_rings::Ring ring = rings[v];
-    for (std::size_t i = 0; i < rings.number_of_triangles(v); ++i) {
-      const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
-      if (!(v < a && v < b))
-        continue;
+  for (Index v = 0; v < uv.size(); ++v)
+    rings.for_each_triangle_of_least_vertex(v, [&](Index a, Index b, std::size_t) {
       ++result.all;
       if (!is_finite(uv[v]) || !is_finite(uv[a]) || !is_finite(uv[b]))
-        continue;
+        return;
       const Orientation turn = exact_orientation(uv[v], uv[a], uv[b]);
       result.left += turn == LEFT_TURN;
       result.right += turn == RIGHT_TURN;
-    }
-  }
+    });
   return result;
 }
 
@@ -89,10 +81,10 @@ inline std::size_t repair_patches(const Triangulated_surface_3& surface, std::ve
   const Numbers_of_turns turns = count_turns(rings, uv);
   const bool is_mirrored = turns.right > turns.left;
   if (is_mirrored)
-    uv = mirrored(uv);
+    mirror(uv);
   const std::size_t bad_vertices = Patch_repair(rings, surface.points, uv).run();
   if (is_mirrored)
-    uv = mirrored(uv);
+    mirror(uv);
   return bad_vertices;
 }
 

@@ -24,7 +24,6 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -172,14 +171,14 @@ Error_code run_nested_iteration(Method method, const Nested_iteration_options& o
     if (uv.empty())
       return summary.error.code = ERROR_WRONG_PARAMETER;
     if (is_mirrored)
-      std::for_each(uv.begin(), uv.end(), mirror);
+      mirror(uv);
     if (!options.make_starting_map(component.surface(), uv))
       uv.clear();
   }
   Error_code status =
       Nested_iteration(engine_method, options_of_run, visitor, summary).run(std::move(component.surface()), timer, uv);
   if (is_mirrored)
-    std::for_each(uv.begin(), uv.end(), mirror);
+    mirror(uv);
   if (status == OK)
     status = summary.error.code = write_map(component, component.surface().scale_exponent, uv, uvmap, vpmap);
   else if (summary.error.place == Parameterization_error::VERTEX)

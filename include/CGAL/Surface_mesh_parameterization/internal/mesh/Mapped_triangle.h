@@ -99,10 +99,9 @@ struct Map_invariants
     const Rest_corner c = rest_corner(Point_3(0, 0, 0), Point_3(scaled(p.x()), scaled(p.y()), scaled(p.z())),
                                       Point_3(scaled(q.x()), scaled(q.y()), scaled(q.z())));
     const Vector_2 to_b = t.uv[2] - t.uv[1], to_v = t.uv[0] - t.uv[1];
-    const Vector_2 ab(scaled(to_b.x()), scaled(to_b.y())), av(scaled(to_v.x()), scaled(to_v.y())),
-        from_foot = av - c.foot * ab;
-    frobenius = 0.5 * c.inverse_area * (from_foot.squared_length() / c.height + c.height * ab.squared_length());
-    determinant = 0.5 * c.inverse_area * cross(ab, av);
+    const Point_2 a(0, 0), b(scaled(to_b.x()), scaled(to_b.y())), v(scaled(to_v.x()), scaled(to_v.y()));
+    frobenius = c.squared_frobenius_norm(v, a, b);
+    determinant = c.determinant(v, a, b);
     area = std::ldexp(1 / c.inverse_area, 2 * exponent);
   }
 

@@ -71,8 +71,6 @@ Place_constraints<TriangleMesh> place_constraints_of(const NamedParameters& np)
   return result;
 }
 
-inline void mirror(Point_2& p) { p = Point_2(-p.x(), p.y()); }
-
 inline void mirror_places(Triangulated_surface_3& surface)
 {
   for (Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices)

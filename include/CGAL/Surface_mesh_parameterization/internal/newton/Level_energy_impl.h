@@ -4,7 +4,6 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LEVEL_ENERGY_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LEVEL_ENERGY_IMPL_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/level_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -17,7 +16,7 @@ double Level_energy::sum_of_weights() const
   return m_level.loops().sum(0, Index(m_level.number_of_vertices()), 0., [&](Index v) {
     double sum = 0;
     const Rest_corners corners = m_level.rest_corners(v);
-    for_each_triangle_of_least_vertex(m_level, v, [&](Index, Index, std::size_t i) { sum += weight(corners[i]); });
+    m_level.rings().for_each_triangle_of_least_vertex(v, [&](Index, Index, std::size_t i) { sum += weight(corners[i]); });
     return sum;
   });
 }

@@ -7,7 +7,6 @@
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/level_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/corner_hessian.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
@@ -64,7 +63,7 @@ private:
       level().prefetch_neighbors_after(v, uv);
       const Rest_corners corners = level().rest_corners(v);
       double sum = 0;
-      for_each_triangle_of_least_vertex(level(), v, [&](Index a, Index b, std::size_t i) {
+      level().rings().for_each_triangle_of_least_vertex(v, [&](Index a, Index b, std::size_t i) {
         const Rest_corner c = corners[i];
         sum += weight(c) * value(c, uv[v], uv[a], uv[b]);
       });
@@ -75,12 +74,10 @@ private:
 
   double value(const Rest_corner& c, const Point_2& v, const Point_2& a, const Point_2& b) const
   {
-    const Vector_2 ab = b - a, x = v - a, from_foot = x - c.foot * ab;
-    const double doubled_area = cross(ab, x), scale = 0.5 * c.inverse_area;
-    if (Energy::is_flip_free && !(doubled_area > 0))
+    const double determinant = c.determinant(v, a, b);
+    if (Energy::is_flip_free && !(determinant > 0))
       return (std::numeric_limits<double>::infinity)();
-    return triangle_energy(c).value(scale * (from_foot.squared_length() / c.height + c.height * ab.squared_length()),
-                                    scale * doubled_area);
+    return triangle_energy(c).value(c.squared_frobenius_norm(v, a, b), determinant);
   }
 
   void assemble_rows(Index begin, Index end, const Level::Uv& uv, double indefinite_part, Block_vectors& gradient,

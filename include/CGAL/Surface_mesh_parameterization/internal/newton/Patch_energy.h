@@ -120,16 +120,12 @@ private:
 
     double determinant(const std::vector<Point_2>& uv) const
     {
-      const auto& [v, a, b] = vertices;
-      return 0.5 * corners[0].inverse_area * cross(uv[a] - uv[v], uv[b] - uv[v]);
+      return corners[0].determinant(uv[vertices[0]], uv[vertices[1]], uv[vertices[2]]);
     }
 
     double frobenius(const std::vector<Point_2>& uv) const
     {
-      const auto& [v, a, b] = vertices;
-      const Rest_corner& c = corners[0];
-      const Vector_2 ab = uv[b] - uv[a], from_foot = (uv[v] - uv[a]) - c.foot * ab;
-      return 0.5 * c.inverse_area * (from_foot.squared_length() / c.height + c.height * ab.squared_length());
+      return corners[0].squared_frobenius_norm(uv[vertices[0]], uv[vertices[1]], uv[vertices[2]]);
     }
   };
 
@@ -137,14 +133,12 @@ private:
   {
     m_triangles.clear();
     for (const Index v : m_vertices) {
-      const One_rings::Ring ring = m_rings[v];
-      for (std::size_t i = 0; i < m_rings.number_of_triangles(v); ++i) {
-        const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+      m_rings.for_each_triangle(v, [&](Index a, Index b, std::size_t) {
         if ((may_move(a) && a < v) || (may_move(b) && b < v))
-          continue;
+          return;
         const Point_3 &p = m_points[v], &q = m_points[a], &r = m_points[b];
         m_triangles.push_back({ { v, a, b }, { rest_corner(p, q, r), rest_corner(q, r, p), rest_corner(r, p, q) } });
-      }
+      });
     }
   }
 

@@ -6,7 +6,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/level_triangles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +22,7 @@ inline double longest_step_of_triangles(const Level& level, const Level::Uv& uv,
   return level.loops().min(0, Index(uv.size()), infinity, [&](Index v) {
     level.rings().prefetch_neighbors_after(v, uv);
     double least = infinity;
-    for_each_triangle_of_least_vertex(level, v, [&](Index a, Index b, std::size_t) {
+    level.rings().for_each_triangle_of_least_vertex(v, [&](Index a, Index b, std::size_t) {
       const Vector_2 p = uv[a] - uv[v], q = uv[b] - uv[v];
       const Block_vector d = direction[a] - direction[v], e = direction[b] - direction[v];
       const Vector_2 dp(d.x, d.y), dq(e.x, e.y);

@@ -47,6 +47,25 @@ public:
   Ring operator[](Index v) const { return { m_neighbors.data() + m_first[v], m_neighbors.data() + m_first[v + 1] }; }
   std::size_t number_of_triangles(Index v) const { return m_first[v + 1] - m_first[v] - (is_border(v) ? 1 : 0); }
 
+  // Calls f(a, b, i) for the triangles vab around v, the i-th ones.
+  template <class Function>
+  void for_each_triangle(Index v, const Function& f) const
+  {
+    const Ring ring = (*this)[v];
+    for (std::size_t i = 0; i < number_of_triangles(v); ++i)
+      f(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1], i);
+  }
+
+  // The same for those of which v is the least vertex: so a loop over the vertices meets every triangle once.
+  template <class Function>
+  void for_each_triangle_of_least_vertex(Index v, const Function& f) const
+  {
+    for_each_triangle(v, [&](Index a, Index b, std::size_t i) {
+      if (v < a && v < b)
+        f(a, b, i);
+    });
+  }
+
   // In a loop over vertices, at v: asks for the elements of an array that the neighbors of the next vertices have.
   template <class Array>
   BOOST_FORCEINLINE void prefetch_neighbors_after(Index v, const Array& array) const

@@ -36,6 +36,17 @@ struct Rest_corner
     return a + Vector_2(foot * ab.x() - height * ab.y(), foot * ab.y() + height * ab.x());
   }
 
+  // Of the map, s1^2 + s2^2 and s1 s2.
+  double squared_frobenius_norm(const Point_2& v, const Point_2& a, const Point_2& b) const
+  {
+    const Vector_2 ab = b - a, from_foot = (v - a) - foot * ab;
+    return 0.5 * inverse_area * (from_foot.squared_length() / height + height * ab.squared_length());
+  }
+  double determinant(const Point_2& v, const Point_2& a, const Point_2& b) const
+  {
+    return 0.5 * inverse_area * cross(b - a, v - a);
+  }
+
   double cotangent_at_a() const { return foot / height; }
   double cotangent_at_b() const { return (1 - foot) / height; }
   double cotangent_at_v() const { return (height * height - foot * (1 - foot)) / height; }

@@ -30,14 +30,11 @@ bool round_map(const One_rings& rings, Round_coordinate round, int exponent, std
   if (!round)
     return true;
   const bool is_mirrored = !uv.empty() && !is_star_positive(rings, uv, 0);
-  const auto mirror_if_needed = [&] {
-    if (is_mirrored)
-      for (Point_2& p : uv)
-        p = Point_2(-p.x(), p.y());
-  };
-  mirror_if_needed();
+  if (is_mirrored)
+    mirror(uv);
   const bool is_valid = round_positive_map(rings, round, exponent, uv);
-  mirror_if_needed();
+  if (is_mirrored)
+    mirror(uv);
   return is_valid;
 }
 

@@ -127,14 +127,12 @@ inline bool is_fan_valid(const One_rings& rings, const std::vector<Point_2>& uv,
 inline bool is_map_valid(const One_rings& rings, const std::vector<Point_2>& uv, const Loops& loops = Loops())
 {
   const auto has_positive_triangles = [&](Index v) {    // those of which v is the least vertex
-    const One_rings::Ring ring = rings[v];
+    bool are_positive = true;
     rings.prefetch_neighbors_after(v, uv);
-    for (std::size_t i = 0; i < rings.number_of_triangles(v); ++i) {
-      const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
-      if (v < a && v < b && !is_left_turn(uv[v], uv[a], uv[b]))
-        return false;
-    }
-    return true;
+    rings.for_each_triangle_of_least_vertex(v, [&](Index a, Index b, std::size_t) {
+      are_positive = are_positive && is_left_turn(uv[v], uv[a], uv[b]);
+    });
+    return are_positive;
   };
   const auto turns_right = [&](Index v) {
     rings.prefetch_neighbors_after(v, uv);
