@@ -37,8 +37,10 @@ Method_error error_of(const SMP::Parameterization_summary& summary, const Option
            summary.error.code };
 }
 
-void check_quality(const SMP::Parameterization_quality& quality, bool may_flip, bool may_overlap)
+void check_quality(const SMP::Parameterization_quality& quality, bool may_flip, bool may_overlap, bool may_mirror)
 {
+  if (quality.is_mirrored && !may_mirror)
+    throw Method_error{ "the map is mirrored", SMP::ERROR_NO_1_TO_1_MAPPING };
   if (quality.flips > 0 && !may_flip)
     throw Method_error{ "no map without flips was found: " + std::to_string(quality.flips) +
                             " triangles are not positive",
@@ -61,7 +63,8 @@ void lay_out_chart(Input& input, const Options& options, Run_record& run)
   if (!run.summary.is_ok())
     throw error_of(run.summary, options);
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(input.mesh, input.faces, input.uvmap);
-  check_quality(quality, !options.method->is_flip_free, !options.is_globally_injective);
+  check_quality(quality, !options.method->is_flip_free, !options.is_globally_injective,
+                !options.method->is_flip_free || !options.hold.empty());
   run.quality = quality;
 }
 
@@ -139,7 +142,8 @@ void lay_out_atlas(Input& input, const Options& options, Run_record& run)
                          : error_of(failed.front()->summary, options);
   run.summary = summary_of(*run.atlas);
   const SMP::Parameterization_quality quality = SMP::atlas_quality(input.mesh, input.faces, input.corner_map);
-  check_quality(quality, !options.method->is_flip_free, !options.method->is_flip_free);
+  const bool may_flip = !options.method->is_flip_free;
+  check_quality(quality, may_flip, may_flip, may_flip);
   run.quality = quality;
 }
 

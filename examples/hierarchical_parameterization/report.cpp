@@ -89,6 +89,7 @@ std::string report_line(const Run_record& run)
     report["quality"] = { { "flips", quality->flips },
                           { "degenerate", quality->degenerate },
                           { "overlaps", quality->overlaps },
+                          { "is_mirrored", quality->is_mirrored },
                           { "mips", quality->mips },
                           { "mips_excess", quality->mips_excess },
                           { "symmetric_dirichlet", quality->symmetric_dirichlet },

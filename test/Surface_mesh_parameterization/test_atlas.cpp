@@ -340,6 +340,8 @@ TEST(Atlas, is_not_made_if_a_visitor_stops_a_chart)
     EXPECT_EQ(summary.error.code, ERROR_STOPPED);
     EXPECT_LT(most_calls, all_calls);
     EXPECT_EQ(calls, most_calls);
+    for (const Atlas_summary::Chart& chart : summary.charts)
+      EXPECT_TRUE(chart.faces > 0 && (!chart.summary.is_ok() || &chart == &summary.charts.front()));
     for (const Kernel::Point_2& p : surface.corners())
       EXPECT_EQ(p, untouched);
   }

@@ -288,8 +288,6 @@ TEST(Multigrid_solver_traits, solves_rows_of_very_different_size_directly)
   EXPECT_EQ(on.solver.summary().failures, 0u);
 }
 
-// The unknowns of which sit elsewhere than the vertex index map says.
-// Whether the 0 is stored or not.
 TEST(Multigrid_solver_traits, solves_directly_what_has_0_on_the_diagonal)
 {
   const double x[3] = { 1, -2, 3 };
@@ -335,6 +333,7 @@ TEST(Mesh_system, tells_symmetric_matrices_from_others)
         }
 }
 
+// The unknowns of which sit elsewhere than the vertex index map says.
 TEST(Multigrid_solver_traits, solves_directly_what_does_not_match_the_mesh)
 {
   const Flat_mesh m = delaunay_patch(2000, 1, wavy);

@@ -72,14 +72,15 @@ public:
   /// \return whether the method was asked to keep borders apart
   bool keep_borders_apart(bool yes);
 
-  /// optional, for a method whose results may have flips: the energy of a map of a level, as `Level_summary` reports it.
-  /// If so, the summary of a repaired map has its energy
+  /// optional, with the next one, for a method whose results may have flips: the energy of a map of a level, as
+  /// `Level_summary` reports it. If so, the summary of a repaired map has its energy
   double energy(const CGAL::Surface_mesh_parameterization::Level& level,
                 const CGAL::Surface_mesh_parameterization::Level::Uv& uv) const;
 
-  /// optional, beside `energy()`: improves a flip-free map of the finest level and keeps it flip-free. It is called with
-  /// the map that `refine()` started from, if a repair of the result failed or moved more than a tenth of the vertices,
-  /// and gives the result if the repair failed or left more energy.
+  /// optional, with `energy()`: improves a flip-free map of the finest level and keeps it flip-free. It is called with
+  /// the map that `refine()` started from, if that has no flips and a repair of the result failed, moved a vertex whose
+  /// place is given, or moved more than a tenth of the vertices. It gives the result if the repair failed, or if its map
+  /// has less energy or more vertices at their given places.
   ///
   /// \return `OK` or an error
   CGAL::Surface_mesh_parameterization::Error_code

@@ -66,7 +66,8 @@ public:
       internal::Joined_names<internal::Place_constraint_names, typename Base::Flat_option_names>>   Option_names;
   /// \endcond
 
-  /// whether vertices may be held at given places. A repair of flips that would have to move one fails
+  /// whether vertices may be held at given places. A repair of flips that would have to move one gives way to a map
+  /// without flips, see `refine_without_flips()`
   static constexpr bool holds_vertices = true;
 
   /// \param np
@@ -118,8 +119,9 @@ public:
     return std::ldexp(level_energy(level)(uv), -2 * level.scale_exponent());
   }
 
-  /// improves a flip-free map of a level for the symmetric Dirichlet energy, and keeps it flip-free. On the finest level
-  /// this is the result where a repair of flips would fail, or leave little of the map at a higher energy.
+  /// improves a flip-free map of a level for the symmetric Dirichlet energy, and keeps it flip-free. On the finest
+  /// level this is the result where a repair of flips would fail, move a vertex that is held, or leave little of the
+  /// map at a higher energy.
   /// \return `OK`, or `ERROR_STOPPED`
   Error_code refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {

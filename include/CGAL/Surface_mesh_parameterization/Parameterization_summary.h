@@ -88,7 +88,7 @@ struct Parameterization_summary
   /// triangles that the method flipped, before a repair; if there are none, vertices around which its map winds more
   /// than once, or not at all. Not counted if the `Flip_policy` is `KEEP`
   std::size_t flips = 0;
-  std::size_t moved_vertices = 0;         ///< vertices that the repair moved
+  std::size_t moved_vertices = 0;         ///< vertices that the repair moved; all if the map was replaced
   /// whether the repair would have left little of the map, so that a method without flips made another one
   bool is_replaced = false;
   Linear_solver_summary linear_solver;    ///< of a method that solves linear systems by multigrid

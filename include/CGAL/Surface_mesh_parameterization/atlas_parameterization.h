@@ -146,7 +146,10 @@ std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, c
                                       Atlas_summary& result)
 {
   const Index number_of_charts = Index(atlas.charts.size());
-  result.charts.resize(number_of_charts);
+  for (const std::vector<Index>& faces : atlas.charts) {
+    result.charts.push_back({ faces.size(), Parameterization_summary() });
+    result.charts.back().summary.error.code = ERROR_STOPPED;      // until it has been laid out
+  }
   atlas.uv.assign(atlas.mesh.number_of_vertices(), Point_2(0, 0));
   std::atomic<bool> is_stopped(false);
   const auto make_scratch = [&] { return std::vector<Index>(atlas.mesh.number_of_vertices(), no_index); };
@@ -164,7 +167,7 @@ std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, c
         for (std::size_t j = 0; j < vertices.size(); ++j)
           atlas.uv[vertices[j]] = uv[j];
       }
-      result.charts[i] = { faces.size(), std::move(summary) };
+      result.charts[i].summary = std::move(summary);
     }
   };
   loops.for_each_block_with_scratch(0, number_of_charts, make_scratch, parameterize, 1);
@@ -210,7 +213,8 @@ std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, c
 /// - `edge_is_constrained_map`: a readable property map from edges to `bool`: where the surface is cut in any case;
 ///   default: nowhere
 /// \param np_of_charts those of `hierarchical_parameterization()`, for every chart. A `visitor` is told of one chart
-///        after the other; if it stops one, there is no atlas
+///        after the other, with `CGAL::Parallel_tag` of several at the same time, in their threads; if it stops one,
+///        no other one begins, and there is no atlas
 ///
 /// \return what was done, with the first error
 template <template <class...> class Method = Symmetric_Dirichlet_parameterizer_3, class ConcurrencyTag = Sequential_tag,

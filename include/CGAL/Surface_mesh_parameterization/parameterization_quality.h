@@ -36,13 +36,13 @@ namespace CGAL::Surface_mesh_parameterization {
 /// are those of its mirror image.
 struct Parameterization_quality
 {
-  bool is_mirrored = false;     ///< whether most triangles are negative, that is, clockwise
   /// triangles that are not turned as most are, by exact predicates: flipped, degenerate, or with a coordinate that is
   /// not finite
   std::size_t flips = 0;
   std::size_t degenerate = 0;   ///< those of them whose corners lie on a line
   std::size_t overlaps =
       0;      ///< pairs of triangles whose interiors meet, by exact predicates; if a map overlaps itself many times, only a part is counted
+  bool is_mirrored = false;     ///< whether most triangles are negative, that is, clockwise
   double mips = 0;              ///< sum over the triangles of `s1/s2 + s2/s1`
   double mips_excess = 0;       ///< `mips` less its minimum, which is 2 per triangle
   double symmetric_dirichlet =

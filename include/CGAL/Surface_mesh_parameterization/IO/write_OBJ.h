@@ -169,11 +169,11 @@ void write_OBJ(std::ostream& os, const TriangleMesh& mesh, UVMap uvmap)
 {
   typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
                            internal::Halfedge_uv_map_check<UVMap, TriangleMesh, true>>   Check;
-  if constexpr (internal::Readable_uv_map_check<UVMap, TriangleMesh>::value)
+  if constexpr (Check::value)
+    internal::write_OBJ(os, mesh, uvmap);
+  else if constexpr (internal::Readable_uv_map_check<UVMap, TriangleMesh>::value)
     write_OBJ(os, mesh, uvmap,
               CGAL::Constant_property_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, bool>(true));
-  else if constexpr (Check::value)
-    internal::write_OBJ(os, mesh, uvmap);
   else
     Check::tell();
 }

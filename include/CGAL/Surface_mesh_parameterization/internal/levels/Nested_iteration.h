@@ -41,9 +41,11 @@ public:
   virtual bool leave_room() = 0;
   virtual bool keep_borders_apart(bool yes) = 0;
 
-  // The energy of a map, and a map without flips from another one. Returns false if the method has no such function.
-  virtual bool find_energy(const Level& level, const Level::Uv& uv, double& energy) const = 0;
-  virtual bool refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) = 0;
+  // Whether a method whose results may have flips has the next two functions, too: the energy of a map, and another way
+  // to refine one, without flips.
+  virtual bool has_other_way() const = 0;
+  virtual double energy(const Level& level, const Level::Uv& uv) const = 0;
+  virtual Error_code refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) = 0;
 
   // Does with the flips of a finished map what the policy says, see internal::settle_flips().
   virtual Error_code settle_flips(const Flip_settlement& settlement, const One_rings& rings,
@@ -149,7 +151,7 @@ private:
   bool m_watches_borders = false;
   Level::Uv m_map_apart;            // of the finest level so far on which no borders met; empty if there is none
   std::size_t m_level_apart = 0;
-  Level::Uv m_map_before;           // on the finest level, before the method may flip triangles, where a repair may follow
+  Level::Uv m_map_before;           // of the finest level, as the method got it; empty if it has no other way
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

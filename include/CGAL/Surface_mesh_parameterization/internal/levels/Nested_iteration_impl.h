@@ -185,7 +185,7 @@ Error_code Nested_iteration::refine(const Level& level, Level::Uv& uv)
   Level_summary& summary = m_summary.levels.back();
   summary.vertices = level.number_of_vertices();
   summary.faces = level.number_of_faces();
-  if (level.is_finest() && m_options.flips.policy == Flip_policy::REPAIR)
+  if (level.is_finest() && m_options.flips.policy == Flip_policy::REPAIR && m_method.has_other_way())
     m_map_before = uv;
   const Error_code status = m_method.refine(level, uv, summary);
   summary.seconds = m_timer_of_level.time();
@@ -238,9 +238,9 @@ Error_code Nested_iteration::settle_flips(const Level& level, Level::Uv& uv)
     return surface;
   };
   const Error_code status = m_method.settle_flips(m_options.flips, level.rings(), surface_by_rank, uv, m_summary);
-  if (m_options.flips.policy != Flip_policy::REPAIR || (status == OK && m_summary.moved_vertices == 0))
+  if (m_map_before.empty() || (status == OK && m_summary.moved_vertices == 0))
     return status;
-  m_method.find_energy(level, uv, m_summary.energy);
+  m_summary.energy = m_method.energy(level, uv);
   const bool leaves_little = m_summary.moved_vertices > uv.size() / greatest_part_moved;
   return status == OK && !leaves_little && displaced_vertices(level, uv).empty() ? OK : replace_map(level, status, uv);
 }
@@ -248,13 +248,17 @@ Error_code Nested_iteration::settle_flips(const Level& level, Level::Uv& uv)
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::replace_map(const Level& level, Error_code status, Level::Uv& uv)
 {
-  Level_summary summary;
-  double energy;
-  if (!is_map_valid(level.rings(), m_map_before) || !m_method.refine_without_flips(level, m_map_before, summary) ||
-      !m_method.find_energy(level, m_map_before, energy))
+  if (!is_map_valid(level.rings(), m_map_before))
     return status;
+  Level_summary summary = m_summary.levels.back();      // its iterations go on
+  const Error_code other_status = m_method.refine_without_flips(level, m_map_before, summary);
   if (m_progress.is_stopped())
     return ERROR_STOPPED;
+  if (other_status != OK)
+    return status;
+  m_summary.levels.back().iterations = summary.iterations;
+  m_summary.levels.back().cycles = summary.cycles;
+  const double energy = m_method.energy(level, m_map_before);
   const bool is_better = status != OK || energy < m_summary.energy ||
                          displaced_vertices(level, m_map_before).size() < displaced_vertices(level, uv).size();
   if (!is_better)

@@ -71,8 +71,8 @@ inline std::size_t count_windings(const One_rings& rings, const std::vector<Poin
   return result;
 }
 
-// Gives new places to vertices near the flips of a map, where that removes flips. Returns at how many vertices the map is
-// not valid then. A map with a place that is not finite is left to the hierarchy.
+// Gives new places to vertices near the flips of a map, where that removes flips. Returns at how many vertices the map
+// is not valid then. A map with a place that is not finite is left to the hierarchy.
 inline std::size_t repair_patches(const Triangulated_surface_3& surface, std::vector<Point_2>& uv)
 {
   if (!are_finite(uv))

@@ -52,17 +52,22 @@ public:
   bool leave_room() override { return leave_room(m_method, 0); }
   bool keep_borders_apart(bool yes) override { return keep_borders_apart(m_method, yes, 0); }
 
-  bool find_energy(const Level& level, const Level::Uv& uv, double& energy) const override
+  bool has_other_way() const override
+  {
+    return is_detected<Energy_of, Method> && is_detected<Refined_without_flips, Method>;
+  }
+  double energy([[maybe_unused]] const Level& level, [[maybe_unused]] const Level::Uv& uv) const override
   {
     if constexpr (is_detected<Energy_of, Method>)
-      energy = m_method.energy(level, uv);
-    return is_detected<Energy_of, Method>;
+      return m_method.energy(level, uv);
+    return 0;
   }
-  bool refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) override
+  Error_code refine_without_flips([[maybe_unused]] const Level& level, [[maybe_unused]] Level::Uv& uv,
+                                  [[maybe_unused]] Level_summary& summary) override
   {
     if constexpr (is_detected<Refined_without_flips, Method>)
-      return m_method.refine_without_flips(level, uv, summary) == OK;
-    return false;
+      return m_method.refine_without_flips(level, uv, summary);
+    return ERROR_NO_1_TO_1_MAPPING;
   }
 
   // Results without flips need no repair, and their methods do not compile it.

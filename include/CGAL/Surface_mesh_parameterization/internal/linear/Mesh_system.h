@@ -190,7 +190,8 @@ private:
     constexpr double tolerance = 1e-10;
     const Rows& a = *m_rows;
     const auto vanishes = [&](double value, Index i, Index j) {
-      return std::abs(value * m_inverse_diagonal[i]) <= tolerance && std::abs(value * m_inverse_diagonal[j]) <= tolerance;
+      return std::abs(value * m_inverse_diagonal[i]) <= tolerance &&
+             std::abs(value * m_inverse_diagonal[j]) <= tolerance;
     };
     std::vector<Index> next(a.first.begin(), a.first.end() - 1);
     const auto pass_below = [&](Index j, Index end) {

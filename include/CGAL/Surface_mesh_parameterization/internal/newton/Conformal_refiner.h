@@ -39,13 +39,15 @@ public:
     newton.fix_vertices(vertices_to_hold());
     double current = m_energy(m_uv);
     bool may_go_on = tell(current, 0);
-    while (may_go_on && m_summary.iterations < m_options.number_of_iterations && !m_summary.converged) {
+    const std::size_t iterations_before = m_summary.iterations;
+    std::size_t iterations = 0;
+    while (may_go_on && iterations < m_options.number_of_iterations && !m_summary.converged) {
       const auto step = newton.step(m_uv, current);
       current -= step.decrease;
-      ++m_summary.iterations;
+      m_summary.iterations = iterations_before + ++iterations;
       m_summary.cycles += step.cycles;
       m_summary.converged = !(step.decrease > m_options.tolerance * current);
-      may_go_on = tell(current, part_of_iteration(step.decrease / current, m_options.tolerance, m_summary.iterations,
+      may_go_on = tell(current, part_of_iteration(step.decrease / current, m_options.tolerance, iterations,
                                                   m_options.number_of_iterations));
     }
     return may_go_on;

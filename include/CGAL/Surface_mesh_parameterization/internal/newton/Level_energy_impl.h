@@ -16,7 +16,9 @@ double Level_energy::sum_of_weights() const
   return m_level.loops().sum(0, Index(m_level.number_of_vertices()), 0., [&](Index v) {
     double sum = 0;
     const Rest_corners corners = m_level.rest_corners(v);
-    m_level.rings().for_each_triangle_of_least_vertex(v, [&](Index, Index, std::size_t i) { sum += weight(corners[i]); });
+    m_level.rings().for_each_triangle_of_least_vertex(v, [&](Index, Index, std::size_t i) {
+      sum += weight(corners[i]);
+    });
     return sum;
   });
 }

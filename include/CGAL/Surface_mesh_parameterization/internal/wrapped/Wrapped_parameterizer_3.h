@@ -113,13 +113,12 @@ private:
                                          std::forward<Others>(others)...);
     });
     const auto run_relative = this->optional_steps().run_relative;
-    if (code == OK)
+    if (code == OK) {
       code = run.settle_flips(uv, run_relative != nullptr);
-    if (run_relative && run.is_map_lost()) {
-      code = run.replace_map(uv, [&](std::vector<Point_2>& places, Parameterization_summary& summary) {
-        return run_relative(mesh, bhd, run.index(), places, run.progress(), summary);
-      });
-      is_placed.assign(uv.size(), true);
+      if (run_relative && run.is_map_lost())
+        code = run.replace_map(uv, is_placed, [&](std::vector<Point_2>& places, Parameterization_summary& summary) {
+          return run_relative(mesh, bhd, run.index(), places, run.progress(), summary);
+        });
     }
     if (code == OK)
       code = run.finish();

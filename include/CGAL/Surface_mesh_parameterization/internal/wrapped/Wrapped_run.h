@@ -172,13 +172,17 @@ public:
            (error() == ERROR_NO_1_TO_1_MAPPING || summary().moved_vertices > m_vertices.size() / 10);
   }
 
-  // Makes another map by `make_map(map, summary)`; the summary tells of both.
+  // Makes another map by `make_map(map, summary)`; the summary tells of both. If there is none, a repaired map stays.
   template <class Point, class Function>
-  Error_code replace_map(std::vector<Point>& uv, const Function& make_map)
+  Error_code replace_map(std::vector<Point>& uv, std::vector<char>& is_placed, const Function& make_map)
   {
     std::vector<Point_2> map(uv.size());
     Parameterization_summary other;
-    make_map(map, other);
+    if (const Error_code code = make_map(map, other); code != OK) {
+      if (code == ERROR_STOPPED || error() != OK)
+        summary().error = other.error;
+      return error();
+    }
     other.flips = summary().flips;
     other.moved_vertices = uv.size();
     other.is_replaced = true;
@@ -186,8 +190,8 @@ public:
     other.seconds_hierarchy += summary().seconds_hierarchy;
     other.seconds_parameterize = m_timer.time() - other.seconds_hierarchy;
     summary() = other;
-    if (error() == OK)
-      round_and_copy(map, uv);
+    round_and_copy(map, uv);
+    is_placed.assign(uv.size(), true);
     return error();
   }
 
