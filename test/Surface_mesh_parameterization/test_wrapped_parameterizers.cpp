@@ -244,24 +244,24 @@ TEST(Wrapped_LSCM, gives_way_to_a_method_without_flips)
 {
   typedef LSCM_parameterizer_3<Surface_mesh, Ends_of_border<Surface_mesh>>            LSCM;
   auto mesh = make<Surface_mesh>(tube_with_waves(200, 40));
-  Mapped<Surface_mesh> mapped(mesh);
+  Mapped<Surface_mesh> failed(mesh), repaired(mesh), kept(mesh);      // each knows which vertices have a place
   Parameterization_summary summary;
-  const auto run = [&](Flip_policy policy) {
+  const auto run = [&](Mapped<Surface_mesh>& mapped, Flip_policy policy) {
     return mapped.parameterize(
         Hierarchical_parameterizer_3<LSCM>(Ends_of_border<Surface_mesh>(),
                                            parameters::flip_policy(policy).summary(std::ref(summary))),
         longest_border(mesh));
   };
-  EXPECT_EQ(run(Flip_policy::FAIL), ERROR_NO_1_TO_1_MAPPING);
-  EXPECT_TRUE(mapped.is_untouched());
+  EXPECT_EQ(run(failed, Flip_policy::FAIL), ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_TRUE(failed.is_untouched());
   EXPECT_FALSE(summary.is_replaced);
-  EXPECT_EQ(run(Flip_policy::REPAIR), OK);
-  EXPECT_EQ(parameterization_quality(mesh, mapped.uvmap).flips, 0u);
+  EXPECT_EQ(run(repaired, Flip_policy::REPAIR), OK);
+  EXPECT_EQ(parameterization_quality(mesh, repaired.uvmap).flips, 0u);
   EXPECT_TRUE(summary.is_replaced);
   EXPECT_EQ(summary.moved_vertices, mesh.number_of_vertices());
   EXPECT_GT(summary.flips, 0u);
-  EXPECT_EQ(run(Flip_policy::KEEP), OK);
-  EXPECT_GT(parameterization_quality(mesh, mapped.uvmap).flips, 0u);
+  EXPECT_EQ(run(kept, Flip_policy::KEEP), OK);
+  EXPECT_GT(parameterization_quality(mesh, kept.uvmap).flips, 0u);
   EXPECT_FALSE(summary.is_replaced);
 }
 
