@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_INPUT_SURFACE_H
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 
@@ -12,6 +13,9 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The surface that a hierarchy was built from.
 Triangulated_surface_3 input_surface(const Collapse_hierarchy_3& hierarchy);
+
+// Points, triangles and outer border of a level, its vertices by rank.
+Triangulated_surface_3 surface_by_rank(const Level& level);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

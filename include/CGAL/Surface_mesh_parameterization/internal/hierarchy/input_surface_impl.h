@@ -33,6 +33,19 @@ Triangulated_surface_3 input_surface(const Collapse_hierarchy_3& hierarchy)
   return surface;
 }
 
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Triangulated_surface_3 surface_by_rank(const Level& level)
+{
+  Triangulated_surface_3 surface;
+  surface.triangles = level.triangles();
+  for (Index v = 0; v < level.number_of_vertices(); ++v) {
+    surface.points.push_back(level.point(v));
+    if (level.hierarchy().is_on_outer_border(v))
+      surface.outer_border.push_back(v);
+  }
+  return surface;
+}
+
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_INPUT_SURFACE_IMPL_H

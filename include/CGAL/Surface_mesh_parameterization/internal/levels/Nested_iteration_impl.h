@@ -227,17 +227,8 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::settle_flips(const Level& level, Level::Uv& uv)
 {
   constexpr std::size_t greatest_part_moved = 10;      // a tenth of the vertices
-  const auto surface_by_rank = [&] {
-    Triangulated_surface_3 surface;
-    surface.triangles = level.triangles();
-    for (Index v = 0; v < level.number_of_vertices(); ++v) {
-      surface.points.push_back(level.point(v));
-      if (level.hierarchy().is_on_outer_border(v))
-        surface.outer_border.push_back(v);
-    }
-    return surface;
-  };
-  const Error_code status = m_method.settle_flips(m_options.flips, level.rings(), surface_by_rank, uv, m_summary);
+  const Error_code status = m_method.settle_flips(
+      m_options.flips, level.rings(), [&] { return surface_by_rank(level); }, uv, m_summary);
   if (m_map_before.empty() || (status == OK && m_summary.moved_vertices == 0))
     return status;
   m_summary.energy = m_method.energy(level, uv);
