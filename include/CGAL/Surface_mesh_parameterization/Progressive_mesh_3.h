@@ -7,13 +7,13 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
 
 #include <CGAL/assertions.h>
 
 #include <boost/range/iterator_range.hpp>
 
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -33,12 +33,12 @@ public:
 
   /// starts at level 0
   explicit Progressive_mesh_3(const Collapse_hierarchy_3& hierarchy)
-    : m_hierarchy(&hierarchy), m_number_of_vertices(hierarchy.number_of_vertices(0))
+    : m_hierarchy(&hierarchy), m_number_of_vertices(hierarchy.number_of_vertices(0)),
+      m_fan_faces(collect_fan_faces(hierarchy))
   {
     m_triangles.reserve(hierarchy.number_of_faces());
     for (std::size_t f = 0; f < hierarchy.number_of_faces(0); ++f)
       m_triangles.push_back(hierarchy.last_triangle(Index(f)));
-    collect_fan_faces();
   }
 
   /// the hierarchy
@@ -53,8 +53,7 @@ public:
   /// the ranks of the faces whose corner `v`, which is not on level 0, becomes `hierarchy().kept_vertex(v)`
   boost::iterator_range<const Index*> fan_faces(Index v) const
   {
-    const std::size_t split = v - m_hierarchy->number_of_vertices(0);
-    return { m_fan_faces.data() + m_first_fan_face[split], m_fan_faces.data() + m_first_fan_face[split + 1] };
+    return m_fan_faces[v - m_hierarchy->number_of_vertices(0)];
   }
 
   /// undoes one collapse: brings back the missing vertex with the least rank.
@@ -92,29 +91,26 @@ public:
   }
 
 private:
-  // A counting sort of the faces by the vertices that they lose as corners, but for the last one.
-  void collect_fan_faces()
+  typedef internal::Compressed_lists<Index>   Faces_of_splits;
+
+  // The faces by the vertices that they lose as corners, but for the last one.
+  static Faces_of_splits collect_fan_faces(const Collapse_hierarchy_3& hierarchy)
   {
-    const Index coarsest_vertices = Index(m_hierarchy->number_of_vertices(0));
-    const auto for_each_lost_corner = [&](const auto& f) {
-      for (Index face = 0; face < m_hierarchy->number_of_faces(); ++face) {
-        const Triangle last = m_hierarchy->last_triangle(face);
+    const std::size_t coarsest_vertices = hierarchy.number_of_vertices(0);
+    return Faces_of_splits(hierarchy.number_of_vertices() - coarsest_vertices, [&](const auto& add) {
+      for (Index face = 0; face < hierarchy.number_of_faces(); ++face) {
+        const Triangle last = hierarchy.last_triangle(face);
         for (int i = 0; i < 3; ++i)
-          for (Index v = m_hierarchy->triangles()[face][i]; v != last[i]; v = m_hierarchy->kept_vertex(v))
-            f(v - coarsest_vertices, face);
+          for (Index v = hierarchy.triangles()[face][i]; v != last[i]; v = hierarchy.kept_vertex(v))
+            add(Index(v - coarsest_vertices), face);
       }
-    };
-    m_first_fan_face.assign(m_hierarchy->number_of_vertices() - coarsest_vertices + 2, 0);
-    for_each_lost_corner([&](Index split, Index) { ++m_first_fan_face[split + 2]; });
-    std::partial_sum(m_first_fan_face.begin(), m_first_fan_face.end(), m_first_fan_face.begin());
-    m_fan_faces.resize(m_first_fan_face.back());
-    for_each_lost_corner([&](Index split, Index face) { m_fan_faces[m_first_fan_face[split + 1]++] = face; });
+    });
   }
 
   const Collapse_hierarchy_3* m_hierarchy;
   std::size_t m_number_of_vertices;
   std::vector<Triangle> m_triangles;
-  std::vector<Index> m_first_fan_face, m_fan_faces;     // where those of each split begin, and they, by rank
+  Faces_of_splits m_fan_faces;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

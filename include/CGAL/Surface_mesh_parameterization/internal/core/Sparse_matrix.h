@@ -8,6 +8,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 
+#include <boost/range/iterator_range.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <memory>
@@ -103,11 +105,11 @@ private:
     return true;
   }
 
-  // Counting sort of what waits by rows; then each row is merged with what it had.
+  // Merges each row with what waits for it.
   void merge() const;
 
   // Of the columns that the row has met, `place` tells where in `row` they are; of others, anything.
-  void merge_row(Index i, const Index* begin, const Index* end, std::vector<Index>& place,
+  void merge_row(Index i, boost::iterator_range<const Index*> waiting, std::vector<Index>& place,
                  std::vector<std::pair<Index, double>>& row, Rows& merged) const;
 
   std::size_t m_columns;

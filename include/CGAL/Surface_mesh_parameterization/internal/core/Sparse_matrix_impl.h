@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_SPARSE_MATRIX_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_SPARSE_MATRIX_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
 
 #include <CGAL/assertions.h>
@@ -37,14 +38,10 @@ void Sparse_matrix::merge() const
     return;
   const Rows& old = *m_rows;
   const Index n = old.number_of_rows();
-  std::vector<Index> order(m_waiting.size()), next(n + 1, 0);
-  for (const Entry& e : m_waiting)
-    ++next[e.row + 1];
-  for (Index i = 0; i < n; ++i)
-    next[i + 1] += next[i];
-  for (std::size_t k = 0; k < m_waiting.size(); ++k)
-    order[next[m_waiting[k].row]++] = Index(k);       // from here on next[i] ends row i
-
+  const Compressed_lists<Index> waiting_of_row(n, [this](const auto& add) {
+    for (std::size_t k = 0; k < m_waiting.size(); ++k)
+      add(m_waiting[k].row, Index(k));
+  });
   const auto merged = std::make_shared<Rows>();
   merged->first.reserve(n + 1);
   merged->first.push_back(0);
@@ -53,7 +50,7 @@ void Sparse_matrix::merge() const
   std::vector<Index> place(m_columns, 0);
   std::vector<std::pair<Index, double>> row;
   for (Index i = 0; i < n; ++i)
-    merge_row(i, order.data() + (i == 0 ? 0 : next[i - 1]), order.data() + next[i], place, row, *merged);
+    merge_row(i, waiting_of_row[i], place, row, *merged);
   merged->columns.shrink_to_fit();
   merged->values.shrink_to_fit();
   m_rows = merged;
@@ -62,7 +59,7 @@ void Sparse_matrix::merge() const
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void Sparse_matrix::merge_row(Index i, const Index* begin, const Index* end, std::vector<Index>& place,
+void Sparse_matrix::merge_row(Index i, boost::iterator_range<const Index*> waiting, std::vector<Index>& place,
                               std::vector<std::pair<Index, double>>& row, Rows& merged) const
 {
   row.clear();
@@ -75,8 +72,8 @@ void Sparse_matrix::merge_row(Index i, const Index* begin, const Index* end, std
   };
   for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k)
     at(m_rows->columns[k]) = m_rows->values[k];
-  for (; begin != end; ++begin) {
-    const Entry& e = m_waiting[*begin];
+  for (const Index k : waiting) {
+    const Entry& e = m_waiting[k];
     double& value = at(e.column);
     value = e.replaces ? e.value : value + e.value;
   }

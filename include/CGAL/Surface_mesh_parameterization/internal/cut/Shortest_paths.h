@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_SHORTEST_PATHS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_SHORTEST_PATHS_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
@@ -21,7 +22,7 @@ public:
   explicit Shortest_paths(const Corner_mesh& mesh);
 
   // A place is a vertex that is on no border, or a border.
-  Index number_of_places() const { return Index(m_first.size() - 1); }
+  Index number_of_places() const { return Index(m_is_border.size()); }
   Index place(Index v) const { return m_place[v]; }
   bool is_border(Index place) const { return m_is_border[place]; }
 
@@ -44,7 +45,7 @@ private:
   const Corner_mesh& m_mesh;
   std::vector<Index> m_place;                       // by vertex
   std::vector<bool> m_is_border;                    // by place
-  std::vector<Index> m_first, m_leaving;            // the halfedges that leave each place
+  Compressed_lists<Index> m_leaving;                // the halfedges that leave each place
   std::vector<double> m_distance;
   std::vector<Index> m_last_halfedge;
 };

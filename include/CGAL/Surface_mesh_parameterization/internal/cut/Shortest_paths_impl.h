@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -30,16 +29,10 @@ Shortest_paths::Shortest_paths(const Corner_mesh& mesh)
       m_is_border.push_back(false);
     }
 
-  // A counting sort.
-  m_first.assign(m_is_border.size() + 1, 0);
-  for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
-    ++m_first[m_place[mesh.source(h)] + 1];
-  std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
-  m_leaving.resize(mesh.number_of_halfedges());
-  std::vector<Index> end(m_first.begin(), m_first.end() - 1);
-  for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
-    m_leaving[end[m_place[mesh.source(h)]]++] = h;
-
+  m_leaving = Compressed_lists<Index>(m_is_border.size(), [this](const auto& add) {
+    for (Index h = 0; h < m_mesh.number_of_halfedges(); ++h)
+      add(m_place[m_mesh.source(h)], h);
+  });
   m_distance.assign(m_is_border.size(), (std::numeric_limits<double>::infinity)());
   m_last_halfedge.assign(m_is_border.size(), no_index);
 }
@@ -60,8 +53,8 @@ void Shortest_paths::add_sources(const std::vector<Index>& places)
     queue.pop();
     if (distance > m_distance[place])
       continue;
-    for (Index i = m_first[place]; i < m_first[place + 1]; ++i) {
-      const Index h = m_leaving[i], neighbor = m_place[m_mesh.target(h)];
+    for (const Index h : m_leaving[place]) {
+      const Index neighbor = m_place[m_mesh.target(h)];
       const double other_distance = distance + length(m_mesh, h);
       if (other_distance < m_distance[neighbor]) {
         m_distance[neighbor] = other_distance;

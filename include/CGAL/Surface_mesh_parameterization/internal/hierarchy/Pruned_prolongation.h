@@ -4,10 +4,9 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_PRUNED_PROLONGATION_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_PRUNED_PROLONGATION_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
-
-#include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <array>
@@ -41,22 +40,8 @@ public:
   };
 
   // The rows in which each coarse vertex occurs, its own first.
-  class Transpose
-  {
-  public:
-    struct Entry { Index row; float weight; };
-
-    explicit Transpose(const Pruned_prolongation& p);
-
-    boost::iterator_range<const Entry*> operator[](Index v) const
-    {
-      return { m_entries.data() + (v == 0 ? 0 : m_end[v - 1]), m_entries.data() + m_end[v] };
-    }
-
-  private:
-    std::vector<Index> m_end;
-    std::vector<Entry> m_entries;
-  };
+  struct Transpose_entry { Index row; float weight; };
+  typedef Compressed_lists<Transpose_entry>   Transpose;
 
   // `hierarchy`: a Collapse_hierarchy_3 or its Hierarchy_interpolation
   template <class Hierarchy>
@@ -82,7 +67,24 @@ public:
   // The row of a vertex that the coarse level does not have.
   const Row& new_row(Index v) const { return m_rows[v - m_coarse_size]; }
 
-  Transpose transposed() const { return Transpose(*this); }
+  Transpose transposed() const
+  {
+    return transposed(m_coarse_size, fine_size(), [this](Index v) { return row(v); });
+  }
+
+  // The same of any rows.
+  template <class Row_function>
+  static Transpose transposed(std::size_t number_of_columns, std::size_t number_of_rows, const Row_function& row)
+  {
+    return Transpose(number_of_columns, [&](const auto& add) {
+      for (Index i = 0; i < number_of_rows; ++i) {
+        const Row& r = row(i);
+        for (int k = 0; k < row_size; ++k)
+          if (r.weights[k] != 0)
+            add(r.columns[k], Transpose_entry{ i, r.weights[k] });
+      }
+    });
+  }
 
 private:
   typedef std::vector<std::pair<Index, double>>   Entries;      // columns and weights
@@ -183,23 +185,6 @@ private:
   std::size_t m_coarse_size;
   std::vector<Row> m_rows;
 };
-
-inline Pruned_prolongation::Transpose::Transpose(const Pruned_prolongation& p) : m_end(p.coarse_size() + 1, 0)
-{
-  const auto for_each_weight = [&](const auto& f) {
-    for (Index v = 0; v < p.fine_size(); ++v) {
-      const Row row = p.row(v);
-      for (int k = 0; k < row_size; ++k)
-        if (row.weights[k] != 0)
-          f(row.columns[k], Entry{ v, row.weights[k] });
-    }
-  };
-  for_each_weight([this](Index column, const Entry&) { ++m_end[column + 1]; });
-  for (std::size_t v = 0; v < p.coarse_size(); ++v)
-    m_end[v + 1] += m_end[v];
-  m_entries.resize(m_end.back());
-  for_each_weight([this](Index column, const Entry& e) { m_entries[m_end[column]++] = e; });
-}
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

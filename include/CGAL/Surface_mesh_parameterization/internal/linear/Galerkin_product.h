@@ -33,7 +33,7 @@ public:
   // diagonal not yet scaled.
   void compute(const Block_matrix& fine, Block_matrix& coarse, const Loops& loops)
   {
-    const Factors factors{ m_prolongation, m_prolongation.transposed(), fine, Right_blocks(fine) };
+    const Factors factors{ m_prolongation, m_prolongation.transposed(), fine, right_blocks(fine) };
     if (m_first.empty())
       find_pattern(factors, loops);
     coarse.set_pattern(m_order.size(), m_first.data(), m_columns.data());
@@ -107,8 +107,8 @@ private:
         f(prolongation.row(i), double(weight) * matrix.unscaled_diagonal_block(i));
         for (Index k = matrix.first[i]; k < matrix.first[i + 1]; ++k)
           f(prolongation.row(matrix.columns[k]), double(weight) * matrix.blocks[k]);
-        for (const auto* e = right.begin(i); e != right.end(i); ++e)
-          f(prolongation.row(e->column), double(weight) * transposed(matrix.blocks[e->position]));
+        for (const Right_block& b : right[i])
+          f(prolongation.row(b.column), double(weight) * transposed(matrix.blocks[b.position]));
       }
     }
   };

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -88,7 +87,8 @@ public:
     struct Sum { double value; Index row; };      // of a column in the row that is being made, if it has met it
     constexpr std::size_t expected_row_size = 16;
     const Index n = Index(m_coarse_unknowns.size());
-    const auto [first, transpose] = transposed_rows();
+    const auto transpose =
+        Pruned_prolongation::transposed(n, m_rows.size(), [this](Index i) -> const Row& { return m_rows[i]; });
     Sparse_rows<Real> result;
     result.first.reserve(n + 1);
     result.first.push_back(0);
@@ -109,11 +109,10 @@ public:
           sum.value += row.weights[k] * value;
         }
       };
-      for (Index t = first[c]; t < first[c + 1]; ++t) {
-        const Index i = transpose[t].first;
-        const double weight = transpose[t].second;
-        add(i, weight * a.diagonal(i));
-        a.for_each_entry(i, [&](Index column, Real value) { add(column, weight * value); });
+      for (const Pruned_prolongation::Transpose_entry& e : transpose[c]) {
+        const double weight = e.weight;
+        add(e.row, weight * a.diagonal(e.row));
+        a.for_each_entry(e.row, [&](Index column, Real value) { add(column, weight * value); });
       }
       std::sort(result.columns.begin() + result.first.back(), result.columns.end());
       for (std::size_t k = result.first.back(); k < result.columns.size(); ++k)
@@ -146,24 +145,6 @@ private:
           result.push_back({ row.columns[k], u.component });
     }
     return result;
-  }
-
-  // For every coarse unknown: where its entries begin, and these, a fine unknown and a weight each.
-  std::pair<std::vector<Index>, std::vector<std::pair<Index, float>>> transposed_rows() const
-  {
-    std::vector<Index> first(m_coarse_unknowns.size() + 2, 0);      // shifted by one while it counts
-    for (const Row& row : m_rows)
-      for (int k = 0; k < Pruned_prolongation::row_size; ++k)
-        if (row.weights[k] != 0)
-          ++first[row.columns[k] + 2];
-    for (std::size_t i = 2; i < first.size(); ++i)
-      first[i] += first[i - 1];
-    std::vector<std::pair<Index, float>> entries(first.back());
-    for (std::size_t i = 0; i < m_rows.size(); ++i)
-      for (int k = 0; k < Pruned_prolongation::row_size; ++k)
-        if (m_rows[i].weights[k] != 0)
-          entries[first[m_rows[i].columns[k] + 1]++] = { Index(i), m_rows[i].weights[k] };
-    return { std::move(first), std::move(entries) };
   }
 
   std::vector<Mesh_unknown> m_coarse_unknowns;

@@ -10,6 +10,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Right_blocks.h>
 
+#include <boost/range/adaptor/reversed.hpp>
+
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -25,7 +27,7 @@ class Grouped_rows
 public:
   // The matrix is kept by reference, with its pattern. `group_ends`: see can_be_grouped().
   Grouped_rows(const Block_matrix& matrix, std::vector<Index> group_ends, const Loops& loops)
-    : m_matrix(matrix), m_group_ends(std::move(group_ends)), m_loops(loops), m_right(matrix)
+    : m_matrix(matrix), m_group_ends(std::move(group_ends)), m_loops(loops), m_right(right_blocks(matrix))
   {
     copy_blocks();
   }
@@ -34,10 +36,8 @@ public:
   void copy_blocks()
   {
     m_blocks.resize(m_matrix.blocks.size());
-    m_loops.for_each(0, m_matrix.number_of_rows(), [&](Index i) {
-      for (const auto* e = m_right.begin(i); e != m_right.end(i); ++e)
-        m_blocks[position_of(e)] = m_matrix.blocks[e->position];
-    });
+    m_loops.for_each(0, Index(m_blocks.size()),
+                     [&](Index k) { m_blocks[k] = m_matrix.blocks[m_right.items()[k].position]; });
   }
 
   // Whether no two rows of a group are joined; of the first group, they may be.
@@ -69,10 +69,8 @@ public:
   void relax_backward(const Block_vectors& b, Block_vectors& x, Block_vectors& right) const
   {
     const auto relax = [&](Index i) {
-      for (const auto* e = m_right.end(i); e != m_right.begin(i);) {
-        --e;
-        right[i] += transposed_times(m_blocks[position_of(e)], x[e->column]);
-      }
+      for (const Right_block& b : boost::adaptors::reverse(m_right[i]))
+        right[i] += transposed_times(copy_of(b), x[b.column]);
       m_matrix.relax_row_backward(i, b, x, right);
     };
     for (std::size_t g = m_group_ends.size(); g-- > 1;)
@@ -82,8 +80,7 @@ public:
   }
 
 private:
-  // Where the copy of a block stands.
-  std::size_t position_of(const Right_blocks::Entry* e) const { return std::size_t(e - m_right.begin(0)); }
+  const Block& copy_of(const Right_block& b) const { return m_blocks[&b - m_right.items().data()]; }
 
   Index group_begin(std::size_t g) const { return g == 0 ? 0 : m_group_ends[g - 1]; }
   Loops loops_of_group(std::size_t g) const { return g == 0 ? Loops() : m_loops; }
@@ -91,8 +88,8 @@ private:
   // Adds to `y` what the rows below contribute to row i of A x, from the first one on.
   void add_right_times(Index i, const Block_vectors& x, Block_vector& y) const
   {
-    for (const auto* e = m_right.begin(i); e != m_right.end(i); ++e)
-      y += transposed_times(m_blocks[position_of(e)], x[e->column]);
+    for (const Right_block& b : m_right[i])
+      y += transposed_times(copy_of(b), x[b.column]);
   }
 
   const Block_matrix& m_matrix;

@@ -4,40 +4,26 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_RIGHT_BLOCKS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_RIGHT_BLOCKS_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
 
-#include <vector>
-
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Where the blocks right of the diagonal of a Block_matrix stand, row by row: for what needs whole rows.
-class Right_blocks
+// A block right of the diagonal: the transpose of blocks[position].
+struct Right_block { Index column, position; };
+
+// Those of every row, their columns ascending: for what needs whole rows.
+typedef Compressed_lists<Right_block>   Right_blocks;
+
+inline Right_blocks right_blocks(const Block_matrix& matrix)
 {
-public:
-  struct Entry { Index column, position; };       // the block is the transpose of blocks[position]
-
-  explicit Right_blocks(const Block_matrix& matrix) : m_end(matrix.number_of_rows() + 1, 0)
-  {
-    const Index n = matrix.number_of_rows(), size = matrix.first[n];
-    for (Index k = 0; k < size; ++k)
-      ++m_end[matrix.columns[k] + 1];
-    for (Index i = 0; i < n; ++i)
-      m_end[i + 1] += m_end[i];
-    m_entries.resize(size);
-    for (Index i = 0; i < n; ++i)
+  return Right_blocks(matrix.number_of_rows(), [&](const auto& add) {
+    for (Index i = 0; i < matrix.number_of_rows(); ++i)
       for (Index k = matrix.first[i]; k < matrix.first[i + 1]; ++k)
-        m_entries[m_end[matrix.columns[k]]++] = { i, k };
-  }
-
-  // Those of row i, their columns ascending.
-  const Entry* begin(Index i) const { return m_entries.data() + (i == 0 ? 0 : m_end[i - 1]); }
-  const Entry* end(Index i) const { return m_entries.data() + m_end[i]; }
-
-private:
-  std::vector<Index> m_end;
-  std::vector<Entry> m_entries;
-};
+        add(matrix.columns[k], Right_block{ i, k });
+  });
+}
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

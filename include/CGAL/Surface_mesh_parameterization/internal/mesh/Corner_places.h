@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_CORNER_PLACES_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_CORNER_PLACES_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -56,20 +57,14 @@ private:
   // Goes through the corners of one vertex after the other.
   void number_places(Index number_of_vertices, const std::vector<Place>& corners)
   {
-    std::vector<Index> end(number_of_vertices + 1, 0), by_vertex;
-    for (const Place& c : corners)
-      if (c.vertex != no_index)
-        ++end[c.vertex + 1];
-    for (Index v = 0; v < number_of_vertices; ++v)
-      end[v + 1] += end[v];
-    by_vertex.resize(end.back());
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      if (corners[i].vertex != no_index)
-        by_vertex[end[corners[i].vertex]++] = Index(i);
-
+    const Compressed_lists<Index> by_vertex(number_of_vertices, [&](const auto& add) {
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        if (corners[i].vertex != no_index)
+          add(corners[i].vertex, Index(i));
+    });
     place_of.assign(corners.size(), no_index);
     std::size_t first_of_vertex = 0;
-    for (const Index i : by_vertex) {
+    for (const Index i : by_vertex.items()) {
       const Place& c = corners[i];
       if (!places.empty() && places.back().vertex != c.vertex)
         first_of_vertex = places.size();
