@@ -313,14 +313,12 @@ TEST(Mesh_system, tells_symmetric_matrices_from_others)
 {
   const auto is_symmetric = [](Index row, Index column, double change) {
     auto rows = std::make_shared<internal::Sparse_rows<double>>();
-    rows->first.push_back(0);
     for (Index i = 0; i < 4; ++i) {
+      internal::Sparse_row entries;
       for (Index j = 0; j < 4; ++j)
-        if (const double value = (i == j ? 4 : -1) + (i == row && j == column ? change : 0); value != 0) {
-          rows->columns.push_back(j);
-          rows->values.push_back(value);
-        }
-      rows->first.push_back(Index(rows->columns.size()));
+        if (const double value = (i == j ? 4 : -1) + (i == row && j == column ? change : 0); value != 0)
+          entries.push_back({ j, value });
+      rows->append(entries);
     }
     return internal::Mesh_system(nullptr, rows, {}).is_symmetric();
   };

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -110,7 +109,7 @@ private:
 
   // Of the columns that the row has met, `place` tells where in `row` they are; of others, anything.
   void merge_row(Index i, boost::iterator_range<const Index*> waiting, std::vector<Index>& place,
-                 std::vector<std::pair<Index, double>>& row, Rows& merged) const;
+                 Sparse_row& row, Rows& merged) const;
 
   std::size_t m_columns;
   mutable std::shared_ptr<Rows> m_rows;

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -43,12 +42,9 @@ void Sparse_matrix::merge() const
       add(m_waiting[k].row, Index(k));
   });
   const auto merged = std::make_shared<Rows>();
-  merged->first.reserve(n + 1);
-  merged->first.push_back(0);
-  merged->columns.reserve(old.columns.size() + m_waiting.size());
-  merged->values.reserve(old.columns.size() + m_waiting.size());
+  merged->reserve(n, old.columns.size() + m_waiting.size());
   std::vector<Index> place(m_columns, 0);
-  std::vector<std::pair<Index, double>> row;
+  Sparse_row row;
   for (Index i = 0; i < n; ++i)
     merge_row(i, waiting_of_row[i], place, row, *merged);
   merged->columns.shrink_to_fit();
@@ -60,7 +56,7 @@ void Sparse_matrix::merge() const
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Sparse_matrix::merge_row(Index i, boost::iterator_range<const Index*> waiting, std::vector<Index>& place,
-                              std::vector<std::pair<Index, double>>& row, Rows& merged) const
+                              Sparse_row& row, Rows& merged) const
 {
   row.clear();
   const auto at = [&](Index column) -> double& {
@@ -78,11 +74,7 @@ void Sparse_matrix::merge_row(Index i, boost::iterator_range<const Index*> waiti
     value = e.replaces ? e.value : value + e.value;
   }
   std::sort(row.begin(), row.end());
-  for (const auto& [column, value] : row) {
-    merged.columns.push_back(column);
-    merged.values.push_back(value);
-  }
-  merged.first.push_back(Index(merged.columns.size()));
+  merged.append(row);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -6,17 +6,39 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
+
+// The columns and values of a row that is being made.
+typedef std::vector<std::pair<Index, double>>   Sparse_row;
 
 // A sparse matrix, row by row.
 template <class Real>
 struct Sparse_rows
 {
-  std::vector<Index> first;       // one more than rows: where each row begins
+  std::vector<Index> first = { 0 };       // one more than rows: where each row begins
   std::vector<Index> columns;
   std::vector<Real> values;
+
+  void reserve(std::size_t number_of_rows, std::size_t number_of_entries)
+  {
+    first.reserve(number_of_rows + 1);
+    columns.reserve(number_of_entries);
+    values.reserve(number_of_entries);
+  }
+
+  // Adds a row below the others.
+  void append(const Sparse_row& row)
+  {
+    for (const auto& [column, value] : row) {
+      columns.push_back(column);
+      values.push_back(Real(value));
+    }
+    first.push_back(Index(columns.size()));
+  }
 
   Index number_of_rows() const { return Index(first.size() - 1); }
 

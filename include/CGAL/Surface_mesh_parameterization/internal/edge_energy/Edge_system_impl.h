@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -61,8 +60,7 @@ Sparse_rows<double> Edge_system::matrix(const std::vector<Index>& free_vertices)
   for (std::size_t k = 0; k < free_vertices.size(); ++k)
     number[free_vertices[k]] = Index(k);
   Sparse_rows<double> result;
-  result.first.push_back(0);
-  std::vector<std::pair<Index, double>> row;
+  Sparse_row row;
   for (const Index i : free_vertices) {
     row.assign(1, { number[i], m_row_sums[i] });
     const double* weight = m_weights.data() + m_level.rings().first_slot(i);
@@ -72,11 +70,7 @@ Sparse_rows<double> Edge_system::matrix(const std::vector<Index>& free_vertices)
       ++weight;
     }
     std::sort(row.begin(), row.end());
-    for (const auto& [column, value] : row) {
-      result.columns.push_back(column);
-      result.values.push_back(value);
-    }
-    result.first.push_back(Index(result.columns.size()));
+    result.append(row);
   }
   return result;
 }

@@ -90,10 +90,7 @@ public:
     const auto transpose =
         Pruned_prolongation::transposed(n, m_rows.size(), [this](Index i) -> const Row& { return m_rows[i]; });
     Sparse_rows<Real> result;
-    result.first.reserve(n + 1);
-    result.first.push_back(0);
-    result.columns.reserve(expected_row_size * n);
-    result.values.reserve(expected_row_size * n);
+    result.reserve(n, expected_row_size * n);
     std::vector<Sum> sums(n, Sum{ 0, no_index });
     for (Index c = 0; c < n; ++c) {
       const auto add = [&](Index i, double value) {

@@ -63,11 +63,8 @@ public:
       number[m_free[k]] = Index(k);
     const bool keeps_order = std::is_sorted(m_free.begin(), m_free.end());
     Sparse_rows<Real> result;
-    result.first.reserve(m_free.size() + 1);
-    result.first.push_back(0);
-    result.columns.reserve(m_rows->columns.size());
-    result.values.reserve(m_rows->columns.size());
-    std::vector<std::pair<Index, double>> row;
+    result.reserve(m_free.size(), m_rows->columns.size());
+    Sparse_row row;
     for (const Index i : m_free) {
       row.clear();
       for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k)
@@ -76,11 +73,7 @@ public:
           row.push_back({ column, row_scale(i) * m_free_part_scale * m_rows->values[k] });
       if (!keeps_order)
         std::sort(row.begin(), row.end());
-      for (const auto& [column, value] : row) {
-        result.columns.push_back(column);
-        result.values.push_back(Real(value));
-      }
-      result.first.push_back(Index(result.columns.size()));
+      result.append(row);
     }
     return result;
   }
