@@ -28,6 +28,14 @@ typedef std::array<Index, 3>             Index_triangle;   // counter-clockwise
 constexpr Index no_index = (std::numeric_limits<Index>::max)();
 
 inline double cross(const Vector_2& a, const Vector_2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// Twice the area of a triangle; in the plane negative if it is turned clockwise.
+inline double doubled_area(const Point_2& a, const Point_2& b, const Point_2& c) { return cross(b - a, c - a); }
+inline double doubled_area(const Point_3& a, const Point_3& b, const Point_3& c)
+{
+  return std::sqrt(CGAL::cross_product(b - a, c - a).squared_length());
+}
+
 inline bool is_finite(const Point_2& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
 
 inline void mirror(Point_2& p) { p = Point_2(-p.x(), p.y()); }

@@ -81,9 +81,8 @@ inline double shrinkage(const Level& level, const Level::Uv& uv, Index v)
   double area = 0, image_area = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
-    area += std::sqrt(
-        CGAL::cross_product(level.point(a) - level.point(v), level.point(b) - level.point(v)).squared_length());
-    image_area += cross(uv[a] - uv[v], uv[b] - uv[v]);
+    area += doubled_area(level.point(v), level.point(a), level.point(b));
+    image_area += doubled_area(uv[v], uv[a], uv[b]);
   }
   return area > 0 ? area / (std::max)(image_area, 0.) : 0;
 }

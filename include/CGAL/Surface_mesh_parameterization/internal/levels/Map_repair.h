@@ -74,19 +74,18 @@ private:
   // no digit is lost.
   void set_units()
   {
-    double doubled_area = 0, doubled_image_area = 0;
+    double area = 0, image_area = 0;      // doubled
     std::size_t positive = 0, negative = 0;
     for (const Index_triangle& t : m_level.triangles()) {
-      const auto& p = [&](int i) -> const Point_3& { return m_hierarchy.point(t[i]); };
-      doubled_area += std::sqrt(CGAL::cross_product(p(1) - p(0), p(2) - p(0)).squared_length());
-      const double piece = cross(m_wanted[t[1]] - m_wanted[t[0]], m_wanted[t[2]] - m_wanted[t[0]]);
+      area += doubled_area(m_level.point(t[0]), m_level.point(t[1]), m_level.point(t[2]));
+      const double piece = doubled_area(m_wanted[t[0]], m_wanted[t[1]], m_wanted[t[2]]);
       if (std::isfinite(piece))
-        doubled_image_area += piece;
+        image_area += piece;
       positive += piece > 0;
       negative += piece < 0;
     }
     m_is_mirrored = negative > positive;
-    const double scale = std::sqrt(doubled_area / std::abs(doubled_image_area));
+    const double scale = std::sqrt(area / std::abs(image_area));
     m_exponent = std::isfinite(scale) && scale > 0 ? std::ilogb(scale) : 0;
   }
 

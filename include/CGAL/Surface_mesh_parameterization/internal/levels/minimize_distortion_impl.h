@@ -98,9 +98,8 @@ double scale_of_area(const Level& level, const Level::Uv& uv)
 {
   double area = 0, image_area = 0;
   for (const Level::Triangle& t : level.triangles()) {
-    area += std::sqrt(CGAL::cross_product(level.point(t[1]) - level.point(t[0]), level.point(t[2]) - level.point(t[0]))
-                          .squared_length());
-    image_area += cross(uv[t[1]] - uv[t[0]], uv[t[2]] - uv[t[0]]);
+    area += doubled_area(level.point(t[0]), level.point(t[1]), level.point(t[2]));
+    image_area += doubled_area(uv[t[0]], uv[t[1]], uv[t[2]]);
   }
   return std::sqrt(area / image_area);
 }

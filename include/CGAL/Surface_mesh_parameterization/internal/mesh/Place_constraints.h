@@ -91,10 +91,10 @@ inline bool is_border_mirrored(const Triangulated_surface_3& surface)
   for (const Index v : surface.outer_border)
     if (place[v])
       polygon.push_back(*place[v]);
-  double doubled_area = 0;
+  double sum = 0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    doubled_area += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
-  return doubled_area > 0;
+    sum += doubled_area(polygon[0], polygon[i], polygon[i + 1]);
+  return sum > 0;
 }
 
 // A triangle that its corners' given places turn over or make degenerate, or the number of triangles if there is none.

@@ -52,10 +52,10 @@ public:
 
   double area_of_image() const
   {
-    double doubled_area = 0;
+    double sum = 0;
     for (const Triangle& t : m_triangles)
-      doubled_area += cross(m_uv[t.vertices[1]] - m_uv[t.vertices[0]], m_uv[t.vertices[2]] - m_uv[t.vertices[0]]);
-    return 0.5 * doubled_area;
+      sum += doubled_area(m_uv[t.vertices[0]], m_uv[t.vertices[1]], m_uv[t.vertices[2]]);
+    return 0.5 * sum;
   }
 
   // Scales the triangles in space so that their areas sum up to that area. Returns false if it is not positive and

@@ -34,9 +34,8 @@ void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
   double area_in_space = 0, area_in_plane = 0;
   for (Index h = 0; h < chart.number_of_halfedges(); h += 3) {
     const Index a = chart.vertex[h], b = chart.vertex[h + 1], c = chart.vertex[h + 2];
-    area_in_space += std::sqrt(CGAL::cross_product(chart.points[b] - chart.points[a], chart.points[c] - chart.points[a])
-                                   .squared_length());
-    area_in_plane += std::abs(cross(uv[b] - uv[a], uv[c] - uv[a]));
+    area_in_space += doubled_area(chart.points[a], chart.points[b], chart.points[c]);
+    area_in_plane += std::abs(doubled_area(uv[a], uv[b], uv[c]));
   }
   const double scale = std::sqrt(area_in_space / area_in_plane);
   if (std::isfinite(scale) && scale > 0)

@@ -25,7 +25,7 @@ inline double area(const Chart& chart)
 {
   double sum = 0;
   for (const Index_triangle& t : chart.triangles)
-    sum += 0.5 * std::abs(cross(chart.points[t[1]] - chart.points[t[0]], chart.points[t[2]] - chart.points[t[0]]));
+    sum += 0.5 * std::abs(doubled_area(chart.points[t[0]], chart.points[t[1]], chart.points[t[2]]));
   return sum;
 }
 
