@@ -8,7 +8,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/Vertex_inserter.h>
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -64,14 +63,8 @@ void insert_at_stored_places(const Level& level, Level::Uv& uv)
   const Collapse_hierarchy_3& hierarchy = level.hierarchy();
   uv.resize(level.number_of_vertices());
   level.loops().for_each(Index(level.first_new_vertex()), Index(level.number_of_vertices()), [&](Index v) {
-    if (level.is_fixed(v)) {
-      uv[v] = level.fixed_place(v);
-      return;
-    }
-    const Index_triangle& parent = hierarchy.parent_triangle(v);
-    const std::array<double, 3> coordinates = hierarchy.barycentric_coordinates(v);
-    const Point_2& kept = uv[parent[0]];
-    uv[v] = kept + coordinates[1] * (uv[parent[1]] - kept) + coordinates[2] * (uv[parent[2]] - kept);
+    uv[v] = level.is_fixed(v) ? level.fixed_place(v)
+                              : stored_place(uv, hierarchy.parent_triangle(v), hierarchy.barycentric_coordinates(v));
   });
 }
 

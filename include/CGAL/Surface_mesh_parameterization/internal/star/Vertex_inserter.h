@@ -18,17 +18,23 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+// The barycentric combination of places that was stored when a vertex was removed.
+inline Point_2 stored_place(const std::vector<Point_2>& uv, const Index_triangle& parent,
+                            const std::array<double, 3>& coordinates)
+{
+  const Point_2& kept = uv[parent[0]];
+  return kept + coordinates[1] * (uv[parent[1]] - kept) + coordinates[2] * (uv[parent[2]] - kept);
+}
+
 // Puts a vertex V back into a map whose neighbors are placed, so that no triangle flips.
 //
 // Before V came, its star polygon was filled by a fan of positive triangles around W0, so W0 sees all of the polygon,
 // and V fits into the kernel of the polygon near W0, if nowhere else. Candidates are
-//   (a) the barycentric combination that was stored when V was removed (Hormann, Greiner, Campagna 1999, section 3);
-//   for an
-//       ear the place that makes its one triangle similar to the one in space,
+//   (a) the stored_place() (Hormann, Greiner, Campagna 1999, section 3); for an ear the place that makes its one
+//       triangle similar to the one in space,
 //   (b) the centroid of the kernel,
 //   (c) if neither is valid, points that approach W0, from the centroid and from a direction in which the kernel lies;
-//   an ear's approach the middle
-//       of its base.
+//       an ear's approach the middle of its base.
 // Border vertices come one by one, and the angles at a border neighbor W of V may involve another one, U, that has no
 // place yet. W then sees U where it sees the coarse mesh: along the border at U's other border neighbor, across the
 // surface at the vertex that U collapsed onto. So there is always room left for U.
@@ -68,8 +74,8 @@ public:
 
     const bool is_ear = parent[1] == parent[2];
     const Point_2 kept = m_uv[parent[0]];
-    const Point_2 stored = kept + coordinates[1] * (m_uv[parent[1]] - kept) + coordinates[2] * (m_uv[parent[2]] - kept);
-    const Point_2 first = is_ear ? corners[0].similar_apex(m_uv[m_rings[v].front()], m_uv[m_rings[v].back()]) : stored;
+    const Point_2 first = is_ear ? corners[0].similar_apex(m_uv[m_rings[v].front()], m_uv[m_rings[v].back()])
+                                 : stored_place(m_uv, parent, coordinates);
     const Point_2 centroid = kernel_centroid(m_rings, m_uv, v, m_kernel);
     offer(v, first);
     offer(v, centroid);
