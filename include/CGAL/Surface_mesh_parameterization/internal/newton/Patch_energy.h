@@ -47,8 +47,8 @@ public:
 
   bool may_move(Index v) const { return m_unknown[v] != no_index; }
 
-  // The position of a vertex that may move among all of them.
-  Index unknown(Index v) const { return m_unknown[v]; }
+  // The position of each vertex of the map among them, `no_index` if it stays.
+  const std::vector<Index>& unknowns() const { return m_unknown; }
 
   double area_of_image() const
   {
@@ -168,7 +168,7 @@ private:
   const std::vector<Point_3>& m_points;
   const std::vector<Point_2>& m_uv;
   std::vector<Index> m_vertices;            // those that may move
-  std::vector<Index> m_unknown;             // the position of each vertex among them, no_index if it stays
+  std::vector<Index> m_unknown;             // see unknowns()
   std::vector<Triangle> m_triangles;        // with a vertex that may move
 };
 

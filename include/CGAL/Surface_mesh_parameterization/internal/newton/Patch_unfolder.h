@@ -5,17 +5,15 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_PATCH_UNFOLDER_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/place_in_the_middle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Patch_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Unfolding_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -48,7 +46,8 @@ public:
     m_energy.set_vertices(vertices);
     const std::vector<Point_2> before = places();
     const double area_before = m_energy.area_of_image();
-    const bool is_valid = place_in_the_middle() && set_scale(area_before) && unfold();
+    const bool is_valid = place_in_the_middle(m_rings, vertices, m_energy.unknowns(), {}, m_uv) &&
+                          set_scale(area_before) && unfold();
     if (is_valid)
       lower_energy();
     else
@@ -82,34 +81,6 @@ private:
     const bool is_border_free =
         std::any_of(vertices().begin(), vertices().end(), [this](Index v) { return m_rings.is_border(v); });
     return (is_border_free && m_energy.scale_to(area_before)) || m_energy.scale_to(m_energy.area_of_image());
-  }
-
-  // Returns false if no vertex stays, or where doubles end.
-  bool place_in_the_middle()
-  {
-    const Index n = Index(vertices().size());
-    std::vector<Matrix_entry> entries;
-    std::vector<double> right_sides(2 * n, 0.), solutions(2 * n);
-    bool does_any_stay = false;
-    for (Index i = 0; i < n; ++i) {
-      const One_rings::Ring ring = m_rings[vertices()[i]];
-      entries.push_back({ i, i, double(ring.size()) });
-      for (const Index w : ring)
-        if (m_energy.may_move(w))
-          entries.push_back({ i, m_energy.unknown(w), -1 });
-        else {
-          does_any_stay = true;
-          right_sides[i] += m_uv[w].x();
-          right_sides[n + i] += m_uv[w].y();
-        }
-    }
-    const std::unique_ptr<Direct_solver> solver = does_any_stay ? factorize_symmetric(n, entries) : nullptr;
-    if (!solver)
-      return false;
-    solver->solve(right_sides.data(), solutions.data(), 2);
-    for (Index i = 0; i < n; ++i)
-      m_uv[vertices()[i]] = Point_2(solutions[i], solutions[n + i]);
-    return std::all_of(solutions.begin(), solutions.end(), [](double x) { return std::isfinite(x); });
   }
 
   // Returns whether the map is valid at the end.
