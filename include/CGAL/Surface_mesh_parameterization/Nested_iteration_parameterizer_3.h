@@ -47,7 +47,7 @@ class Nested_iteration_parameterizer_3
                       internal_np::summary_t>,
       internal::Joined_names<
           std::conditional_t<Method::is_flip_free, internal::Names<internal_np::initial_map_t>, internal::Names<>>,
-          std::conditional_t<internal::Holds_vertices<Method>::value, internal::Place_constraint_names,
+          std::conditional_t<internal::holds_vertices<Method>, internal::Place_constraint_names,
                              internal::Names<>>>>   Option_names;
 
 public:

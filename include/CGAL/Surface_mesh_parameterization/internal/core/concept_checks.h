@@ -34,6 +34,8 @@ namespace concept_checks {
 template <class T> using Minimum = decltype(T::minimum);
 template <class T> using Is_scale_invariant = std::bool_constant<T::is_scale_invariant>;
 template <class T> using Is_flip_free = std::bool_constant<T::is_flip_free>;
+template <class T> using Is_result_flip_free = std::bool_constant<T::is_result_flip_free>;
+template <class T> using Holds_vertices = std::bool_constant<T::holds_vertices>;
 template <class T> using Is_symmetric = std::bool_constant<T::is_symmetric>;
 template <class T> using Is_positive = std::bool_constant<T::is_positive>;
 template <class T> using Triangle_mesh_of = typename T::Triangle_mesh;

@@ -39,6 +39,10 @@ using Detected = typename Detector<void, Expression, Arguments...>::type;
 template <class Result, template <class...> class Expression, class... Arguments>
 constexpr bool is_detected_as = Detector<void, Expression, Arguments...>::template converts_to<Result>;
 
+// Whether it exists and is std::true_type.
+template <template <class...> class Expression, class... Arguments>
+constexpr bool is_detected_true = std::is_same<Detected<Expression, Arguments...>, std::true_type>::value;
+
 // Of requirements in the order in which they are told, the number of the first one that is not met; -1 if all are.
 constexpr int first_missing(std::initializer_list<bool> requirements)
 {

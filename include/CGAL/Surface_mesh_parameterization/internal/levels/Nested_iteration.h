@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Function_ref.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/detection.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
@@ -23,7 +25,6 @@
 
 #include <CGAL/Real_timer.h>
 
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -66,20 +67,12 @@ struct Nested_iteration_options
 
 // Whether a method declares that its results have no flips either: is_flip_free only speaks of the levels below the
 // finest.
-template <class Method, class = void>
-struct Is_result_flip_free : std::false_type { };
-
 template <class Method>
-struct Is_result_flip_free<Method, std::void_t<decltype(Method::is_result_flip_free)>>
-  : std::bool_constant<Method::is_result_flip_free> { };
+constexpr bool is_result_flip_free = is_detected_true<concept_checks::Is_result_flip_free, Method>;
 
 // Whether a method declares that it holds vertices whose places are given, and lets springs pull others.
-template <class Method, class = void>
-struct Holds_vertices : std::false_type { };
-
 template <class Method>
-struct Holds_vertices<Method, std::void_t<decltype(Method::holds_vertices)>> : std::bool_constant<Method::holds_vertices>
-{ };
+constexpr bool holds_vertices = is_detected_true<concept_checks::Holds_vertices, Method>;
 
 template <class Method, class NamedParameters>
 Nested_iteration_options nested_iteration_options_of(const NamedParameters& np)
@@ -90,7 +83,7 @@ Nested_iteration_options nested_iteration_options_of(const NamedParameters& np)
   options.hierarchy = hierarchy_options_of(np);
   options.fills_holes = choose_parameter(get_parameter(np, internal_np::fill_holes), options.fills_holes);
   options.make_starting_map = make_starting_map_of(np);
-  options.flips = flip_settlement_of<!Is_result_flip_free<Method>::value>(np);
+  options.flips = flip_settlement_of<!is_result_flip_free<Method>>(np);
   return options;
 }
 

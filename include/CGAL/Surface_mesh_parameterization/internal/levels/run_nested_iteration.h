@@ -49,8 +49,18 @@ public:
   {
     return m_method.refine(level, uv, summary);
   }
-  bool leave_room() override { return leave_room(m_method, 0); }
-  bool keep_borders_apart(bool yes) override { return keep_borders_apart(m_method, yes, 0); }
+  bool leave_room() override
+  {
+    if constexpr (is_detected<Room_left, Method>)
+      return m_method.leave_room();
+    return false;
+  }
+  bool keep_borders_apart([[maybe_unused]] bool yes) override
+  {
+    if constexpr (is_detected<Borders_kept_apart, Method>)
+      return m_method.keep_borders_apart(yes);
+    return false;
+  }
 
   bool has_other_way() const override
   {
@@ -75,7 +85,7 @@ public:
                           Function_ref<Triangulated_surface_3()> make_surface, Level::Uv& uv,
                           Parameterization_summary& summary) const override
   {
-    if constexpr (Is_result_flip_free<Method>::value)
+    if constexpr (is_result_flip_free<Method>)
       return settlement.policy == Flip_policy::KEEP || has_no_flips(rings, uv) ? OK : ERROR_NO_1_TO_1_MAPPING;
     else {
       const Error_code status = internal::settle_flips(settlement, rings, make_surface, uv, summary);
@@ -86,6 +96,13 @@ public:
   }
 
 private:
+  // The optional members of the concept.
+  template <class M>
+  using Room_left = decltype(std::declval<M&>().leave_room());
+
+  template <class M>
+  using Borders_kept_apart = decltype(std::declval<M&>().keep_borders_apart(true));
+
   template <class M>
   using Energy_of = decltype(std::declval<const M&>().energy(std::declval<const Level&>(),
                                                              std::declval<const Level::Uv&>()));
@@ -93,22 +110,6 @@ private:
   template <class M>
   using Refined_without_flips = decltype(std::declval<M&>().refine_without_flips(
       std::declval<const Level&>(), std::declval<Level::Uv&>(), std::declval<Level_summary&>()));
-
-  // These call the optional members of the concept.
-  template <class M>
-  static auto leave_room(M& method, int) -> decltype(method.leave_room()) { return method.leave_room(); }
-
-  template <class M>
-  static bool leave_room(M&, ...) { return false; }
-
-  template <class M>
-  static auto keep_borders_apart(M& method, bool yes, int) -> decltype(method.keep_borders_apart(yes))
-  {
-    return method.keep_borders_apart(yes);
-  }
-
-  template <class M>
-  static bool keep_borders_apart(M&, bool, ...) { return false; }
 
   Method& m_method;
 };

@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_FILLED_MESH_H
 
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/detection.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -21,13 +22,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Whether faces can be added to a copy of a mesh.
-template <class TriangleMesh, class = void>
-struct Is_fillable : std::false_type { };
-
 template <class TriangleMesh>
-struct Is_fillable<TriangleMesh, std::void_t<decltype(add_vertex(std::declval<TriangleMesh&>())), decltype(add_face(std::declval<TriangleMesh&>()))>>
-  : std::is_copy_constructible<TriangleMesh> { };
+using Face_added = decltype(add_vertex(std::declval<TriangleMesh&>()), add_face(std::declval<TriangleMesh&>()));
+
+// Whether faces can be added to a copy of a mesh.
+template <class TriangleMesh>
+constexpr bool is_fillable = std::is_copy_constructible<TriangleMesh>::value && is_detected<Face_added, TriangleMesh>;
 
 // A copy of a mesh in which every border of the component of `bhd`, but the outer one, is closed by a vertex in the
 // middle of it.

@@ -55,7 +55,7 @@ struct Optional_steps
     using parameters::is_default_parameter;
     Optional_steps steps;
     if constexpr (!is_default_parameter<NamedParameters, internal_np::fill_holes_t>::value &&
-                  Is_fillable<Triangle_mesh>::value)
+                  is_fillable<Triangle_mesh>)
       steps.fill_holes = [](const Triangle_mesh& mesh, halfedge_descriptor bhd) {
         return std::make_shared<Filled_mesh<Triangle_mesh>>(mesh, bhd);
       };
