@@ -40,6 +40,7 @@ public:
   Vertex_hierarchy build(const Hierarchy_options& options, const Loops& loops)
   {
     constexpr std::size_t fewest_vertices = 3;
+    constexpr double least_removed_part = 1. / 64;      // a group that removes less of them is not worth a level
     std::mt19937 random(options.random_seed);
     Unit_edge_metric metric;
     if (options.has_unit_edges)
@@ -50,7 +51,7 @@ public:
         break;
       m_group.choose({ m_mesh, m_points, m_is_pinned, options.has_unit_edges ? &metric : nullptr }, fewest_vertices,
                      random, loops);
-      if (double(m_group.collapses().size()) <= options.least_removed_part * double(m_points.size()))
+      if (double(m_group.collapses().size()) <= least_removed_part * double(m_points.size()))
         break;
       perform_group(loops);
       if (options.has_unit_edges)

@@ -19,7 +19,6 @@ struct Hierarchy_options
   static constexpr std::size_t default_coarsest_size = 100;
 
   std::size_t coarsest_size = default_coarsest_size;
-  double least_removed_part = 1. / 64;        // a group that removes less of the vertices is not worth a level
   unsigned int random_seed = 0;
   bool has_unit_edges = false;                // triangles are rated in the Unit_edge_metric
   std::vector<bool> is_constrained = {};      // the vertices that stay on every level; none of them if it is empty

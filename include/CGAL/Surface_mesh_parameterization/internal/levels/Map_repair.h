@@ -26,12 +26,6 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-struct Map_repair_options
-{
-  int sweeps_of_level = 5, sweeps_of_result = 50;       // of the vertices that are not at their places
-  double least_relative_length = 1e-9;      // of the edges at a vertex: where they are shorter, the map has collapsed
-};
-
 // Turns a map with flips into one without that is the same wherever it can be. The hierarchy leads there: flips are
 // local, so that a level that is coarse enough has none; from there vertices come back, each to its place in the given
 // map if its star is valid then, or into the kernel of its star. Those that are not at their place are relaxed, and try
@@ -40,9 +34,8 @@ class Map_repair
 {
 public:
   // `map` has the places by rank; they may be anything.
-  Map_repair(const Collapse_hierarchy_3& hierarchy, const Level::Uv& map,
-             const Map_repair_options& options = Map_repair_options())
-    : m_options(options), m_hierarchy(hierarchy), m_level(hierarchy, hierarchy.number_of_levels() - 1), m_wanted(map),
+  Map_repair(const Collapse_hierarchy_3& hierarchy, const Level::Uv& map)
+    : m_level(hierarchy, hierarchy.number_of_levels() - 1), m_wanted(map),
       m_conformal_energy(m_level, Triangle_weight::ONE), m_isometric_energy(m_level, Triangle_weight::ONE)
   {
     set_units();
@@ -56,7 +49,7 @@ public:
   {
     Error_code status = start(uv);
     while (status == OK) {
-      improve(uv, m_level.is_finest() ? m_options.sweeps_of_result : m_options.sweeps_of_level);
+      improve(uv, m_level.is_finest() ? sweeps_of_result : sweeps_of_level);
       if (m_level.is_finest())
         break;
       m_level.go_to(m_level.index() + 1);
@@ -70,6 +63,10 @@ public:
   }
 
 private:
+  static constexpr int sweeps_of_level = 5, sweeps_of_result = 50;      // of the vertices that are not at their places
+  // Of the edges at a vertex: where they are shorter, the map has collapsed.
+  static constexpr double least_relative_length = 1e-9;
+
   // Units in which the map has about the area of the surface, and most triangles are positive: powers of two, so that
   // no digit is lost.
   void set_units()
@@ -106,7 +103,7 @@ private:
         longest[w] = (std::max)(longest[w], squared_length);
       }
     for (Index v = 0; v < m_wanted.size(); ++v)
-      if (!(longest[v] > m_options.least_relative_length * m_options.least_relative_length * greatest * greatest)) {
+      if (!(longest[v] > least_relative_length * least_relative_length * greatest * greatest)) {
         const double nan = std::numeric_limits<double>::quiet_NaN();
         m_wanted[v] = Point_2(nan, nan);
       }
@@ -123,7 +120,7 @@ private:
   // the wanted one as a similarity brings it.
   Error_code start(Level::Uv& uv)
   {
-    std::size_t level = m_hierarchy.number_of_levels();
+    std::size_t level = m_level.hierarchy().number_of_levels();
     do
       m_level.go_to(--level);
     while (level > 0 && !is_wanted_map_valid());
@@ -222,8 +219,6 @@ private:
     }
   }
 
-  Map_repair_options m_options;
-  const Collapse_hierarchy_3& m_hierarchy;
   Level m_level;
   Level::Uv m_wanted, m_before;
   bool m_is_mirrored = false;

@@ -61,7 +61,6 @@ struct Nested_iteration_options
   bool must_hold_places = false;                    // a result whose fixed vertices are not at their places is none
   Make_starting_map make_starting_map = nullptr;      // of the user's map; null if the run starts on the coarsest level
   Flip_settlement flips;            // for what methods leave that do not keep triangles positive
-  unsigned int most_seeds = 3;      // so many hierarchies are tried where doubles leave no room for a vertex
   Round_coordinate round = nullptr;       // to the number type of the result; null if that holds doubles
 };
 

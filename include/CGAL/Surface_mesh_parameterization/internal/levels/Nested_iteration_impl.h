@@ -276,13 +276,14 @@ Error_code Nested_iteration::round(const Level& level, Level::Uv& uv)
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Nested_iteration::can_try_another_way(const Collapse_hierarchy_3& hierarchy)
 {
+  constexpr unsigned int most_seeds = 3;
   if (!m_method.is_flip_free() || m_is_finished)
     return false;
   const bool has_coarsest_map = !m_summary.levels.empty();
   m_is_flat = m_is_flat || (has_coarsest_map && hierarchy.number_of_levels() == 1);
   if (has_coarsest_map) {
     ++m_options.hierarchy.random_seed;
-    if ((++m_number_of_seeds < m_options.most_seeds && !m_is_flat) || m_method.leave_room())
+    if ((++m_number_of_seeds < most_seeds && !m_is_flat) || m_method.leave_room())
       return true;
   }
   if (m_is_flat)

@@ -10,21 +10,11 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
-
-struct Patch_repair_options
-{
-  // The numbers of rings around the vertices of flips that are tried for a patch. Without a ring the triangles of many
-  // flips would find little room.
-  std::array<std::size_t, 4> rings = { 0, 1, 2, 4 };
-  std::size_t greatest_patch_without_ring = 8, greatest_patch = 1000;      // in vertices
-  double greatest_part_of_vertices = 0.1;     // those of bad stars: of more flips than that, nothing is repaired
-};
 
 // Removes flips from a map by new places for the vertices of patches around them, and lets all others be. Of the
 // vertices in a patch, those on a border of the surface stay, too, if that can be.
@@ -32,9 +22,8 @@ class Patch_repair
 {
 public:
   // Precondition: most triangles are positive, and all places are finite.
-  Patch_repair(const One_rings& rings, const std::vector<Point_3>& points, std::vector<Point_2>& uv,
-               const Patch_repair_options& options = Patch_repair_options())
-    : m_options(options), m_rings(rings), m_uv(uv), m_unfolder(rings, points, uv)
+  Patch_repair(const One_rings& rings, const std::vector<Point_3>& points, std::vector<Point_2>& uv)
+    : m_rings(rings), m_uv(uv), m_unfolder(rings, points, uv)
   { }
 
   // Returns at how many vertices the map is not valid at the end. Patches for which there are no valid places stay as
@@ -45,11 +34,11 @@ public:
     for (Index v = 0; v < m_uv.size(); ++v)
       if (!is_good(v))
         bad.push_back(v);
-    if (double(bad.size()) > m_options.greatest_part_of_vertices * double(m_uv.size()))
+    if (double(bad.size()) > greatest_part_of_vertices * double(m_uv.size()))
       return bad.size();
-    for (const std::size_t rings : m_options.rings) {
+    for (const std::size_t rings : numbers_of_rings) {
       for (const std::vector<Index>& patch : patches_around(bad, rings))
-        if (patch.size() <= (rings == 0 ? m_options.greatest_patch_without_ring : m_options.greatest_patch))
+        if (patch.size() <= (rings == 0 ? greatest_patch_without_ring : greatest_patch))
           repair(patch);
       bad.erase(std::remove_if(bad.begin(), bad.end(), [this](Index v) { return is_good(v); }), bad.end());
     }
@@ -57,6 +46,13 @@ public:
   }
 
 private:
+  // The numbers of rings around the vertices of flips that are tried for a patch. Without a ring the triangles of many
+  // flips would find little room.
+  static constexpr std::size_t numbers_of_rings[] = { 0, 1, 2, 4 };
+  static constexpr std::size_t greatest_patch_without_ring = 8, greatest_patch = 1000;      // in vertices
+  // Those of bad stars: of more flips than that, nothing is repaired.
+  static constexpr double greatest_part_of_vertices = 0.1;
+
   bool is_good(Index v) const { return is_fan_valid(m_rings, m_uv, v); }
 
   // Border vertices that stay may have bad fans yet when the others have got their places.
@@ -115,7 +111,6 @@ private:
     }
   }
 
-  Patch_repair_options m_options;
   const One_rings& m_rings;
   std::vector<Point_2>& m_uv;
   Patch_unfolder m_unfolder;

@@ -25,23 +25,6 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-struct Place_leader_options
-{
-  // Of the springs, relative to what the energy has at a vertex whose triangles are hardly distorted: at first, the
-  // factor from one round to the next where a round no longer brings the vertices nearer by this part, and at last: on
-  // the finest level, and on others, that may be too coarse for the places.
-  double first_stiffness = 1, growth = 10, least_approach = 0.1, last_stiffness = 1e8, last_stiffness_on_coarse = 1e4;
-  // A level on which Newton's method does not pay gets a few rounds, for the vertices that were inserted near their
-  // places.
-  std::size_t most_rounds = 60, most_rounds_between_grids = 3, most_steps_of_round = 10;
-  // A round ends when a step lowers the energy by less than this part of what the springs have.
-  double least_decrease = 0.03;
-  // A vertex that is nearer to its place than this part of the way to the opposite edges of its triangles goes there at
-  // once.
-  double near_part = 0.2;
-  Newton_options newton;
-};
-
 // Brings the vertices of a level whose places are given there, round by round: springs pull those that are elsewhere,
 // against the energy of the triangles, which keeps them positive; then those that have come near go to their places,
 // where the map stays valid, and are held there from then on.
@@ -50,13 +33,12 @@ struct Place_leader_options
 class Place_leader
 {
 public:
-  Place_leader(const Level_energy& energy, bool borders_must_not_meet, Level::Uv& uv, Level_summary& summary,
-               const Place_leader_options& options = Place_leader_options())
-    : m_energy(energy), m_level(energy.level()), m_uv(uv), m_summary(summary), m_options(options),
+  Place_leader(const Level_energy& energy, bool borders_must_not_meet, Level::Uv& uv, Level_summary& summary)
+    : m_energy(energy), m_level(energy.level()), m_uv(uv), m_summary(summary),
       m_displaced(displaced_vertices(m_level, uv))
   {
     if (borders_must_not_meet && !m_displaced.empty())
-      m_barrier = std::make_unique<Border_barrier>(m_level, m_options.newton.barrier_stiffness * energy.mean_weight());
+      m_barrier = std::make_unique<Border_barrier>(m_level, Newton_options().barrier_stiffness * energy.mean_weight());
   }
 
   bool is_done() const { return m_displaced.empty(); }
@@ -64,26 +46,39 @@ public:
   // Returns false if a visitor stopped the run.
   bool run()
   {
-    const double last_stiffness = m_level.is_finest() ? m_options.last_stiffness : m_options.last_stiffness_on_coarse;
-    const std::size_t most_rounds =
-        has_grid_of_finest_level(m_energy) ? m_options.most_rounds : m_options.most_rounds_between_grids;
-    double stiffness = m_options.first_stiffness;
-    settle(m_options.near_part);
+    const double greatest_stiffness = m_level.is_finest() ? last_stiffness : last_stiffness_on_coarse;
+    const std::size_t rounds = has_grid_of_finest_level(m_energy) ? most_rounds : most_rounds_between_grids;
+    double stiffness = first_stiffness;
+    settle(near_part);
     if (!is_done() && !tell())
       return false;
-    for (std::size_t round = 0; !is_done() && round < most_rounds && stiffness <= last_stiffness; ++round) {
+    for (std::size_t round = 0; !is_done() && round < rounds && stiffness <= greatest_stiffness; ++round) {
       const double before = distance();
       if (!pull(stiffness))
         return false;
-      if (!(distance() < (1 - m_options.least_approach) * before))
-        stiffness *= m_options.growth;
-      settle(m_options.near_part);
+      if (!(distance() < (1 - least_approach) * before))
+        stiffness *= growth;
+      settle(near_part);
     }
     settle((std::numeric_limits<double>::infinity)());
     return true;
   }
 
 private:
+  // Of the springs, relative to what the energy has at a vertex whose triangles are hardly distorted: at first, the
+  // factor from one round to the next where a round no longer brings the vertices nearer by this part, and at last: on
+  // the finest level, and on others, that may be too coarse for the places.
+  static constexpr double first_stiffness = 1, growth = 10, least_approach = 0.1, last_stiffness = 1e8,
+                          last_stiffness_on_coarse = 1e4;
+  // A level on which Newton's method does not pay gets a few rounds, for the vertices that were inserted near their
+  // places.
+  static constexpr std::size_t most_rounds = 60, most_rounds_between_grids = 3, most_steps_of_round = 10;
+  // A round ends when a step lowers the energy by less than this part of what the springs have.
+  static constexpr double least_decrease = 0.03;
+  // A vertex that is nearer to its place than this part of the way to the opposite edges of its triangles goes there at
+  // once.
+  static constexpr double near_part = 0.2;
+
   // Tells of the energy without the springs. Returns whether the run may go on.
   bool tell()
   {
@@ -110,17 +105,17 @@ private:
     for (const Index v : m_displaced)
       springs.push_back({ v, place(v), stiffness * unit_of_stiffness(v) });
     const Level_energy_with_springs energy(m_energy, springs);
-    Newton_method newton(energy, m_barrier.get(), m_options.newton);
+    Newton_method newton(energy, m_barrier.get());
     newton.fix_vertices(settled_vertices());
     double current = energy(m_uv);
-    for (std::size_t i = 0; i < m_options.most_steps_of_round; ++i) {
+    for (std::size_t i = 0; i < most_steps_of_round; ++i) {
       const auto step = newton.step(m_uv, current);
       current = energy(m_uv);
       ++m_summary.iterations;
       m_summary.cycles += step.cycles;
       if (!tell())
         return false;
-      if (!(step.decrease > m_options.least_decrease * energy.energy_of_springs(m_uv)))
+      if (!(step.decrease > least_decrease * energy.energy_of_springs(m_uv)))
         break;
     }
     return true;
@@ -181,7 +176,6 @@ private:
   const Level& m_level;
   Level::Uv& m_uv;
   Level_summary& m_summary;
-  Place_leader_options m_options;
   std::vector<Index> m_displaced;
   std::unique_ptr<Border_barrier> m_barrier;      // none unless borders must not meet
 };

@@ -29,10 +29,9 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Level_refiner
 {
 public:
-  Level_refiner(const Level_energy& energy, Level::Uv& uv, const Refinement_options& refinement, Level_summary& summary,
-                const Level_refiner_options& options = Level_refiner_options())
-    : m_energy(energy), m_level(energy.level()), m_uv(uv), m_refinement(refinement), m_options(options),
-      m_summary(summary), m_iterations_before(summary.iterations), m_unit(m_energy.unit()), m_current(m_energy(uv))
+  Level_refiner(const Level_energy& energy, Level::Uv& uv, const Refinement_options& refinement, Level_summary& summary)
+    : m_energy(energy), m_level(energy.level()), m_uv(uv), m_refinement(refinement), m_summary(summary),
+      m_iterations_before(summary.iterations), m_unit(m_energy.unit()), m_current(m_energy(uv))
   {
     if (refinement.is_globally_injective)
       m_barrier =

@@ -10,7 +10,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// What a Level_refiner takes for granted unless it is told otherwise.
+// What a Level_refiner takes for granted.
 struct Level_refiner_options
 {
   // The steps of sweeps, in Newton steps of a vertex: as in successive over-relaxation this cuts the number of sweeps
