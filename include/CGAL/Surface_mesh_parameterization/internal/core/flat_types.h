@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -50,6 +51,15 @@ inline void replace_corner(Index_triangle& t, Index from, Index to)
   for (Index& corner : t)
     if (corner == from)
       corner = to;
+}
+
+// Where each of the numbers below `end` stands in a list; `no_index` if it does not.
+inline std::vector<Index> positions_in(const std::vector<Index>& list, std::size_t end)
+{
+  std::vector<Index> result(end, no_index);
+  for (std::size_t k = 0; k < list.size(); ++k)
+    result[list[k]] = Index(k);
+  return result;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

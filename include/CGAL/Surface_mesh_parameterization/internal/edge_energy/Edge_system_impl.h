@@ -56,9 +56,7 @@ std::vector<Index> Edge_system::free_vertices() const
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Sparse_rows<double> Edge_system::matrix(const std::vector<Index>& free_vertices) const
 {
-  std::vector<Index> number(size(), no_index);
-  for (std::size_t k = 0; k < free_vertices.size(); ++k)
-    number[free_vertices[k]] = Index(k);
+  const std::vector<Index> number = positions_in(free_vertices, size());
   Sparse_rows<double> result;
   Sparse_row row;
   for (const Index i : free_vertices) {

@@ -36,7 +36,7 @@ public:
   std::size_t number_of_vertices(std::size_t level) const { return m_level_vertices[level]; }
   std::size_t number_of_vertices() const { return m_level_vertices.back(); }
   Index input_vertex(Index v) const { return m_input_vertex[v]; }
-  std::vector<Index> ranks() const;      // of the vertices, in the order of the input
+  std::vector<Index> ranks() const { return positions_in(m_input_vertex, number_of_vertices()); }      // of the input
   const Index_triangle& parent_triangle(Index v) const { return parent(v).triangle; }
 
   std::array<double, 3> barycentric_coordinates(Index v) const
@@ -62,11 +62,11 @@ private:
 
   const Parent& parent(Index v) const { return m_parents[v - m_level_vertices.front()]; }
 
-  std::vector<std::size_t> m_level_vertices;
-  std::vector<Index> m_input_vertex;
   static std::vector<Rounded_point> rounded(const std::vector<Point_3>& points, const Point_3& origin);
 
-  std::vector<Parent> m_parents;      // of the vertices that are not on level 0
+  std::vector<std::size_t> m_level_vertices;
+  std::vector<Index> m_input_vertex;
+  std::vector<Parent> m_parents;            // of the vertices that are not on level 0
   std::vector<Rounded_point> m_points;      // empty if the hierarchy has another metric than that of space
 };
 

@@ -68,15 +68,6 @@ Hierarchy_interpolation::rounded(const std::vector<Point_3>& points, const Point
   return result;
 }
 
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-std::vector<Index> Hierarchy_interpolation::ranks() const
-{
-  std::vector<Index> result(number_of_vertices());
-  for (Index rank = 0; rank < result.size(); ++rank)
-    result[m_input_vertex[rank]] = rank;
-  return result;
-}
-
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HIERARCHY_INTERPOLATION_IMPL_H

@@ -30,13 +30,7 @@ struct Vertex_hierarchy
   const Vertex_split& split(Index v) const { return splits[v - level_vertices.front()]; }
 
   // The ranks of the vertices, in the order of the input.
-  std::vector<Index> ranks() const
-  {
-    std::vector<Index> result(input_vertex.size());
-    for (std::size_t v = 0; v < result.size(); ++v)
-      result[input_vertex[v]] = Index(v);
-    return result;
-  }
+  std::vector<Index> ranks() const { return positions_in(input_vertex, input_vertex.size()); }
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -58,9 +58,7 @@ public:
   Sparse_rows<Real> free_part() const
   {
     constexpr double negligible = 1e-12;
-    std::vector<Index> number(size(), no_index);
-    for (std::size_t k = 0; k < m_free.size(); ++k)
-      number[m_free[k]] = Index(k);
+    const std::vector<Index> number = positions_in(m_free, size());
     const bool keeps_order = std::is_sorted(m_free.begin(), m_free.end());
     Sparse_rows<Real> result;
     result.reserve(m_free.size(), m_rows->columns.size());
