@@ -42,7 +42,10 @@ public:
 
 template <class M, class B, class S>
 struct CGAL::Surface_mesh_parameterization::internal::Solver_use<wrapped_maps::LSCM_by_multigrid<M, B, S>>
-  : Solver_use<LSCM_parameterizer_3<M, B, S>> { };
+  : Solver_use<LSCM_parameterizer_3<M, B, S>>
+{
+  static constexpr bool own_solver_may_be_faster = false;
+};
 
 // The maps of CGAL's parameterizers and those of their adaptors.
 namespace wrapped_maps {

@@ -29,14 +29,14 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Steps that not every wrapped run takes, and that are compiled only for those that do: holes are filled where a named
-// parameter asks for it, and a parameterizer may have a relative without flips.
+// parameter asks for it, and a parameterizer may have a substitute without flips.
 template <class Parameterizer>
 struct Optional_steps
 {
   typedef typename Parameterizer::Triangle_mesh                               Triangle_mesh;
   typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;
   typedef typename Wrapped_run<Triangle_mesh>::Index_map                      Index_map;
-  typedef typename Flip_free_relative<Parameterizer>::type                    Relative;
+  typedef typename Flip_free_substitute<Parameterizer>::type                  Substitute;
 
   // The names that only these parameterizers take.
   typedef Names<internal_np::fill_holes_t, internal_np::flip_policy_t>   Option_names;
@@ -46,8 +46,8 @@ struct Optional_steps
 
   // Runs the method without flips that takes the parameterizer's place where a repair left little of the map. Null if
   // there is none.
-  Error_code (*run_relative)(const Triangle_mesh&, halfedge_descriptor, const Index_map&, std::vector<Point_2>& uv,
-                             Run_progress&, Parameterization_summary&) = nullptr;
+  Error_code (*run_substitute)(const Triangle_mesh&, halfedge_descriptor, const Index_map&, std::vector<Point_2>& uv,
+                               Run_progress&, Parameterization_summary&) = nullptr;
 
   template <class NamedParameters>
   static Optional_steps of(const NamedParameters&)
@@ -59,8 +59,8 @@ struct Optional_steps
       steps.fill_holes = [](const Triangle_mesh& mesh, halfedge_descriptor bhd) {
         return std::make_shared<Filled_mesh<Triangle_mesh>>(mesh, bhd);
       };
-    if constexpr (!std::is_void<Relative>::value)
-      steps.run_relative = &run<Relative>;
+    if constexpr (!std::is_void<Substitute>::value)
+      steps.run_substitute = &run<Substitute>;
     return steps;
   }
 
@@ -88,7 +88,7 @@ private:
   }
 };
 
-// A mesh with seams has no holes to fill, and its parameterizer no relative.
+// A mesh with seams has no holes to fill, and its parameterizer no substitute.
 template <class SeamMesh, class SolverTraits>
 struct Optional_steps<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 {

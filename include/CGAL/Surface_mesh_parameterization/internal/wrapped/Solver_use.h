@@ -33,7 +33,8 @@ struct Plain_solver_use
   static constexpr bool solves_in_pairs = false;          // for u and for v, before it looks at either
   static constexpr bool copies_solution = false;          // to the map, and does nothing else with it
   static constexpr bool has_uniform_weights = false;
-  static constexpr bool has_wild_weights = false;         // its matrices need not suit multigrid
+  static constexpr bool always_suits_multigrid = true;    // see Multigrid_session::suits_multigrid()
+  static constexpr bool own_solver_may_be_faster = false; // than multigrid; then it has is_own_solver_faster()
   static constexpr bool has_positive_weights = false;     // see may_have_flips
   static constexpr double part_of_solution = 0.9;         // of what is left of a run, the time of a solution
 
@@ -45,10 +46,6 @@ struct Plain_solver_use
 // How a parameterizer uses its solver.
 template <class Parameterizer>
 struct Solver_use : Plain_solver_use { };
-
-// Whether a parameterizer may be faster with its own solver than with multigrid: `with()` so many vertices.
-template <class Parameterizer>
-struct Is_faster_alone : std::false_type { };
 
 struct Solves_in_pairs : Plain_solver_use
 {
@@ -66,7 +63,7 @@ struct Solver_use<Barycentric_mapping_parameterizer_3<M, B, S>> : Solves_in_pair
 template <class M, class B, class S>
 struct Solver_use<Discrete_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs
 {
-  static constexpr bool has_wild_weights = true;
+  static constexpr bool always_suits_multigrid = false;
 };
 template <class M, class B, class S>
 struct Solver_use<Discrete_conformal_map_parameterizer_3<M, B, S>> : Solves_in_pairs
@@ -75,7 +72,7 @@ struct Solver_use<Discrete_conformal_map_parameterizer_3<M, B, S>> : Solves_in_p
 template <class M, class B, class S>
 struct Solver_use<Iterative_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs
 {
-  static constexpr bool has_wild_weights = true;
+  static constexpr bool always_suits_multigrid = false;
   static constexpr double part_of_solution = 0.1;
 };
 template <class M, class B, class S>
@@ -113,13 +110,13 @@ constexpr bool may_have_flips<Orbifold_Tutte_parameterizer_3<SeamMesh, Solver>> 
 // The method without flips that minimizes the same kind of distortion as a parameterizer with a free border; void if
 // there is none.
 template <class Parameterizer>
-struct Flip_free_relative
+struct Flip_free_substitute
 {
   typedef void   type;
 };
 
 template <class M, class B, class S>
-struct Flip_free_relative<LSCM_parameterizer_3<M, B, S>>
+struct Flip_free_substitute<LSCM_parameterizer_3<M, B, S>>
 {
   typedef MIPS_parameterizer_3<M>   type;
 };
@@ -130,14 +127,11 @@ struct Solver_use<LSCM_parameterizer_3<M, B, S>> : Plain_solver_use
   static constexpr bool is_shipped = true;
   static constexpr bool copies_solution = true;
   static constexpr double greatest_row_sum = (std::numeric_limits<double>::infinity)();
-};
+  static constexpr bool own_solver_may_be_faster = true;
 
-// Iterations grow with the border, like its square root: the conformal motions that it allows cost next to no energy,
-// and coarse grids resist them. The time of a factorization grows with the surface, almost like its square.
-template <class M, class B, class S>
-struct Is_faster_alone<LSCM_parameterizer_3<M, B, S>> : std::true_type
-{
-  static bool with(std::size_t vertices, std::size_t border_vertices)
+  // Iterations grow with the border, like its square root: the conformal motions that it allows cost next to no energy,
+  // and coarse grids resist them. The time of a factorization grows with the surface, almost like its square.
+  static bool is_own_solver_faster(std::size_t vertices, std::size_t border_vertices)
   {
     constexpr double vertices_by_root_of_border = 7000;
     return double(vertices) < vertices_by_root_of_border * std::sqrt(double(border_vertices));

@@ -112,12 +112,12 @@ private:
                                          Component_map<Index_map, char>{ run.index(), &is_placed },
                                          std::forward<Others>(others)...);
     });
-    const auto run_relative = this->optional_steps().run_relative;
+    const auto run_substitute = this->optional_steps().run_substitute;
     if (code == OK) {
-      code = run.settle_flips(uv, run_relative != nullptr);
-      if (run_relative && run.is_map_lost())
+      code = run.settle_flips(uv, run_substitute != nullptr);
+      if (run_substitute && run.is_map_lost())
         code = run.replace_map(uv, is_placed, [&](std::vector<Point_2>& places, Parameterization_summary& summary) {
-          return run_relative(mesh, bhd, run.index(), places, run.progress(), summary);
+          return run_substitute(mesh, bhd, run.index(), places, run.progress(), summary);
         });
     }
     if (code == OK)
@@ -150,10 +150,11 @@ private:
   Error_code make_map(Wrapped_run<Triangle_mesh>& run, std::vector<Point>& uv, bool can_repeat,
                       const Function& run_parameterizer)
   {
-    if constexpr (Is_faster_alone<Parameterizer>::value)
-      if (Is_faster_alone<Parameterizer>::with(run.vertices().size(), run.border_size()))
-        return run.parameterize_alone(uv, [&] { return run_parameterizer(this->make_parameterizer_alone()); });
-    if (!Use::has_wild_weights && !run.interpolation())      // early, while no matrix takes memory
+    if constexpr (Use::own_solver_may_be_faster)
+      if (Use::is_own_solver_faster(run.vertices().size(), run.border_size()))
+        return run.parameterize_with_own_solver(
+            uv, [&] { return run_parameterizer(this->make_parameterizer_with_own_solver()); });
+    if (Use::always_suits_multigrid && !run.interpolation())      // early, while no matrix takes memory
       return run.error();
     const auto session =
         std::make_shared<Multigrid_session>([&run] { return run.interpolation(); },

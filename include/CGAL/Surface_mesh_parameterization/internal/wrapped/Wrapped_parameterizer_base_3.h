@@ -63,8 +63,8 @@ protected:
   // Each run makes its own parameterizer, inside the scope of its solver; and some of CGAL's cannot be copied.
   std::unique_ptr<Parameterizer_with_multigrid> make_parameterizer() const { return m_make(); }
 
-  // The parameterizer with its own solver; only where Is_faster_alone.
-  std::unique_ptr<Parameterizer> make_parameterizer_alone() const { return m_make_alone(); }
+  // Only where own_solver_may_be_faster, see Solver_use.
+  std::unique_ptr<Parameterizer> make_parameterizer_with_own_solver() const { return m_make_with_own_solver(); }
 
   const Wrapped_options& options() const { return m_options; }
   const Optional_steps<Parameterizer>& optional_steps() const { return m_optional_steps; }
@@ -89,8 +89,8 @@ private:
   {
     m_has_arguments = sizeof...(positions) > 0;
     m_make = make_of<Parameterizer_with_multigrid>(std::get<positions>(arguments)...);
-    if constexpr (Is_faster_alone<Parameterizer>::value)
-      m_make_alone = make_of<Parameterizer>(std::get<positions>(arguments)...);
+    if constexpr (Solver_use<Parameterizer>::own_solver_may_be_faster)
+      m_make_with_own_solver = make_of<Parameterizer>(std::get<positions>(arguments)...);
   }
 
   template <class P, class... Arguments>
@@ -111,7 +111,7 @@ private:
   }
 
   std::function<std::unique_ptr<Parameterizer_with_multigrid>()> m_make;
-  std::function<std::unique_ptr<Parameterizer>()> m_make_alone;
+  std::function<std::unique_ptr<Parameterizer>()> m_make_with_own_solver;
   bool m_has_arguments = false;
   Wrapped_options m_options;
   Optional_steps<Parameterizer> m_optional_steps;

@@ -132,7 +132,7 @@ public:
 
   // The same for a parameterizer with its own solver.
   template <class Point, class Function>
-  Error_code parameterize_alone(const std::vector<Point>& uv, const Function& parameterize)
+  Error_code parameterize_with_own_solver(const std::vector<Point>& uv, const Function& parameterize)
   {
     constexpr double energy_at_start = 1;
     const bool may_go_on = m_progress.tell(0, energy_at_start, 0);
