@@ -12,4 +12,5 @@
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mask_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Grid_packer_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Strip_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/divide_charts_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts_impl.h>

@@ -96,11 +96,12 @@ double diagonal(const Mesh& mesh)
 }
 
 template <template <class...> class Method>
-void measure(const std::string& name, Mesh mesh, bool is_mips)
+void measure_atlas(const std::string& name, Mesh mesh, bool is_mips, double least_used_part)
 {
   const Corner_map uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
   const Peak_memory memory;
-  const SMP::Atlas_summary summary = SMP::atlas_parameterization<Method>(mesh, uv);
+  const SMP::Atlas_summary summary =
+      SMP::atlas_parameterization<Method>(mesh, uv, SMP::parameters::least_used_part(least_used_part));
   const double bytes = memory.growth().value_or(0);
   check(summary.error.code);
   std::size_t handles = 0;
@@ -116,11 +117,6 @@ void measure(const std::string& name, Mesh mesh, bool is_mips)
   std::fflush(stdout);
 }
 
-void measure(const std::string& name, const Mesh& mesh)
-{
-  measure<SMP::Symmetric_Dirichlet_parameterizer_3>(name, mesh, false);
-  measure<SMP::MIPS_parameterizer_3>(name + ", MIPS", mesh, true);
-}
 
 void run(int argc, char* argv[])
 {
@@ -129,10 +125,17 @@ void run(int argc, char* argv[])
     ("components", po::value<std::vector<int>>()->default_value({ 100, 1000, 10000 }, "100, 1000, 10000"),
      "numbers of components of generated meshes")
     ("handles", po::value<std::vector<int>>()->default_value({ 0, 1, 5, 20 }, "0, 1, 5, 20"),
-     "numbers of handles of generated meshes");
+     "numbers of handles of generated meshes")
+    ("least-used-part", po::value<double>()->default_value(0), "divide charts until they cover this part of the square");
   const po::variables_map values =
       parse(argc, argv, options, "atlases [MESH.off ...] [--components N]... [--handles N]...");
   const auto files = values["mesh"].as<std::vector<std::string>>();
+
+  const double least_used_part = values["least-used-part"].as<double>();
+  const auto measure = [&](const std::string& name, const Mesh& mesh) {
+    measure_atlas<SMP::Symmetric_Dirichlet_parameterizer_3>(name, mesh, false, least_used_part);
+    measure_atlas<SMP::MIPS_parameterizer_3>(name + ", MIPS", mesh, true, least_used_part);
+  };
 
   std::printf("%-28s %9s %6s %4s %7s %7s %7s %7s %7s %6s %5s %5s %8s %6s\n", "", "triangles", "charts", "hdls", "seam",
               "energy", "cut s", "map s", "pack s", "used", "flips", "overl", "s/10^6", "B/tri");

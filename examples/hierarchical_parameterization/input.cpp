@@ -236,7 +236,7 @@ void read_input(const std::string& file, const Input_options& options, Input& in
     input.number_of_pieces = number_of_separate_pieces(input.mesh);
   if (!options.takes_all_components)
     components = { largest(components) };
-  if (components.size() == 1 && !(components[0].needs_cut() && options.cuts))
+  if (components.size() == 1 && !(components[0].needs_cut() && options.cuts) && !options.makes_atlas)
     take_as_chart(components[0], input);
   else
     take_as_atlas(components, options.cuts, input);

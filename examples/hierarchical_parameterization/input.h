@@ -35,6 +35,7 @@ struct Input_options
   bool is_stitched = false;              // borders that coincide are joined
   bool takes_all_components = false;     // or the one with the most faces
   bool cuts = false;                     // components that are closed or have handles
+  bool makes_atlas = false;              // even of one chart
 };
 
 // A mesh, and the part of it that is parameterized: as one chart, whose map gives the vertices places, or as an atlas,

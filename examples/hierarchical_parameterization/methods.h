@@ -36,6 +36,7 @@ struct Method_options
   std::string levels;       // a folder, or empty
   std::string start;        // a file with a map to start from, or empty
   std::string hold;         // a file with places of vertices, or empty
+  double least_used_part;   // of the square of an atlas; 0: charts are not divided
   bool flat, quiet, is_globally_injective, fills_holes;
   SMP::Flip_policy flip_policy;
 };

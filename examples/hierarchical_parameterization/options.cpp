@@ -54,6 +54,9 @@ po::options_description describe_options(Options& options, Words& words)
   add("cut", po::value(&words.cut),
       "auto (default): cut components that are closed or have handles along short seams; or none: leave them out. The "
       "default is none with --flat, --levels, --start and --hold");
+  add("least-used-part", po::value(&options.least_used_part)->default_value(0),
+      "divide charts by short cuts until they cover this part of the unit square, from 0 to 1, or no cut helps; 0.7 is "
+      "within reach of most surfaces. Makes an atlas of one component, too");
   add("stitch", po::bool_switch(&options.is_stitched),
       "join borders whose points coincide, as where every face has points of its own");
   add("start", po::value(&options.start),
@@ -144,16 +147,20 @@ void read_part(const std::string& components, const std::string& cut, Options& o
     throw Usage_error{ "unknown components '" + components + "'; there are: all, largest" };
   if (!cut.empty() && cut != "auto" && cut != "none")
     throw Usage_error{ "unknown way to cut '" + cut + "'; there are: auto, none" };
+  const std::string option_of_atlas = components == "all"           ? "--components all"
+                                      : cut == "auto"               ? "--cut auto"
+                                      : options.least_used_part > 0 ? "--least-used-part"
+                                                                    : "";
   const std::string option_of_one_chart = options.flat              ? "--flat"
                                           : !options.levels.empty() ? "--levels"
                                           : !options.start.empty()  ? "--start"
                                           : !options.hold.empty()   ? "--hold"
                                                                     : "";
-  if (!option_of_one_chart.empty() && (components == "all" || cut == "auto"))
-    throw Usage_error{ (components == "all" ? "--components all" : "--cut auto") + std::string(": not with ") +
-                       option_of_one_chart + ", which takes one chart" };
+  if (!option_of_one_chart.empty() && !option_of_atlas.empty())
+    throw Usage_error{ option_of_atlas + ": not with " + option_of_one_chart + ", which takes one chart" };
   options.takes_all_components = components.empty() ? option_of_one_chart.empty() : components == "all";
   options.cuts = cut.empty() ? option_of_one_chart.empty() : cut == "auto";
+  options.makes_atlas = options.least_used_part > 0;
 }
 
 // What does not go together.
@@ -171,6 +178,8 @@ void check_options(const Options& options)
   }
   if (!options.start.empty() && !options.levels.empty())
     throw Usage_error{ "--start: the levels below the finest, which --levels writes, have no maps then" };
+  if (!(options.least_used_part >= 0 && options.least_used_part <= 1))
+    throw Usage_error{ "--least-used-part: a number from 0 to 1 expected" };
   if (options.threads < 0)
     throw Usage_error{ "the number of threads must not be negative" };
   if (!options.levels.empty() && !options.method->has_levels)

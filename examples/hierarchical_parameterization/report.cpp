@@ -65,6 +65,7 @@ std::string report_line(const Run_record& run)
                                                               [](const auto& c) { return !c.summary.is_ok(); }) },
                         { "seam_edges", run.atlas->cut.seam_edges },
                         { "seam_length", run.atlas->cut.seam_length },
+                        { "divisions", run.atlas->divisions },
                         { "used_part", run.atlas->used_part } };
   }
   for (const SMP::Level_summary& level : summary.levels)

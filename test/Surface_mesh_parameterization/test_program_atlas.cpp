@@ -497,7 +497,8 @@ TEST(Program_atlas_options, that_need_one_chart_are_refused)
   const Runs runs(several());
   for (const std::string arguments :
        { "--flat --components all", "--flat --cut auto", "--levels levels --components all", "--levels levels --cut auto",
-         "--start in.off --components all", "--start in.off --cut auto", "--components some", "--cut some" }) {
+         "--start in.off --components all", "--start in.off --cut auto", "--components some", "--cut some",
+         "--flat --least-used-part 0.7", "--least-used-part 1.5", "--least-used-part nan" }) {
     EXPECT_EQ(runs.run("missing.off " + arguments), 1) << arguments;
     const std::string error = runs.error();
     EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
@@ -509,6 +510,34 @@ TEST(Program_atlas_options, that_need_one_chart_are_refused)
     EXPECT_EQ(runs.error(), "in.off: has 2 components; the largest is parameterized\n");
     runs.write_input("in.off", several());
   }
+}
+
+TEST(Program_atlas_options, divide_charts)
+{
+  const Mesh m = torus(16, 10);
+  const Runs runs(m);
+  ASSERT_EQ(runs.run("in.off --least-used-part 0.9 --output map.obj --report report.json"), good);
+  const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
+  expect_same_mesh(map, m);
+  expect_one_to_one(map);
+  const Seams seams(map);
+  const nlohmann::json atlas = runs.report().at("atlas");
+  EXPECT_GT(atlas.at("divisions"), 0);
+  EXPECT_GT(seams.number_of_charts(), 1u);
+  EXPECT_EQ(atlas.at("charts"), seams.number_of_charts());
+  EXPECT_EQ(atlas.at("seam_edges"), seams.edges);
+  ASSERT_EQ(runs.run("in.off --report report.json --least-used-part 0.1"), good);
+  EXPECT_EQ(runs.report().at("atlas").at("divisions"), 0);
+  EXPECT_LT(runs.report().at("atlas").at("used_part"), atlas.at("used_part"));
+}
+
+// What needs no cut becomes an atlas, too, in the unit square.
+TEST(Program_atlas_options, pack_one_chart)
+{
+  const Runs runs(patch());
+  ASSERT_EQ(runs.run("in.off --least-used-part 0.5 --output map.obj --report report.json"), good);
+  EXPECT_GE(runs.report().at("atlas").at("used_part"), 0.5);
+  expect_one_to_one(read_OBJ(runs.content("map.obj")));
 }
 
 TEST(Program_atlas_options, hold_for_each_of_several_inputs)

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/divide_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -45,17 +46,20 @@ struct Atlas_summary
   struct Chart
   {
     std::size_t faces = 0;                  ///< number of triangles
-    Parameterization_summary summary;       ///< of its map. The index of an error is that of a face of the mesh
+    /// of its map. The index of an error is that of a face of the mesh. Of a part of a chart that was divided it is
+    /// that of the whole chart, with a share of its seconds
+    Parameterization_summary summary;
   };
 
   Parameterization_error error;         ///< of the surface, of the first chart that has no map, or of the packing
-  Cut_summary cut;                      ///< the seams, and the components of the surface
+  Cut_summary cut;                      ///< the components of the surface and all seams, also between parts of charts
   std::vector<Chart> charts;            ///< in the order of their first faces
   std::vector<std::size_t> chart_of_face;         ///< number of each face's chart, in the order of `faces(mesh)`
+  std::size_t divisions = 0;            ///< cuts that divided charts, so that they fill the square better
   double used_part = 0;                 ///< of the area of the square
   double seconds_cut = 0;               ///< wall-clock time of reading and cutting
   double seconds_parameterize = 0;      ///< wall-clock time of the charts' maps
-  double seconds_pack = 0;              ///< wall-clock time of packing and writing
+  double seconds_pack = 0;              ///< wall-clock time of dividing, packing and writing
 
   /// whether every corner has a place
   bool is_ok() const { return error.code == OK; }
@@ -183,6 +187,37 @@ std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, c
   return has_map;
 }
 
+typedef Joined_names<Joined_names<Cut_names, Pack_names>,
+                     Names<internal_np::edge_is_constrained_t, internal_np::least_used_part_t>>   Atlas_names;
+
+// Divides the charts that have a map, so that they fill the square better.
+inline void divide_charts(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& pack_options,
+                          double least_used_part, Atlas_summary& result)
+{
+  Division_options options;
+  options.least_used_part = least_used_part;
+  const Division division = divide_charts(atlas, has_map, pack_options, options);
+  if (division.seam.empty())
+    return;
+  result.divisions = division.divisions;
+  result.cut.seam_edges += division.seam.size();
+  result.cut.seam_length += length(atlas.mesh, division.seam);
+  result.chart_of_face = chart_of_face(atlas);
+  const std::vector<bool> old_has_map = std::move(has_map);
+  const std::vector<Atlas_summary::Chart> old_charts = std::move(result.charts);
+  has_map.clear();
+  result.charts.clear();
+  for (std::size_t i = 0; i < atlas.charts.size(); ++i) {
+    const std::size_t old = division.old_charts[i];
+    has_map.push_back(old_has_map[old]);
+    Atlas_summary::Chart& chart = result.charts.emplace_back(old_charts[old]);
+    chart.faces = atlas.charts[i].size();
+    const double share = double(chart.faces) / double(old_charts[old].faces);
+    chart.summary.seconds_hierarchy *= share;
+    chart.summary.seconds_parameterize *= share;
+  }
+}
+
 } // namespace internal
 
 /// \ingroup PkgHierarchicalParameterizationAtlas
@@ -212,6 +247,10 @@ std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, c
 /// \param np the named parameters of `cut_to_disk()` and of `pack_charts()`, and
 /// - `edge_is_constrained_map`: a readable property map from edges to `bool`: where the surface is cut in any case;
 ///   default: nowhere
+/// - `least_used_part`: the part of the square, from 0 to 1, that the charts should cover: until they do, charts are
+///   divided where a short cut lets boxes around both sides become smaller. Up to 50 cuts are tried, and the best
+///   division is taken, which need not reach the value; 0.7 is within reach of most surfaces. The map of a part
+///   remains. More than 200 charts are not divided. Default: 0, no division
 /// \param np_of_charts those of `hierarchical_parameterization()`, for every chart. A `visitor` is told of one chart
 ///        after the other, with `CGAL::Parallel_tag` of several at the same time, in their threads; if it stops one,
 ///        no other one begins, and there is no atlas
@@ -228,8 +267,7 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
   typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
                            internal::Halfedge_uv_map_check<HalfedgeUVMap, TriangleMesh>>   Check;
   if constexpr (Check::value) {
-    internal::assert_names<internal::Joined_names<internal::Joined_names<internal::Cut_names, internal::Pack_names>,
-                                                  internal::Names<internal_np::edge_is_constrained_t>>>(np);
+    internal::assert_names<internal::Atlas_names>(np);
     typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor   edge_descriptor;
     CGAL::Real_timer timer;
     timer.start();
@@ -237,6 +275,13 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
     const auto seams = parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
                                                     CGAL::Constant_property_map<edge_descriptor, bool>(false));
     const internal::Loops loops = internal::Loops::of<ConcurrencyTag>();
+    const internal::Pack_options pack_options = internal::pack_options_of(np);
+    const double least_used_part =
+        parameters::choose_parameter(parameters::get_parameter(np, internal_np::least_used_part), 0.);
+    if (!pack_options.is_valid() || !(least_used_part >= 0 && least_used_part <= 1)) {
+      result.error.code = ERROR_WRONG_PARAMETER;
+      return result;
+    }
     internal::read_and_cut(mesh, seams, np, loops, atlas.mesh, result.cut);
     result.error = result.cut.error;
     if (!result.is_ok())
@@ -245,13 +290,14 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
     result.chart_of_face = internal::chart_of_face(atlas);
     result.seconds_cut = timer.time();
 
-    const std::vector<bool> has_map =
-        internal::parameterize_charts<Method>(atlas, np_of_charts, loops, result);
+    std::vector<bool> has_map = internal::parameterize_charts<Method>(atlas, np_of_charts, loops, result);
     result.seconds_parameterize = timer.time() - result.seconds_cut;
 
     if (result.error.code == ERROR_STOPPED)
       return result;
-    result.used_part = internal::pack_and_write(mesh, atlas, has_map, np, uvmap, result.error);
+    if (least_used_part > 0)
+      internal::divide_charts(atlas, has_map, pack_options, least_used_part, result);
+    result.used_part = internal::pack_and_write(mesh, atlas, has_map, pack_options, uvmap, result.error);
     result.seconds_pack = timer.time() - result.seconds_cut - result.seconds_parameterize;
   } else
     Check::tell();

@@ -32,24 +32,28 @@ namespace internal {
 
 typedef Names<internal_np::margin_t, internal_np::unit_square_t>   Pack_names;
 
-// Packs the wanted charts as named parameters say, and writes their places. Returns the used part of the square.
-template <class TriangleMesh, class HalfedgeUVMap, class NamedParameters>
-double pack_and_write(const TriangleMesh& mesh, Atlas& atlas, const std::vector<bool>& is_wanted,
-                      const NamedParameters& np, HalfedgeUVMap uvmap, Parameterization_error& error)
+// The named parameters of pack_charts().
+template <class NamedParameters>
+Pack_options pack_options_of(const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
   Pack_options options;
   options.margin = choose_parameter(get_parameter(np, internal_np::margin), options.margin);
   if (!parameters::is_default_parameter<NamedParameters, internal_np::margin_t>::value)
     options.margin_of_chart = Pack_options::greatest_margin_of_chart;
-  const bool fills_unit_square = choose_parameter(get_parameter(np, internal_np::unit_square), true);
-  if (!(options.margin >= 0 && options.margin <= Pack_options::greatest_margin)) {
-    error.code = ERROR_WRONG_PARAMETER;
-    return 0;
-  }
-  const Packing packing = pack_atlas(atlas, is_wanted, options, fills_unit_square, rounding_to<User_point_2>());
+  options.fills_unit_square =
+      choose_parameter(get_parameter(np, internal_np::unit_square), options.fills_unit_square);
+  return options;
+}
+
+// Packs the wanted charts, and writes their places. Returns the used part of the square.
+template <class TriangleMesh, class HalfedgeUVMap>
+double pack_and_write(const TriangleMesh& mesh, Atlas& atlas, const std::vector<bool>& is_wanted,
+                      const Pack_options& options, HalfedgeUVMap uvmap, Parameterization_error& error)
+{
+  typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
+  const Packing packing = pack_atlas(atlas, is_wanted, options, rounding_to<User_point_2>());
   if (packing.side == 0) {
     if (error.code == OK)
       error.code = ERROR_NO_1_TO_1_MAPPING;
@@ -99,6 +103,9 @@ Error_code pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uvmap,
   if constexpr (Check::value) {
     internal::assert_names<internal::Pack_names>(np);
     typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor   edge_descriptor;
+    const internal::Pack_options options = internal::pack_options_of(np);
+    if (!options.is_valid())
+      return ERROR_WRONG_PARAMETER;
     internal::Atlas atlas;
     error = internal::read_corner_mesh(mesh, CGAL::Constant_property_map<edge_descriptor, bool>(false), atlas.mesh);
     if (error.code != OK)
@@ -114,7 +121,7 @@ Error_code pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uvmap,
       return error.code;
     internal::make_charts(corners, atlas);
     const std::vector<bool> all(atlas.charts.size(), true);
-    internal::pack_and_write(mesh, atlas, all, np, uvmap, error);
+    internal::pack_and_write(mesh, atlas, all, options, uvmap, error);
   } else
     Check::tell();
   return error.code;

@@ -29,15 +29,24 @@ std::vector<Index> vertices_of(const Corner_mesh& mesh, const std::vector<Index>
 // Scales the map of a chart to the chart's area in space.
 void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv);
 
+// The map of a chart: the places of vertices_of().
+std::vector<Point_2> map_of(const Atlas& atlas, const std::vector<Index>& faces);
+
+// The triangles of a chart in the plane.
+Chart chart_of(const Corner_mesh& mesh, std::vector<Point_2> uv);
+
 // Makes the charts of an atlas from the places of its corners: they end where the two sides of an edge have different
 // places.
 void make_charts(const std::vector<Point_2>& corners, Atlas& atlas);
 
-// Packs those charts of an atlas that are wanted. With `fills_unit_square` the square is scaled to the unit square.
-// Coordinates are rounded by `round` if that is not null. A chart without flips stays so: where rounding makes a flip,
-// it is repaired. Returns how the charts fill the square, or a side of 0 if a repair failed.
+// The same of a mesh that has been severed between the charts.
+void split_charts(const std::vector<Point_2>& corners, Atlas& atlas);
+
+// Packs those charts of an atlas that are wanted. Coordinates are rounded by `round` if that is not null. A chart
+// without flips stays so: where rounding makes a flip, it is repaired. Returns how the charts fill the square, or a
+// side of 0 if a repair failed.
 Packing pack_atlas(Atlas& atlas, const std::vector<bool>& is_wanted, const Pack_options& options,
-                   bool fills_unit_square, Round_coordinate round);
+                   Round_coordinate round);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -44,6 +45,24 @@ void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::vector<Point_2> map_of(const Atlas& atlas, const std::vector<Index>& faces)
+{
+  std::vector<Point_2> uv;
+  for (const Index v : vertices_of(atlas.mesh, faces))
+    uv.push_back(atlas.uv[v]);
+  return uv;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Chart chart_of(const Corner_mesh& mesh, std::vector<Point_2> uv)
+{
+  Chart chart{ std::move(uv), {} };
+  for (Index h = 0; h < mesh.number_of_halfedges(); h += 3)
+    chart.triangles.push_back({ mesh.vertex[h], mesh.vertex[h + 1], mesh.vertex[h + 2] });
+  return chart;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void make_charts(const std::vector<Point_2>& corners, Atlas& atlas)
 {
   Corner_mesh& mesh = atlas.mesh;
@@ -52,22 +71,18 @@ void make_charts(const std::vector<Point_2>& corners, Atlas& atlas)
         o != no_index &&
         (corners[h] != corners[Corner_mesh::previous(o)] || corners[o] != corners[Corner_mesh::previous(h)]))
       mesh.sever(h);
+  split_charts(corners, atlas);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void split_charts(const std::vector<Point_2>& corners, Atlas& atlas)
+{
+  Corner_mesh& mesh = atlas.mesh;
   split_vertices(mesh);
   atlas.charts = connected_components(mesh);
   atlas.uv.resize(mesh.number_of_vertices());
   for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
     atlas.uv[mesh.vertex[h]] = corners[h];
-}
-
-inline Chart chart_of(const Atlas& atlas, const std::vector<Index>& faces, std::vector<Index>& scratch)
-{
-  Chart chart;
-  const Corner_mesh component = component_of(atlas.mesh, faces, scratch);
-  for (const Index v : vertices_of(atlas.mesh, faces))
-    chart.points.push_back(atlas.uv[v]);
-  for (Index h = 0; h < component.number_of_halfedges(); h += 3)
-    chart.triangles.push_back({ component.vertex[h], component.vertex[h + 1], component.vertex[h + 2] });
-  return chart;
 }
 
 inline bool is_positive(const Chart& chart)
@@ -88,7 +103,7 @@ inline bool repair(Chart& chart, const Corner_mesh& component, Round_coordinate 
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Packing pack_atlas(Atlas& atlas, const std::vector<bool>& is_wanted, const Pack_options& options,
-                   bool fills_unit_square, Round_coordinate round)
+                   Round_coordinate round)
 {
   std::vector<Chart> charts;
   std::vector<Index> scratch(atlas.mesh.number_of_vertices(), no_index);
@@ -96,12 +111,12 @@ Packing pack_atlas(Atlas& atlas, const std::vector<bool>& is_wanted, const Pack_
   std::vector<bool> was_positive;
   for (std::size_t i = 0; i < atlas.charts.size(); ++i)
     if (is_wanted[i]) {
-      charts.push_back(chart_of(atlas, atlas.charts[i], scratch));
+      charts.push_back(chart_of(component_of(atlas.mesh, atlas.charts[i], scratch), map_of(atlas, atlas.charts[i])));
       was_positive.push_back(is_positive(charts.back()));
       numbers.push_back(i);
     }
   Packing packing = pack_charts(charts, options);
-  const double scale = fills_unit_square && packing.side > 0 ? 1 / packing.side : 1;
+  const double scale = options.fills_unit_square && packing.side > 0 ? 1 / packing.side : 1;
   const auto finished = [&](double x) {
     return round ? round(scale * x, 0) : scale * x;
   };

@@ -75,10 +75,10 @@ inline std::pair<Grid_packer::Plan, Grid_packer::Result> search_plan(const Grid_
 
 // Searches on a coarse grid; the charts are about to lie in a square of this side. The margin is a part of it.
 inline Large_charts search_large_charts(const std::vector<Chart>& charts, const std::vector<double>& areas,
-                                        double side, double margin)
+                                        double side, double margin, std::size_t most_trials)
 {
   constexpr double least_part = 0.005;                // of the square
-  constexpr std::size_t cells = 256, most_placements = 15000, most_trials = 1000, number_of_directions = 32,
+  constexpr std::size_t cells = 256, most_placements = 15000, number_of_directions = 32,
                         most_triangles = 5000;        // of a chart that is turned as it is
   const double cell = side / cells;
   const std::size_t margin_cells = (std::max)(std::size_t(1), std::size_t(margin * cells));

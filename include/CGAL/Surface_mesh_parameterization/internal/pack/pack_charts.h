@@ -19,9 +19,13 @@ struct Pack_options
 
   double margin = 1. / 256;              // between charts, of the side of the square; half of it at the sides
   double margin_of_chart = 1. / 32;      // and no more, of the side of the n-th part of the square
+  bool fills_unit_square = true;         // whether the square becomes the unit square
   std::size_t cells_of_chart = 128;      // a side of a chart of mean area has about so many cells of the grid
   std::size_t least_cells = 1024, most_cells = 6400;       // on a side of the square
   std::size_t most_widths = 8, most_placements = 5000;     // of strips that are tried, and of charts in all of them
+  std::size_t most_trials = 1000;                          // of orders of large charts
+
+  bool is_valid() const { return margin >= 0 && margin <= greatest_margin; }
 };
 
 struct Packing

@@ -82,7 +82,7 @@ inline double pack_on_grid(std::vector<Chart>& charts, const std::vector<double>
     cells = double(margin_cells) / margin;
 
   double side = guessed_side(charts, areas, margin);
-  const Large_charts large = search_large_charts(charts, areas, side, margin);
+  const Large_charts large = search_large_charts(charts, areas, side, margin, options.most_trials);
   std::vector<std::vector<Vector_2>> directions(charts.size(), evenly_spaced_directions(4));
   for (std::size_t i = 0; i < large.order.size(); ++i)
     directions[large.order[i]] = { large.directions[i] };

@@ -1,0 +1,243 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_DIVIDE_CHARTS_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_DIVIDE_CHARTS_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/pack/best_chord.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/divide_charts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/path_in_plane.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/turn_chart.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// A chart, or a part of one.
+struct Chart_part
+{
+  std::size_t chart;
+  std::vector<Index> faces;                 // of the atlas's mesh, in increasing order
+  Corner_mesh mesh;
+  std::vector<Point_2> uv;
+  double box = 0;                           // the area that the least box around it takes
+  std::vector<Index> cut;                   // halfedges of the best cut
+  double gain = 0;                          // of that cut; 0 if there is none that is worth it
+};
+
+// What the part's cut leaves: both sides, or the whole part if the cut does not divide it.
+inline std::vector<Chart_part> sides_of(const Chart_part& part)
+{
+  Corner_mesh mesh = part.mesh;
+  for (const Index h : part.cut)
+    mesh.sever(h);
+  const std::vector<Index> old_vertices = split_vertices(mesh);
+  std::vector<Index> scratch(mesh.number_of_vertices(), no_index);
+  std::vector<Chart_part> sides;
+  for (const std::vector<Index>& faces : connected_components(mesh)) {
+    Chart_part& side = sides.emplace_back();
+    side.chart = part.chart;
+    side.mesh = component_of(mesh, faces, scratch);
+    for (const Index f : faces)
+      side.faces.push_back(part.faces[f]);
+    for (const Index v : vertices_of(mesh, faces))
+      side.uv.push_back(part.uv[old_vertices[v]]);
+    scale_to_area_in_space(side.mesh, side.uv);
+  }
+  return sides;
+}
+
+class Chart_divider
+{
+public:
+  Chart_divider(const Atlas& atlas, const std::vector<bool>& has_map, const Pack_options& pack_options,
+                const Division_options& options)
+    : m_pack_options(pack_options), m_options(options)
+  {
+    m_pack_options.most_trials = options.most_trials;
+    std::vector<Index> scratch(atlas.mesh.number_of_vertices(), no_index);
+    for (std::size_t i = 0; i < atlas.charts.size(); ++i)
+      if (has_map[i]) {
+        Chart_part& part = m_parts.emplace_back();
+        part.chart = i;
+        part.faces = atlas.charts[i];
+        part.mesh = component_of(atlas.mesh, part.faces, scratch);
+        part.uv = map_of(atlas, part.faces);
+        m_area += area(chart_of(part.mesh, part.uv));
+      }
+  }
+
+  void run()
+  {
+    double used_part = find_used_part();
+    if (used_part >= m_options.least_used_part)
+      return;
+    for (Chart_part& part : m_parts)
+      find_cut(part);
+    std::vector<Chart_part> best_parts = m_parts;
+    std::size_t best_size_of_seam = 0, best_divisions = 0;
+    for (std::size_t packings = 1; packings < m_options.most_packings && divide_until_boxes_are_full(); ++packings) {
+      const double other = find_used_part();
+      if (other > used_part) {
+        used_part = other;
+        best_parts = m_parts;
+        best_size_of_seam = m_seam.size();
+        best_divisions = m_divisions;
+      }
+      if (used_part >= m_options.least_used_part)
+        break;
+    }
+    m_parts = std::move(best_parts);
+    m_seam.resize(best_size_of_seam);
+    m_divisions = best_divisions;
+  }
+
+  const std::vector<Chart_part>& parts() const { return m_parts; }
+  const std::vector<Index>& seam() const { return m_seam; }
+  std::size_t divisions() const { return m_divisions; }
+
+private:
+  double find_used_part() const
+  {
+    std::vector<Chart> charts;
+    for (const Chart_part& part : m_parts)
+      charts.push_back(chart_of(part.mesh, part.uv));
+    return pack_charts(charts, m_pack_options).used_part;
+  }
+
+  // Of what the boxes around all parts take, what the parts cover.
+  double part_of_boxes() const
+  {
+    const auto add = [](double sum, const Chart_part& part) { return sum + part.box; };
+    return m_area / std::accumulate(m_parts.begin(), m_parts.end(), 0., add);
+  }
+
+  // Where a part is to be cut, if that is worth it.
+  void find_cut(Chart_part& part) const
+  {
+    const std::vector<Index> border = outer_border(part.mesh, part.uv);
+    std::vector<Index> places;
+    std::vector<Point_2> polygon;
+    for (std::size_t i = 0; i < border.size(); i += border.size() / m_options.most_places + 1) {
+      places.push_back(border[i]);
+      polygon.push_back(part.uv[border[i]]);
+    }
+    const double side_of_square = m_greatest_length * std::sqrt(m_area / m_options.least_used_part);
+    const double least_area = m_options.least_part_of_chart * area(chart_of(part.mesh, part.uv));
+    const Chord chord = best_chord(polygon, side_of_square, least_area, m_cost_of_length * std::sqrt(m_area));
+    part.box = area_of_box(part.uv, side_of_square);
+    part.gain = part.box - chord.cost;
+    if (part.gain > m_options.least_gain * m_area)
+      part.cut = path_in_plane(part.mesh, part.uv, places[chord.begin], places[chord.end]);
+    else
+      part.gain = 0;
+  }
+
+  // Returns whether at least one part was divided.
+  bool divide_until_boxes_are_full()
+  {
+    const std::size_t old_divisions = m_divisions;
+    const double full = (std::min)(m_options.least_part_of_boxes * m_options.least_used_part,
+                                   m_options.greatest_part_of_boxes);
+    while (m_divisions < m_options.most_divisions && divide())
+      if (part_of_boxes() >= full)
+        break;
+    return m_divisions > old_divisions;
+  }
+
+  // Makes the cut that gains most; where none is worth it, cuts may be longer and boxes shall be shorter. Returns
+  // whether there is a cut.
+  bool divide()
+  {
+    for (;;) {
+      const auto part = std::max_element(m_parts.begin(), m_parts.end(), [](const Chart_part& a, const Chart_part& b) {
+        return a.gain < b.gain;
+      });
+      if (part != m_parts.end() && part->gain > 0) {
+        if (divide(*part))
+          return true;
+        continue;
+      }
+      if (m_changes == m_options.most_changes)
+        return false;
+      ++m_changes;
+      m_cost_of_length *= m_options.change_of_cost;
+      m_greatest_length *= m_options.change_of_length;
+      for (Chart_part& p : m_parts)
+        find_cut(p);
+    }
+  }
+
+  bool divide(Chart_part& part)
+  {
+    std::vector<Chart_part> sides = sides_of(part);
+    if (sides.size() == 1) {
+      part.gain = 0;
+      return false;
+    }
+    ++m_divisions;
+    for (const Index h : part.cut)
+      if (!part.mesh.is_border(h))
+        m_seam.push_back(3 * part.faces[h / 3] + h % 3);
+    for (Chart_part& side : sides)
+      find_cut(side);
+    part = std::move(sides.front());
+    m_parts.insert(m_parts.end(), std::make_move_iterator(sides.begin() + 1), std::make_move_iterator(sides.end()));
+    return true;
+  }
+
+  Pack_options m_pack_options;
+  const Division_options& m_options;
+  std::vector<Chart_part> m_parts;
+  double m_area = 0, m_cost_of_length = m_options.cost_of_length, m_greatest_length = m_options.greatest_length;
+  std::size_t m_changes = 0;
+  std::vector<Index> m_seam;
+  std::size_t m_divisions = 0;
+};
+
+// The places of all corners, where those of some charts' parts have been changed.
+inline std::vector<Point_2> corners_of(const Atlas& atlas, const std::vector<Chart_part>& parts)
+{
+  std::vector<Point_2> corners(atlas.mesh.number_of_halfedges());
+  for (Index h = 0; h < atlas.mesh.number_of_halfedges(); ++h)
+    corners[h] = atlas.uv[atlas.mesh.vertex[h]];
+  for (const Chart_part& part : parts)
+    for (Index h = 0; h < part.mesh.number_of_halfedges(); ++h)
+      corners[3 * part.faces[h / 3] + h % 3] = part.uv[part.mesh.vertex[h]];
+  return corners;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Division divide_charts(Atlas& atlas, const std::vector<bool>& has_map, const Pack_options& pack_options,
+                       const Division_options& options)
+{
+  Division result;
+  if (atlas.charts.size() > options.most_charts)
+    return result;
+  Chart_divider divider(atlas, has_map, pack_options, options);
+  divider.run();
+  result.divisions = divider.divisions();
+  result.seam = divider.seam();
+
+  std::vector<std::size_t> old_chart_of_face(atlas.mesh.number_of_faces());
+  for (std::size_t i = 0; i < atlas.charts.size(); ++i)
+    for (const Index f : atlas.charts[i])
+      old_chart_of_face[f] = i;
+  const std::vector<Point_2> corners = corners_of(atlas, divider.parts());
+  for (const Index h : result.seam)
+    atlas.mesh.sever(h);
+  split_charts(corners, atlas);
+  for (const std::vector<Index>& faces : atlas.charts)
+    result.old_charts.push_back(old_chart_of_face[faces.front()]);
+  return result;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_DIVIDE_CHARTS_IMPL_H

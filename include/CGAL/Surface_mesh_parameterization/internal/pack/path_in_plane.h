@@ -1,0 +1,98 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PATH_IN_PLANE_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PATH_IN_PLANE_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// The vertices of the border that encloses the greatest area in the plane.
+inline std::vector<Index> outer_border(const Corner_mesh& mesh, const std::vector<Point_2>& uv)
+{
+  std::vector<Index> result;
+  double greatest_area = 0;
+  for (const std::vector<Index>& border : borders(mesh)) {
+    double area = 0;
+    for (const Index h : border)
+      area += 0.5 * cross(uv[mesh.source(h)] - uv[mesh.source(border[0])],
+                          uv[mesh.target(h)] - uv[mesh.source(border[0])]);
+    if (area > greatest_area) {
+      greatest_area = area;
+      result.clear();
+      for (const Index h : border)
+        result.push_back(mesh.target(h));
+    }
+  }
+  return result;
+}
+
+// The halfedges of the path along edges from one vertex on a border to another that is shortest in the plane. Of the
+// edges that lead to other vertices on borders, a multiple counts. The search prefers what is near to the goal (A*).
+inline std::vector<Index> path_in_plane(const Corner_mesh& mesh, const std::vector<Point_2>& uv, Index start,
+                                        Index goal)
+{
+  constexpr double multiple_at_border = 3;
+  const auto distance = [&](Index v, Index w) { return std::sqrt((uv[w] - uv[v]).squared_length()); };
+  std::vector<bool> is_on_border(mesh.number_of_vertices(), false);
+  std::vector<Index> leaving(mesh.number_of_vertices());          // a halfedge; the first one of those on a border
+  for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    if (!is_on_border[mesh.source(h)]) {
+      leaving[mesh.source(h)] = h;
+      if (mesh.is_border(h))
+        is_on_border[mesh.source(h)] = true;
+    }
+
+  typedef std::pair<double, Index>   Entry;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  std::vector<double> length(mesh.number_of_vertices(), (std::numeric_limits<double>::infinity)());
+  std::vector<Index> last_halfedge(mesh.number_of_vertices(), no_index);
+  std::vector<bool> is_done(mesh.number_of_vertices(), false);
+  const auto reach = [&](Index h, Index w) {
+    const Index v = mesh.source(h) == w ? mesh.target(h) : mesh.source(h);
+    const double other = length[v] + distance(v, w) * (is_on_border[w] && w != goal ? multiple_at_border : 1);
+    if (other < length[w]) {
+      length[w] = other;
+      last_halfedge[w] = h;
+      queue.emplace(other + distance(w, goal), w);
+    }
+  };
+  length[start] = 0;
+  queue.emplace(0, start);
+  while (!queue.empty() && !is_done[goal]) {
+    const Index v = queue.top().second;
+    queue.pop();
+    if (is_done[v])
+      continue;
+    is_done[v] = true;
+    // Counter-clockwise around the vertex, from the border if it is on one.
+    Index h = leaving[v];
+    do {
+      reach(h, mesh.target(h));
+      h = Corner_mesh::previous(h);
+      if (mesh.is_border(h))
+        reach(h, mesh.source(h));
+      h = mesh.opposite[h];
+    } while (h != no_index && h != leaving[v]);
+  }
+  std::vector<Index> path;
+  for (Index v = goal; v != start && last_halfedge[v] != no_index;) {
+    const Index h = last_halfedge[v];
+    path.push_back(h);
+    v = mesh.source(h) == v ? mesh.target(h) : mesh.source(h);
+  }
+  return path;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PATH_IN_PLANE_H

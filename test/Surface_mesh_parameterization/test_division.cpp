@@ -1,0 +1,306 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Charts that are divided, so that they fill the square better.
+
+#include "closed_meshes.h"
+#include "random_shapes.h"
+#include "surface_with_corner_map.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/best_chord.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/path_in_plane.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+namespace parameters = CGAL::Surface_mesh_parameterization::parameters;
+
+typedef CGAL::Polygon_2<Kernel>   Polygon;
+
+// The part of a polygon from one vertex to another, over the last one if need be.
+Polygon part(const std::vector<Point_2>& polygon, std::size_t begin, std::size_t end)
+{
+  Polygon result;
+  for (std::size_t i = begin;; i = (i + 1) % polygon.size()) {
+    result.push_back(polygon[i]);
+    if (i == end)
+      return result;
+  }
+}
+
+double area(const Polygon& polygon)
+{
+  const Kernel kernel{};
+  return CGAL::polygon_area_2(polygon.vertices_begin(), polygon.vertices_end(), kernel);
+}
+
+double area_of_box(const Polygon& polygon, double side_of_square)
+{
+  return internal::area_of_box(std::vector<Point_2>(polygon.vertices_begin(), polygon.vertices_end()), side_of_square);
+}
+
+// Whether a segment between two vertices lies within a polygon: both parts are simple, and turn the same way.
+bool divides(const std::vector<Point_2>& polygon, std::size_t begin, std::size_t end)
+{
+  for (const Polygon& side : { part(polygon, begin, end), part(polygon, end, begin) })
+    if (!side.is_simple() || side.orientation() != CGAL::COUNTERCLOCKWISE)
+      return false;
+  return true;
+}
+
+TEST(Best_chord, has_the_least_cost_of_all_that_lie_in_the_polygon)
+{
+  Random random(3);
+  for (const std::size_t corners : { 5, 12, 40 }) {
+    const std::vector<Point_2> polygon = random_star_polygon(corners, Point_2(2, 1), random);
+    const double total_area = area(Polygon(polygon.begin(), polygon.end())), least_area = 0.1 * total_area;
+    for (const auto& [side, cost_of_length] : { std::make_pair(9., 0.), std::make_pair(9., 1.), std::make_pair(1., 0.2) }) {
+      double least_cost = (std::numeric_limits<double>::infinity)();
+      for (std::size_t begin = 0; begin < corners; ++begin)
+        for (std::size_t end = begin + 2; end < corners; ++end)
+          if (divides(polygon, begin, end)) {
+            const Polygon one = part(polygon, begin, end), other = part(polygon, end, begin);
+            if ((std::min)(area(one), area(other)) >= least_area)
+              least_cost = (std::min)(least_cost, area_of_box(one, side) + area_of_box(other, side) +
+                                                      cost_of_length * length(polygon[end] - polygon[begin]));
+          }
+      const internal::Chord chord = internal::best_chord(polygon, side, least_area, cost_of_length);
+      EXPECT_NEAR(chord.cost, least_cost, 1e-5 * least_cost) << corners;
+      EXPECT_TRUE(divides(polygon, chord.begin, chord.end));
+    }
+  }
+}
+
+TEST(Best_chord, makes_two_boxes_of_a_corner)
+{
+  const std::vector<Point_2> polygon = { { 0, 0 }, { 3, 0 }, { 3, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 }, { 0, 1 } };
+  EXPECT_NEAR(internal::area_of_box(polygon, 9), 6, 1e-5);
+  EXPECT_NEAR(internal::area_of_box(polygon, 2), 9, 1e-5);
+  const internal::Chord chord = internal::best_chord(polygon, 9, 0.5, 0.25);
+  EXPECT_EQ(chord.begin, 3u);
+  EXPECT_EQ(chord.end, 6u);
+  EXPECT_NEAR(chord.cost, 4 + 0.25, 1e-5);
+}
+
+// A strip that is longer than the square is cut, though it fills its box.
+TEST(Best_chord, shortens_strips)
+{
+  const std::vector<Point_2> strip = { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 3, 0 }, { 4, 0 }, { 4, 1 }, { 3, 1 }, { 2, 1 },
+                                       { 1, 1 }, { 0, 1 } };
+  EXPECT_NEAR(internal::area_of_box(strip, 5), 4, 1e-5);
+  EXPECT_NEAR(internal::area_of_box(strip, 2), 12.5, 1e-5);        // of the diagonal
+  const internal::Chord chord = internal::best_chord(strip, 2, 0.5, 1);
+  EXPECT_EQ(strip[chord.begin].x(), 2);
+  EXPECT_EQ(strip[chord.end].x(), 2);
+  EXPECT_NEAR(chord.cost, 4 + 1, 1e-5);
+}
+
+// There is none that leaves so much on both sides.
+TEST(Best_chord, may_not_exist)
+{
+  const std::vector<Point_2> square = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
+  EXPECT_TRUE(std::isfinite(internal::best_chord(square, 9, 0.49, 0).cost));
+  EXPECT_FALSE(std::isfinite(internal::best_chord(square, 9, 0.51, 0).cost));
+  EXPECT_FALSE(std::isfinite(internal::best_chord({ square[0], square[1], square[2] }, 9, 0, 0).cost));
+}
+
+// Over a square whose edges and diagonals lie along three directions, the shortest path is as long as in the plane.
+TEST(Path_in_plane, is_shortest_and_avoids_the_border)
+{
+  constexpr Index n = 8;
+  const auto mesh = make<Surface_mesh>(grid(n, n, flat));
+  internal::Corner_mesh corners;
+  const CGAL::Constant_property_map<Surface_mesh::Edge_index, bool> no_seam(false);
+  ASSERT_EQ(internal::read_corner_mesh(mesh, no_seam, corners).code, OK);
+  std::vector<Point_2> uv;
+  for (const Point_3& p : corners.points)
+    uv.emplace_back(p.x(), p.y());
+  const std::vector<Index> border = internal::outer_border(corners, uv);
+  ASSERT_EQ(border.size(), std::size_t(4 * n));
+  const auto vertex_at = [&](double x, double y) {
+    const auto is_there = [&](Index v) { return uv[v] == Point_2(x, y); };
+    return *std::find_if(border.begin(), border.end(), is_there);
+  };
+  const auto expect_path = [&](const Point_2& from, const Point_2& to, double expected_length) {
+    const Index start = vertex_at(from.x(), from.y()), goal = vertex_at(to.x(), to.y());
+    double sum = 0;
+    Index v = goal;
+    for (const Index h : internal::path_in_plane(corners, uv, start, goal)) {
+      sum += length(uv[corners.source(h)] - uv[corners.target(h)]);
+      EXPECT_TRUE(corners.source(h) == v || corners.target(h) == v);
+      EXPECT_FALSE(corners.is_border(h));
+      v = corners.source(h) == v ? corners.target(h) : corners.source(h);
+    }
+    EXPECT_EQ(v, start);
+    EXPECT_NEAR(sum, expected_length, 1e-12);
+  };
+  expect_path(Point_2(0.25, 0), Point_2(0.25, 1), 1);
+  expect_path(Point_2(1, 0.5), Point_2(0, 0.5), 1);
+}
+
+struct Seams
+{
+  std::size_t edges = 0;
+  double length = 0;                                  // in space
+  explicit Seams(const Surface& surface)
+  {
+    for (const auto e : surface.mesh.edges()) {
+      const auto h = surface.mesh.halfedge(e), o = surface.mesh.opposite(h);
+      if (surface.mesh.is_border(e) || (surface.uv[h] == surface.uv[surface.mesh.prev(o)] &&
+                                        surface.uv[o] == surface.uv[surface.mesh.prev(h)]))
+        continue;
+      ++edges;
+      length += std::sqrt(CGAL::squared_distance(surface.mesh.point(surface.mesh.source(h)),
+                                                 surface.mesh.point(surface.mesh.target(h))));
+    }
+  }
+};
+
+double area(const std::vector<internal::Triangle_2>& chart)
+{
+  double sum = 0;
+  for (const internal::Triangle_2& t : chart)
+    sum += 0.5 * internal::cross(t[1] - t[0], t[2] - t[0]);
+  return sum;
+}
+
+// The summary tells what the map is: the pieces, their faces, the seams and the part of the square.
+void expect_told(const Surface& surface, const Atlas_summary& summary)
+{
+  const auto charts = surface.charts();
+  ASSERT_EQ(summary.charts.size(), charts.size());
+  double used_part = 0;
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    EXPECT_EQ(summary.charts[i].faces, charts[i].size());
+    EXPECT_EQ(std::size_t(std::count(summary.chart_of_face.begin(), summary.chart_of_face.end(), i)), charts[i].size());
+    used_part += area(charts[i]);
+  }
+  EXPECT_NEAR(summary.used_part, used_part, 1e-9);
+  const Seams seams(surface);
+  EXPECT_EQ(summary.cut.seam_edges, seams.edges);
+  EXPECT_NEAR(summary.cut.seam_length, seams.length, 1e-9 * seams.length);
+}
+
+// Three legs and a hole, which fill less than half of the square around them.
+Flat_mesh legs()
+{
+  Flat_mesh m = grid(30, 30, wavy);
+  const auto is_outside = [&](const Index_triangle& t) {
+    const Point_3& p = m.points[t[0]];
+    return (p.y() > 0.2 && std::sin(5 * CGAL_PI * p.x()) < 0) || (std::abs(p.x() - 0.5) < 0.05 && p.y() < 0.1 && p.y() > 0.05);
+  };
+  m.triangles.erase(std::remove_if(m.triangles.begin(), m.triangles.end(), is_outside), m.triangles.end());
+  return m;
+}
+
+Flat_mesh strip()
+{
+  Flat_mesh m = grid(40, 5, flat);
+  for (Point_3& p : m.points)
+    p = Point_3(10 * p.x(), p.y(), 0);
+  return m;
+}
+
+TEST(Division, fills_the_square)
+{
+  for (const Flat_mesh& m : { legs(), plate_with_holes(3, 4), strip(), with_component(legs(), plate_with_holes(1, 4), 0.5, 9) }) {
+    Surface whole(m), divided(m);
+    const Atlas_summary before = atlas_parameterization(whole.mesh, whole.uv);
+    ASSERT_TRUE(before.is_ok());
+    ASSERT_LT(before.used_part, 0.7);
+    EXPECT_EQ(before.divisions, 0u);
+    const Atlas_summary summary = atlas_parameterization(divided.mesh, divided.uv, parameters::least_used_part(0.7));
+    ASSERT_TRUE(summary.is_ok());
+    EXPECT_GE(summary.used_part, 0.7);
+    EXPECT_GT(summary.divisions, 0u);
+    EXPECT_GE(summary.charts.size(), before.charts.size() + summary.divisions);
+    expect_one_to_one(divided);
+    expect_told(whole, before);
+    expect_told(divided, summary);
+  }
+}
+
+// Each part has its area in space, at the same scale.
+TEST(Division, keeps_one_scale)
+{
+  Surface surface(legs());
+  const Atlas_summary summary = atlas_parameterization(
+      surface.mesh, surface.uv, parameters::least_used_part(0.7).unit_square(false));
+  ASSERT_TRUE(summary.is_ok());
+  ASSERT_GT(summary.charts.size(), 1u);
+  std::vector<double> in_space(summary.charts.size(), 0.), in_plane(summary.charts.size(), 0.);
+  for (const auto f : surface.mesh.faces()) {
+    std::vector<Kernel::Point_3> p;
+    internal::Triangle_2 t;
+    for (const auto h : CGAL::halfedges_around_face(surface.mesh.halfedge(f), surface.mesh)) {
+      t[p.size()] = surface.uv[h];
+      p.push_back(surface.mesh.point(surface.mesh.target(h)));
+    }
+    in_space[summary.chart_of_face[f]] += std::sqrt(CGAL::squared_area(p[0], p[1], p[2]));
+    in_plane[summary.chart_of_face[f]] += area({ t });
+  }
+  for (std::size_t i = 0; i < in_space.size(); ++i)
+    EXPECT_NEAR(in_plane[i], in_space[i], 1e-9 * in_space[i]);
+}
+
+TEST(Division, leaves_what_fills_the_square)
+{
+  Surface surface(grid(10, 10, flat)), same(grid(10, 10, flat));
+  ASSERT_TRUE(atlas_parameterization(surface.mesh, surface.uv).is_ok());
+  const Atlas_summary summary = atlas_parameterization(same.mesh, same.uv, parameters::least_used_part(0.7));
+  EXPECT_EQ(summary.divisions, 0u);
+  EXPECT_EQ(summary.charts.size(), 1u);
+  EXPECT_EQ(surface.corners(), same.corners());
+}
+
+// What cannot be had costs no more than what can: the best division is taken, and never one that uses less.
+TEST(Division, does_its_best_for_all_of_the_square)
+{
+  for (const Flat_mesh& m : { single_triangle(), tetrahedron(), legs() }) {
+    Surface whole(m), divided(m);
+    const Atlas_summary before = atlas_parameterization(whole.mesh, whole.uv),
+                        after = atlas_parameterization(divided.mesh, divided.uv, parameters::least_used_part(1.));
+    ASSERT_TRUE(before.is_ok() && after.is_ok());
+    EXPECT_GE(after.used_part, before.used_part);
+    expect_one_to_one(divided);
+    expect_told(divided, after);
+  }
+}
+
+TEST(Division, refuses_parts_that_are_none)
+{
+  Surface surface(legs());
+  for (const double part : { -0.1, 1.1, std::numeric_limits<double>::quiet_NaN() }) {
+    EXPECT_EQ(atlas_parameterization(surface.mesh, surface.uv, parameters::least_used_part(part)).error.code,
+              ERROR_WRONG_PARAMETER);
+    for (const Kernel::Point_2& p : surface.corners())
+      EXPECT_EQ(p, untouched);
+  }
+}
+
+} // namespace
