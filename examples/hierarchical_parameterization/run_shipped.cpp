@@ -20,6 +20,7 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <algorithm>
 #include <functional>
 
 namespace {
@@ -36,6 +37,10 @@ SMP::Parameterization_summary run_shipped(Input& input, const Method_options& op
   timer.start();
   const SMP::Mesh_component<Mesh> component(input.mesh, input.border);
   summary.error = component.error();
+  const auto& points = component.surface().points;
+  const auto is_first = [&](const auto& p) { return p == points.front(); };
+  if (summary.error.code == SMP::OK && std::all_of(points.begin(), points.end(), is_first))
+    summary.error.code = SMP::ERROR_BORDER_TOO_SHORT;
   if (summary.error.code != SMP::OK)
     return summary;
   const auto index = get(CGAL::dynamic_vertex_property_t<int>(), input.mesh);

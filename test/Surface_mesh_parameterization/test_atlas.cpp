@@ -11,6 +11,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
+#include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_progress.h>
@@ -216,14 +217,55 @@ TEST(Atlas, goes_along_the_seams_of_the_user)
   expect_one_to_one(surface);
 }
 
-// An edge in the middle of a face leaves a border of two edges.
-TEST(Atlas, tells_of_seams_that_leave_no_disk)
+// A seam of one edge leaves a border of two edges with the same ends; so does a sphere whose points all coincide.
+TEST(Atlas, opens_seams_of_one_edge)
+{
+  Flat_mesh point = tetrahedron();
+  for (Point_3& p : point.points)
+    p = Point_3(5, 5, 5);
+  for (const Flat_mesh& m : { sphere(9, 12), with_component(sphere(9, 12), point) }) {
+    Surface surface(m);
+    surface.seams[surface.mesh.edge(surface.mesh.halfedge(Surface_mesh::Vertex_index(0)))] = true;
+    for (const double bound : { 100., 4.5 }) {
+      const Atlas_summary summary =
+          atlas_parameterization(surface.mesh, surface.uv,
+                                 parameters::edge_is_constrained_map(surface.seams).distortion_bound(bound));
+      EXPECT_TRUE(summary.charts[0].summary.is_ok());
+      EXPECT_GE(summary.cut.seam_edges, 1u);
+      EXPECT_NE(summary.charts.back().summary.error.code, ERROR_NO_TOPOLOGICAL_DISC);
+    }
+    EXPECT_EQ(surface.charts()[0].size(), sphere(9, 12).triangles.size());
+  }
+}
+
+// A method that some charts do not suit.
+template <class TriangleMesh>
+struct Picky_parameterizer_3
+{
+  typedef TriangleMesh           Triangle_mesh;
+  typedef CGAL::Sequential_tag   Concurrency_tag;
+
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Picky_parameterizer_3(const NamedParameters& np = parameters::default_values()) : m_method(np) { }
+
+  Error_code parameterize_coarsest(const Level& level, Level::Uv& uv)
+  {
+    return level.number_of_vertices() > 50 ? ERROR_NO_1_TO_1_MAPPING : m_method.parameterize_coarsest(level, uv);
+  }
+  Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary)
+  {
+    return m_method.refine(level, uv, summary);
+  }
+
+private:
+  Symmetric_Dirichlet_parameterizer_3<TriangleMesh> m_method;
+};
+
+TEST(Atlas, tells_of_charts_without_a_map)
 {
   Surface surface(with_component(sphere(9, 12), grid(4, 4, wavy)));
-  surface.seams[surface.mesh.edge(surface.mesh.halfedge(Surface_mesh::Vertex_index(0)))] = true;
-  const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv,
-                                                       parameters::edge_is_constrained_map(surface.seams));
-  EXPECT_EQ(summary.error.code, ERROR_NO_TOPOLOGICAL_DISC);
+  const Atlas_summary summary = atlas_parameterization<Picky_parameterizer_3>(surface.mesh, surface.uv);
+  EXPECT_EQ(summary.error.code, ERROR_NO_1_TO_1_MAPPING);
   ASSERT_EQ(summary.charts.size(), 2u);
   EXPECT_FALSE(summary.charts[0].summary.is_ok());
   EXPECT_TRUE(summary.charts[1].summary.is_ok());
@@ -354,6 +396,59 @@ TEST(Packing, ends_where_the_margins_would_fill_the_square)
     for (std::size_t j = 0; j < i; ++j)
       least = (std::min)(least, distance(charts[i][0], charts[j][0]));
   EXPECT_GT(least, 0.25 / std::sqrt(150.));
+}
+
+// Finer margins than the grid are kept, too, in no more time.
+TEST(Packing, keeps_fine_margins)
+{
+  for (const double margin : { 1. / 16384, 1e-9, 1e-300 }) {
+    Surface surface(with_component(single_triangle(), single_triangle(), 1, 10));
+    ASSERT_TRUE(atlas_parameterization(surface.mesh, surface.uv, parameters::margin(margin)).is_ok());
+    expect_one_to_one(surface);
+    EXPECT_GT(distance(surface.charts()[0][0], surface.charts()[1][0]), margin);
+  }
+}
+
+// A chart that becomes a segment when it is turned does not spoil the others.
+TEST(Packing, holds_out_with_slivers)
+{
+  Surface surface(with_component(single_triangle(), single_triangle(), 1, 10));
+  const double x = 0.76142843599823706, y = 0.30333063602585919;
+  const Kernel::Point_2 places[] = { { 0, 0 }, { x, x }, { y, 0.30333063602585925 }, { 0, 0 }, { 1, 0 }, { 0, 1 } };
+  for (const bool is_mirrored : { false, true }) {
+    for (const auto f : surface.mesh.faces()) {
+      std::size_t i = 3 * f;
+      for (const auto h : surface.mesh.halfedges_around_face(surface.mesh.halfedge(f))) {
+        const Kernel::Point_2& p = places[i++];
+        surface.uv[h] = is_mirrored ? Kernel::Point_2(p.y(), p.x()) : p;
+      }
+    }
+    const Error_code code = pack_charts(surface.mesh, surface.uv);
+    for (const Kernel::Point_2& p : surface.corners()) {
+      EXPECT_TRUE(std::isfinite(p.x()) && std::isfinite(p.y()));
+      if (code == OK) {
+        EXPECT_TRUE(p.x() > 0 && p.x() < 1 && p.y() > 0 && p.y() < 1) << p;
+      }
+    }
+  }
+}
+
+// Specks that are smaller than a float's steps are scaled up, and stay where they have room.
+TEST(Packing, keeps_specks_apart_in_floats)
+{
+  typedef CGAL::Simple_cartesian<float>::Point_2   Float_point;
+  for (const double size : { 1e-6, 1e-8, 1e-11 }) {
+    Flat_mesh m = grid(8, 8, wavy);
+    for (int i = 1; i <= 5; ++i)
+      m = with_component(m, tetrahedron(), size, 10. * i);
+    Surface surface(m);
+    const auto uv = surface.mesh.add_property_map<Surface_mesh::Halfedge_index, Float_point>("h:float").first;
+    ASSERT_TRUE(atlas_parameterization(surface.mesh, uv).is_ok());
+    for (const auto h : surface.mesh.halfedges())
+      if (!surface.mesh.is_border(h))
+        surface.uv[h] = Kernel::Point_2(double(uv[h].x()), double(uv[h].y()));
+    expect_one_to_one(surface);
+  }
 }
 
 // A hundred pieces of several sizes: squares fit side by side, triangles and other shapes leave more room between them.

@@ -21,6 +21,8 @@
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <CGAL/number_utils.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -152,6 +154,33 @@ TYPED_TEST(Held_vertices, may_mirror_the_map)
   EXPECT_NE(m.is_valid(), mirrored.is_valid());
   for (const auto v : vertices(m.mesh))
     EXPECT_EQ(m.uvmap[v], Kernel_point(-mirrored.uvmap[v].x(), mirrored.uvmap[v].y()));
+}
+
+// The places along a side, or in a bay, run around nothing, or the other way than the border does.
+TYPED_TEST(Held_vertices, on_a_part_of_the_border_do_not_mirror_the_map)
+{
+  const Flat_mesh square = grid(12, 12, flat);
+  Flat_mesh half_ring = square;
+  for (Point_3& p : half_ring.points) {
+    const double radius = 1 + p.y(), angle = CGAL_PI * (1 - p.x());
+    p = Point_3(radius * std::cos(angle), radius * std::sin(angle), 0);
+  }
+  for (const Flat_mesh& surface : { square, half_ring })
+    for (int turn = 0; turn < 8; ++turn)
+      for (const bool starts_from_map : { false, true }) {
+        Constrained_mesh m(surface);
+        const double c = std::cos(0.1 + turn), s = std::sin(0.1 + turn);
+        for (const auto v : vertices(m.mesh)) {
+          const Point_3& p = m.mesh.point(v);
+          m.uvmap[v] = Kernel_point(c * p.x() - s * p.y(), s * p.x() + c * p.y());
+          m.is_held[v] = square.points[v].y() == 0;
+        }
+        ASSERT_EQ(m.template run_with<TypeParam>(
+                      parameters::vertex_is_constrained_map(m.is_held).initial_map(starts_from_map)),
+                  OK);
+        m.expect_places_are_held();
+        EXPECT_TRUE(m.is_valid()) << turn;
+      }
 }
 
 TYPED_TEST(Held_vertices, lead_around_a_border_that_is_far_from_convex)

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
@@ -25,6 +26,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <ios>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -126,6 +128,32 @@ TEST(Write_OBJ, has_a_place_for_every_vertex_unless_it_is_told_which_have_one)
                      CGAL::Constant_property_map<Surface_mesh::Vertex_index, bool>(true));
   EXPECT_EQ(file.str(), other_file.str());
   EXPECT_EQ(Lines(file.str()).uv.size(), mapped.mesh.number_of_vertices());
+}
+
+// Whatever numbers the kernel has, and however the stream writes them otherwise.
+TEST(Write_OBJ, writes_all_digits_of_doubles)
+{
+  typedef CGAL::Simple_cartesian<CGAL::Exact_rational>   Exact_kernel;
+  CGAL::Surface_mesh<Exact_kernel::Point_3> mesh;
+  const auto a = mesh.add_vertex({ CGAL::Exact_rational(1) / 3, 0, 0 }), b = mesh.add_vertex({ 12345, 1, 0 }),
+             c = mesh.add_vertex({ 0, 1e-20, 0 });
+  mesh.add_face(a, b, c);
+  const auto uvmap = mesh.add_property_map<decltype(mesh)::Vertex_index, Exact_kernel::Point_2>("v:uv").first;
+  uvmap[a] = { CGAL::Exact_rational(2) / 3, 0 };
+  uvmap[b] = { 1e-20, 0 };
+  uvmap[c] = { 0, 1 };
+  std::ostringstream file;
+  file << std::fixed << std::hex;
+  file.precision(3);
+  SMP::IO::write_OBJ(file, mesh, uvmap);
+  EXPECT_EQ(file.precision(), 3);
+  EXPECT_TRUE(file.flags() & std::ios::hex);
+  const Lines lines(file.str());
+  EXPECT_EQ(lines.points[0].x(), 1. / 3);
+  EXPECT_EQ(lines.points[1].x(), 12345);
+  EXPECT_EQ(lines.points[2].y(), 1e-20);
+  EXPECT_EQ(lines.uv[0].x(), 2. / 3);
+  EXPECT_EQ(lines.uv[1].x(), 1e-20);
 }
 
 // ---- maps of corners ----
@@ -255,6 +283,17 @@ TYPED_TEST(Write_OBJ_of_seam_mesh, cuts_the_texture_and_not_the_surface)
 {
   const Cut_sphere<TypeParam> cut;
   cut.expect_written(cut.number_of_places);
+}
+
+// The keys of the map are halfedges, too, but it has a place for each vertex only.
+TYPED_TEST(Write_OBJ_of_seam_mesh, takes_the_map_for_one_of_vertices)
+{
+  const Cut_sphere<TypeParam> cut;
+  std::ostringstream file, other_file;
+  SMP::IO::write_OBJ(file, cut.seam_mesh, cut.uvmap);
+  SMP::IO::write_OBJ(other_file, cut.seam_mesh, cut.uvmap,
+                     CGAL::Constant_property_map<typename Cut_sphere<TypeParam>::Seam_vertex, bool>(true));
+  EXPECT_EQ(file.str(), other_file.str());
 }
 
 TYPED_TEST(Write_OBJ_of_seam_mesh, has_no_texture_where_there_is_no_place)

@@ -187,6 +187,24 @@ std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, c
   return has_map;
 }
 
+// Packs the charts that have a map. Those that have none afterwards, as rounding left no room for it, are told.
+inline void pack(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& options, Round_coordinate round,
+                 Atlas_summary& result)
+{
+  const std::vector<bool> had_map = has_map;
+  const Packing packing = pack_atlas(atlas, has_map, options, round);
+  result.used_part = packing.used_part;
+  if (packing.side == 0)
+    has_map.assign(has_map.size(), false);
+  for (std::size_t i = 0; i < has_map.size(); ++i)
+    if (had_map[i] && !has_map[i]) {
+      Parameterization_error& error = result.charts[i].summary.error;
+      error = { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::FACE, atlas.charts[i].front() };
+      if (result.is_ok())
+        result.error = error;
+    }
+}
+
 typedef Joined_names<Joined_names<Cut_names, Pack_names>,
                      Names<internal_np::edge_is_constrained_t, internal_np::least_used_part_t>>   Atlas_names;
 
@@ -297,7 +315,9 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
       return result;
     if (least_used_part > 0)
       internal::divide_charts(atlas, has_map, pack_options, least_used_part, result);
-    result.used_part = internal::pack_and_write(mesh, atlas, has_map, pack_options, uvmap, result.error);
+    typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
+    internal::pack(atlas, has_map, pack_options, internal::rounding_to<User_point_2>(), result);
+    internal::write_corners(mesh, atlas, has_map, uvmap);
     result.seconds_pack = timer.time() - result.seconds_cut - result.seconds_parameterize;
   } else
     Check::tell();

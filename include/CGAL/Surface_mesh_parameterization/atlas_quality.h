@@ -139,8 +139,8 @@ std::vector<Index> read_map(const TriangleMesh& mesh, const FaceRange& face_rang
 template <class TriangleMesh, class FaceRange, class HalfedgeUVMap>
 Parameterization_quality atlas_quality(const TriangleMesh& mesh, const FaceRange& face_range, HalfedgeUVMap uvmap)
 {
-  typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
-                           internal::Halfedge_uv_map_check<HalfedgeUVMap, TriangleMesh, true>>   Check;
+  typedef std::conjunction<internal::Mesh_check<TriangleMesh>, internal::Uncut_mesh_check<TriangleMesh>,
+                           internal::Readable_halfedge_uv_map_check<HalfedgeUVMap, TriangleMesh>>   Check;
   Parameterization_quality result;
   if constexpr (Check::value) {
     internal::Atlas atlas;

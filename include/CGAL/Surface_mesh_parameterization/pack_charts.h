@@ -22,6 +22,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 #include <vector>
@@ -47,18 +48,12 @@ Pack_options pack_options_of(const NamedParameters& np)
   return options;
 }
 
-// Packs the wanted charts, and writes their places. Returns the used part of the square.
+// Writes the places of the corners of some charts.
 template <class TriangleMesh, class HalfedgeUVMap>
-double pack_and_write(const TriangleMesh& mesh, Atlas& atlas, const std::vector<bool>& is_wanted,
-                      const Pack_options& options, HalfedgeUVMap uvmap, Parameterization_error& error)
+void write_corners(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<bool>& is_wanted,
+                   HalfedgeUVMap uvmap)
 {
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
-  const Packing packing = pack_atlas(atlas, is_wanted, options, rounding_to<User_point_2>());
-  if (packing.side == 0) {
-    if (error.code == OK)
-      error.code = ERROR_NO_1_TO_1_MAPPING;
-    return 0;
-  }
   std::vector<bool> is_written(atlas.mesh.number_of_faces(), false);
   for (std::size_t i = 0; i < atlas.charts.size(); ++i)
     for (const Index f : atlas.charts[i])
@@ -68,7 +63,6 @@ double pack_and_write(const TriangleMesh& mesh, Atlas& atlas, const std::vector<
     if (is_written[i / 3])
       put(uvmap, h, User_point_2(p.x(), p.y()));
   });
-  return packing.used_part;
 }
 
 } // namespace internal
@@ -98,7 +92,7 @@ Error_code pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uvmap,
                        const NamedParameters& np = parameters::default_values())
 {
   Parameterization_error error;
-  typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
+  typedef std::conjunction<internal::Mesh_check<TriangleMesh>, internal::Uncut_mesh_check<TriangleMesh>,
                            internal::Halfedge_uv_map_check<HalfedgeUVMap, TriangleMesh, true>>   Check;
   if constexpr (Check::value) {
     internal::assert_names<internal::Pack_names>(np);
@@ -120,8 +114,13 @@ Error_code pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uvmap,
     if (error.code != OK)
       return error.code;
     internal::make_charts(corners, atlas);
-    const std::vector<bool> all(atlas.charts.size(), true);
-    internal::pack_and_write(mesh, atlas, all, options, uvmap, error);
+    std::vector<bool> is_packed(atlas.charts.size(), true);
+    typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
+    const internal::Packing packing =
+        internal::pack_atlas(atlas, is_packed, options, internal::rounding_to<User_point_2>());
+    if (packing.side == 0 || std::find(is_packed.begin(), is_packed.end(), false) != is_packed.end())
+      return ERROR_NO_1_TO_1_MAPPING;
+    internal::write_corners(mesh, atlas, is_packed, uvmap);
   } else
     Check::tell();
   return error.code;

@@ -12,20 +12,17 @@
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/io/ios_state.hpp>
 
 #include <cstddef>
 #include <limits>
+#include <locale>
 #include <ostream>
 #include <type_traits>
-
-namespace CGAL {
-
-template <class, class, class> class Seam_mesh;
-
-} // namespace CGAL
 
 namespace CGAL::Surface_mesh_parameterization {
 
@@ -57,6 +54,14 @@ auto uncut_vertex(Vertex v, const Seam_mesh<TriangleMesh, SeamEdgeMap, SeamVerte
   return target(towards_v, mesh.mesh());
 }
 
+// Numbers have all digits, whatever the stream did before.
+inline void write_all_digits(std::ostream& os)
+{
+  os.imbue(std::locale::classic());
+  os.flags(std::ios::dec);
+  os.precision((std::numeric_limits<double>::max_digits10));
+}
+
 // Writes the vertices, and numbers them from 1.
 template <class TriangleMesh, class VertexIndexMap>
 void write_vertices(std::ostream& os, const TriangleMesh& mesh, VertexIndexMap index_of)
@@ -65,7 +70,7 @@ void write_vertices(std::ostream& os, const TriangleMesh& mesh, VertexIndexMap i
   std::size_t index = 0;
   for (const auto v : vertices(mesh)) {
     const auto& p = get(point_map, v);
-    os << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    os << "v " << CGAL::to_double(p.x()) << ' ' << CGAL::to_double(p.y()) << ' ' << CGAL::to_double(p.z()) << '\n';
     put(index_of, v, ++index);
   }
 }
@@ -76,14 +81,15 @@ void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, Ve
   const auto& uncut = uncut_mesh(mesh);
   const auto index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), uncut);
   const auto texture_index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
-  const std::streamsize old_precision = os.precision((std::numeric_limits<double>::max_digits10));
+  const boost::io::ios_all_saver saver(os);
+  write_all_digits(os);
 
   write_vertices(os, uncut, index_of);
   std::size_t texture_index = 0;
   for (const auto v : vertices(mesh))
     if (get(vpmap, v)) {
       const auto& p = get(uvmap, v);
-      os << "vt " << p.x() << ' ' << p.y() << '\n';
+      os << "vt " << CGAL::to_double(p.x()) << ' ' << CGAL::to_double(p.y()) << '\n';
       put(texture_index_of, v, ++texture_index);
     }
   for (const auto f : faces(mesh)) {
@@ -98,14 +104,14 @@ void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, Ve
     }
     os << '\n';
   }
-  os.precision(old_precision);
 }
 
 template <class TriangleMesh, class HalfedgeUVMap>
 void write_OBJ(std::ostream& os, const TriangleMesh& mesh, HalfedgeUVMap uvmap)
 {
   const auto index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
-  const std::streamsize old_precision = os.precision((std::numeric_limits<double>::max_digits10));
+  const boost::io::ios_all_saver saver(os);
+  write_all_digits(os);
   const Corner_places corners(mesh, uvmap);
 
   write_vertices(os, mesh, index_of);
@@ -121,7 +127,6 @@ void write_OBJ(std::ostream& os, const TriangleMesh& mesh, HalfedgeUVMap uvmap)
     }
     os << '\n';
   }
-  os.precision(old_precision);
 }
 
 } // namespace internal
@@ -168,12 +173,12 @@ template <class TriangleMesh, class UVMap>
 void write_OBJ(std::ostream& os, const TriangleMesh& mesh, UVMap uvmap)
 {
   typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
-                           internal::Halfedge_uv_map_check<UVMap, TriangleMesh, true>>   Check;
-  if constexpr (Check::value)
-    internal::write_OBJ(os, mesh, uvmap);
-  else if constexpr (internal::Readable_uv_map_check<UVMap, TriangleMesh>::value)
+                           internal::Readable_halfedge_uv_map_check<UVMap, TriangleMesh>>   Check;
+  if constexpr (internal::Readable_uv_map_check<UVMap, TriangleMesh>::value)
     write_OBJ(os, mesh, uvmap,
               CGAL::Constant_property_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, bool>(true));
+  else if constexpr (Check::value)
+    internal::write_OBJ(os, mesh, uvmap);
   else
     Check::tell();
 }

@@ -165,7 +165,7 @@ template <class TriangleMesh, class FaceRange, class UVMap>
 void write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face_range, UVMap uvmap)
 {
   typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
-                           std::disjunction<internal::Halfedge_uv_map_check<UVMap, TriangleMesh, true>,
+                           std::disjunction<internal::Readable_halfedge_uv_map_check<UVMap, TriangleMesh>,
                                             internal::Readable_uv_map_check<UVMap, TriangleMesh>>>   Check;
   if constexpr (Check::value) {
     internal::Triangle_drawing drawing;

@@ -133,15 +133,15 @@ bool are_charts_one_to_one(const std::vector<Border_edge>& edges, const std::vec
   }
 
   // The borders do not meet: a chart that overlaps another one lies in it as a whole, or the other way round.
-  for (std::size_t i = 0; i < number_of_charts; ++i) {
-    if (outermost[i] == no_index)
-      return false;
+  if (std::find(outermost.begin(), outermost.end(), no_index) != outermost.end())
+    return false;
+  const auto is_in = [&](std::size_t i, std::size_t j) {
     const Point_2& p = uv[outermost[i]];
-    for (std::size_t j = 0; j < number_of_charts; ++j)
-      if (i != j && do_overlap(p.bbox(), boxes[j]) && winding_number(edges_of[j], uv, p) != 0)
-        return false;
-  }
-  return true;
+    return do_overlap(p.bbox(), boxes[j]) && winding_number(edges_of[j], uv, p) != 0;
+  };
+  bool result = true;
+  for_each_pair_of_boxes(boxes, [&](std::size_t i, std::size_t j) { result = result && !is_in(i, j) && !is_in(j, i); });
+  return result;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -17,6 +17,12 @@
 #include <type_traits>
 #include <utility>
 
+namespace CGAL {
+
+template <class, class, class> class Seam_mesh;
+
+} // namespace CGAL
+
 // What calls ask of a mesh and of the property maps of its vertices and halfedges: checks as in concept_checks.h.
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -184,6 +190,36 @@ struct Vertex_map_check
   }
 };
 
+// Of a map from halfedges that a call only reads.
+template <class UVMap, class Mesh>
+struct Readable_halfedge_uv_map_check
+  : std::bool_constant<is_detected<Coordinates_2, Detected<Value_of, UVMap>> &&
+                       std::is_convertible<Halfedge_of<Mesh>, Detected<Key_of, UVMap>>::value &&
+                       is_detected_as<Detected<Value_of, UVMap>, Read, UVMap, Halfedge_of<Mesh>>>
+{
+  static void tell()
+  {
+    static_assert(Readable_halfedge_uv_map_check::value,
+                  "uvmap is no map from the halfedges of the mesh to points of the plane: it needs get(uvmap, h), a "
+                  "point with x() and y()");
+  }
+};
+
+// Of a mesh whose corners have places.
+template <class Mesh>
+struct Uncut_mesh_check : std::true_type { };
+
+template <class TriangleMesh, class SeamEdgeMap, class SeamVertexMap>
+struct Uncut_mesh_check<Seam_mesh<TriangleMesh, SeamEdgeMap, SeamVertexMap>> : std::false_type
+{
+  static void tell()
+  {
+    static_assert(!sizeof(TriangleMesh*), "uvmap of a Seam_mesh belongs to its vertices, and this call reads places of "
+                                          "corners: pass the mesh that it cuts, and a map with the places of all its "
+                                          "corners");
+  }
+};
+
 // Of a map from halfedges that a call writes and, if `is_read`, reads.
 template <class UVMap, class Mesh, bool is_read = false>
 struct Halfedge_uv_map_check
@@ -211,7 +247,9 @@ using concept_checks::Halfedge_uv_map_check;
 using concept_checks::Index_map_check;
 using concept_checks::Mesh_check;
 using concept_checks::Mesh_descriptors;
+using concept_checks::Readable_halfedge_uv_map_check;
 using concept_checks::Readable_uv_map_check;
+using concept_checks::Uncut_mesh_check;
 using concept_checks::Uv_map_check;
 using concept_checks::Vertex_map_check;
 

@@ -25,6 +25,7 @@ Component_cut cut_component(Corner_mesh& mesh, const Cut_options& options)
     seam = long_path(mesh);
   const bool was_disk = seam.empty();
   sever(mesh, seam);
+  open_short_borders(mesh);
   if (options.joins_borders)
     join_borders(mesh);
   if (was_disk && !options.bounds_disks)

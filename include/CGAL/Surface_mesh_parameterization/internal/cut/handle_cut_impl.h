@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_HANDLE_CUT_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_HANDLE_CUT_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Shortest_paths.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/handle_cut.h>
 
@@ -46,29 +47,37 @@ inline std::vector<Index> closing_edges(const Corner_mesh& mesh, const Shortest_
 
 // Removes the edges that lead nowhere: to a place of one edge that is no border.
 inline std::vector<Index> without_dead_ends(const Corner_mesh& mesh, const Shortest_paths& paths,
-                                            std::vector<Index> edges)
+                                            const std::vector<Index>& edges)
 {
-  std::vector<Index> degree(paths.number_of_places(), 0);
-  const auto ends = [&](Index h) {
-    return std::make_pair(paths.place(mesh.source(h)), paths.place(mesh.target(h)));
-  };
-  for (const Index h : edges) {
-    ++degree[ends(h).first];
-    ++degree[ends(h).second];
+  const Compressed_lists<Index> edges_at(paths.number_of_places(), [&](const auto& add) {
+    for (Index i = 0; i < edges.size(); ++i) {
+      add(paths.place(mesh.source(edges[i])), i);
+      add(paths.place(mesh.target(edges[i])), i);
+    }
+  });
+  std::vector<Index> degree, dead_ends;
+  for (Index place = 0; place < paths.number_of_places(); ++place) {
+    degree.push_back(Index(edges_at[place].size()));
+    if (degree[place] == 1 && !paths.is_border(place))
+      dead_ends.push_back(place);
   }
-  const auto is_dead_end = [&](Index place) { return degree[place] == 1 && !paths.is_border(place); };
-  std::size_t old_size;
-  do {
-    old_size = edges.size();
-    edges.erase(std::remove_if(edges.begin(), edges.end(), [&](Index h) {
-                  const auto [a, b] = ends(h);
-                  const bool is_removed = is_dead_end(a) || is_dead_end(b);
-                  degree[a] -= is_removed;
-                  degree[b] -= is_removed;
-                  return is_removed;
-                }), edges.end());
-  } while (edges.size() < old_size);
-  return edges;
+  std::vector<bool> is_removed(edges.size(), false);
+  while (!dead_ends.empty()) {
+    const Index place = dead_ends.back();
+    dead_ends.pop_back();
+    for (const Index i : edges_at[place])
+      if (!is_removed[i]) {
+        is_removed[i] = true;
+        const Index v = paths.place(mesh.source(edges[i])), other = v == place ? paths.place(mesh.target(edges[i])) : v;
+        if (--degree[other] == 1 && !paths.is_border(other))
+          dead_ends.push_back(other);
+      }
+  }
+  std::vector<Index> result;
+  for (Index i = 0; i < edges.size(); ++i)
+    if (!is_removed[i])
+      result.push_back(edges[i]);
+  return result;
 }
 
 inline std::vector<Index> system_of_loops(const Corner_mesh& mesh, const Shortest_paths& paths)
@@ -86,7 +95,7 @@ inline std::vector<Index> system_of_loops(const Corner_mesh& mesh, const Shortes
       for (const Index h : paths.path_to(paths.place(end)))
         take(h);
   }
-  return without_dead_ends(mesh, paths, std::move(result));
+  return without_dead_ends(mesh, paths, result);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

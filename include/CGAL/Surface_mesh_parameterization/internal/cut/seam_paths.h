@@ -8,6 +8,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Shortest_paths.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -28,25 +32,21 @@ inline std::vector<Index> long_path(const Corner_mesh& mesh)
   Shortest_paths paths(mesh);
   paths.add_sources({ from_any.farthest() });
   std::vector<Index> path = paths.path_to(paths.farthest());
+  if (path.empty())                         // all points coincide
+    path.push_back(0);
   if (path.size() == 1)
     path.push_back(Corner_mesh::next(path.front()));
   return path;
 }
 
-// Joins all borders by short paths.
-inline void join_borders(Corner_mesh& mesh)
+// Cuts one more edge at each border of two edges, whose ends are the same: what knows triangles by their vertices takes
+// such a border for an edge.
+inline void open_short_borders(Corner_mesh& mesh)
 {
-  Shortest_paths paths(mesh);
-  paths.add_sources({ 0 });        // the borders are the first places
   std::vector<Index> seam;
-  for (Index place = 1; place < paths.number_of_places() && paths.is_border(place); ++place) {
-    const std::vector<Index> path = paths.path_to(place);
-    std::vector<Index> places(1, place);
-    for (const Index h : path)
-      places.push_back(paths.place(mesh.source(h)));
-    paths.add_sources(places);
-    seam.insert(seam.end(), path.begin(), path.end());
-  }
+  for (const std::vector<Index>& border : borders(mesh))
+    if (border.size() == 2)
+      seam.push_back(Corner_mesh::next(border[0]));
   sever(mesh, seam);
 }
 
@@ -57,6 +57,55 @@ inline std::vector<Index> border_places(const Shortest_paths& paths)
   for (Index place = 0; place < paths.number_of_places() && paths.is_border(place); ++place)
     places.push_back(place);
   return places;
+}
+
+// Of each place, the source at the end of the shortest path.
+inline std::vector<Index> nearest_sources(const Shortest_paths& paths, const Corner_mesh& mesh)
+{
+  std::vector<Index> result(paths.number_of_places(), no_index), path;
+  for (Index start = 0; start < paths.number_of_places(); ++start) {
+    path.clear();
+    Index place = start;
+    for (; result[place] == no_index && paths.last_halfedge(place) != no_index;
+         place = paths.place(mesh.source(paths.last_halfedge(place))))
+      path.push_back(place);
+    const Index source = result[place] == no_index ? place : result[place];
+    result[place] = source;
+    for (const Index p : path)
+      result[p] = source;
+  }
+  return result;
+}
+
+// Joins all borders along a shortest spanning tree: each of its paths crosses an edge between the regions of places that
+// two borders are nearest to.
+inline void join_borders(Corner_mesh& mesh)
+{
+  Shortest_paths paths(mesh);
+  paths.add_sources(border_places(paths));
+  const std::vector<Index> sources = nearest_sources(paths, mesh);
+  std::vector<std::pair<double, Index>> crossings;
+  for (Index h = 0; h < mesh.number_of_halfedges(); ++h) {
+    const Index v = paths.place(mesh.source(h)), w = paths.place(mesh.target(h));
+    if (!mesh.is_border(h) && h < mesh.opposite[h] && sources[v] != sources[w])
+      crossings.emplace_back(paths.distance(v) + length(mesh, h) + paths.distance(w), h);
+  }
+  std::sort(crossings.begin(), crossings.end());
+  boost::disjoint_sets_with_storage<> parts(paths.number_of_places());
+  std::vector<Index> seam;
+  for (const auto& [unused_length, h] : crossings) {
+    const Index v = paths.place(mesh.source(h)), w = paths.place(mesh.target(h));
+    const std::size_t part_of_v = parts.find_set(sources[v]), part_of_w = parts.find_set(sources[w]);
+    if (part_of_v == part_of_w)
+      continue;
+    parts.link(part_of_v, part_of_w);
+    seam.push_back(h);
+    for (const Index end : { v, w }) {
+      const std::vector<Index> path = paths.path_to(end);
+      seam.insert(seam.end(), path.begin(), path.end());
+    }
+  }
+  sever(mesh, seam);
 }
 
 // Cuts a mesh of disk type from extremities to the border, or to the branch before.

@@ -131,13 +131,13 @@ std::vector<Point_2> read_map_if_readable(Mesh_component<TriangleMesh>& componen
 // Does what add_places() does, or returns `ERROR_WRONG_PARAMETER` if the map can only be written.
 template <class TriangleMesh, class VertexUVMap>
 Parameterization_error add_places_if_readable(const Place_constraints<TriangleMesh>& constraints,
-                                              const TriangleMesh& mesh, VertexUVMap uvmap,
+                                              const TriangleMesh& mesh, VertexUVMap uvmap, bool is_start,
                                               Mesh_component<TriangleMesh>& component, bool& is_mirrored)
 {
   if (constraints.empty())
     return Parameterization_error();
   if constexpr (Readable_uv_map_check<VertexUVMap, TriangleMesh>::value)
-    return add_places(constraints, mesh, uvmap, component, is_mirrored);
+    return add_places(constraints, mesh, uvmap, is_start, component, is_mirrored);
   else
     return { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0 };
 }
@@ -160,7 +160,8 @@ Error_code run_nested_iteration(Method method, const Nested_iteration_options& o
     summary.error.code = place_border(method, mesh, bhd, component);
   bool is_mirrored = false;
   if (summary.error.code == OK)
-    summary.error = add_places_if_readable(constraints, mesh, uvmap, component, is_mirrored);
+    summary.error = add_places_if_readable(constraints, mesh, uvmap, bool(options.make_starting_map), component,
+                                           is_mirrored);
   if (summary.error.code != OK)
     return summary.error.code;
   if (options.fills_holes)

@@ -81,20 +81,44 @@ inline void mirror_places(Triangulated_surface_3& surface)
 
 // Whether the given places on the outer border run around the map the wrong way, so that all triangles have to be
 // negative. Some of CGAL's border parameterizers place a border so. The outer border is in the order in which
-// Mesh_component reads it, with the surface to the right.
+// Mesh_component reads it, with the surface to the right. Where no place is given along more than half of the border,
+// nothing is said: the others may lie along a side, or in a bay.
 inline bool is_border_mirrored(const Triangulated_surface_3& surface)
 {
   std::vector<const Point_2*> place(surface.points.size(), nullptr);
   for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices)
     place[fixed.vertex] = &fixed.place;
+  const std::vector<Index>& border = surface.outer_border;
   std::vector<Point_2> polygon;
-  for (const Index v : surface.outer_border)
-    if (place[v])
-      polygon.push_back(*place[v]);
-  double sum = 0;
+  std::vector<double> at;                   // of the border's length, from its first vertex on
+  double length = 0;
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    if (place[border[i]]) {
+      polygon.push_back(*place[border[i]]);
+      at.push_back(length);
+    }
+    const Index next = border[i + 1 == border.size() ? 0 : i + 1];
+    length += std::sqrt((surface.points[next] - surface.points[border[i]]).squared_length());
+  }
+  for (std::size_t i = 0; i < at.size(); ++i)
+    if ((i + 1 == at.size() ? at[0] + length : at[i + 1]) - at[i] > 0.5 * length)
+      return false;
+  double area = 0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    sum += doubled_area(polygon[0], polygon[i], polygon[i + 1]);
-  return sum > 0;
+    area += doubled_area(polygon[0], polygon[i], polygon[i + 1]);
+  return area > 0;
+}
+
+// Whether more triangles of a map are negative than positive, or as many and the border is mirrored.
+inline bool is_start_mirrored(const Triangulated_surface_3& surface, const std::vector<Point_2>& uv)
+{
+  std::size_t positive = 0, negative = 0;
+  for (const Index_triangle& t : surface.triangles) {
+    const double area = doubled_area(uv[t[0]], uv[t[1]], uv[t[2]]);
+    positive += area > 0;
+    negative += area < 0;
+  }
+  return negative > positive || (negative == positive && is_border_mirrored(surface));
 }
 
 // A triangle that its corners' given places turn over or make degenerate, or the number of triangles if there is none.
@@ -115,12 +139,13 @@ inline std::size_t first_contradiction(const Triangulated_surface_3& surface)
 }
 
 // Adds to a component's surface the places that the constraints ask for, as the user's map has them, but mirrored if
-// is_border_mirrored(), which `is_mirrored` tells then. Returns
-// `ERROR_WRONG_PARAMETER` for a place that is not finite or a weight that is negative or not finite,
+// the map has to be, which `is_mirrored` tells then: if the border is, or the user's map if the run starts from it.
+// Returns `ERROR_WRONG_PARAMETER` for a place that is not finite or a weight that is negative or not finite,
 // `ERROR_NO_1_TO_1_MAPPING` for a triangle that given places leave no room for, and which.
 template <class TriangleMesh, class VertexUVMap>
 Parameterization_error add_places(const Place_constraints<TriangleMesh>& constraints, const TriangleMesh& mesh,
-                                  VertexUVMap uvmap, Mesh_component<TriangleMesh>& component, bool& is_mirrored)
+                                  VertexUVMap uvmap, bool is_start, Mesh_component<TriangleMesh>& component,
+                                  bool& is_mirrored)
 {
   Triangulated_surface_3& surface = component.surface();
   const std::vector<Point_2> uv = read_map(component, surface.scale_exponent, uvmap);
@@ -135,7 +160,7 @@ Parameterization_error add_places(const Place_constraints<TriangleMesh>& constra
     else if (weight > 0)
       surface.springs.push_back({ Index(i), uv[i], 2 * std::ldexp(weight, -2 * surface.scale_exponent) });
   }
-  is_mirrored = is_border_mirrored(surface);
+  is_mirrored = is_start ? is_start_mirrored(surface, uv) : is_border_mirrored(surface);
   if (is_mirrored)
     mirror_places(surface);
   const std::size_t f = first_contradiction(surface);

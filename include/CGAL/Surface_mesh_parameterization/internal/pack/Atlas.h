@@ -43,10 +43,10 @@ void make_charts(const std::vector<Point_2>& corners, Atlas& atlas);
 void split_charts(const std::vector<Point_2>& corners, Atlas& atlas);
 
 // Packs those charts of an atlas that are wanted. Coordinates are rounded by `round` if that is not null. A chart
-// without flips stays so: where rounding makes a flip, it is repaired. Returns how the charts fill the square, or a
-// side of 0 if a repair failed.
-Packing pack_atlas(Atlas& atlas, const std::vector<bool>& is_wanted, const Pack_options& options,
-                   Round_coordinate round);
+// without flips stays so: where rounding makes a flip, vertices move, or the chart is scaled up, but not so far
+// that it meets another one. A chart for which that fails is not wanted any more. Returns how the charts fill the square,
+// or a side of 0 if they have no area.
+Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_options& options, Round_coordinate round);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

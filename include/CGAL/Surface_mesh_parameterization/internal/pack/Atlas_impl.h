@@ -5,11 +5,15 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_IMPL_H
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/turn_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Origin.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -92,46 +96,136 @@ inline bool is_positive(const Chart& chart)
   });
 }
 
-// Moves vertices of a chart that has got flips by rounding. Returns whether it has none then.
-inline bool repair(Chart& chart, const Corner_mesh& component, Round_coordinate round)
+inline Point_2 scaled(const Point_2& p, double scale) { return Point_2(scale * p.x(), scale * p.y()); }
+
+inline void round_all(std::vector<Point_2>& points, Round_coordinate round)
+{
+  if (round)
+    for (Point_2& p : points)
+      p = Point_2(round(p.x(), 0), round(p.y(), 0));
+}
+
+inline bool is_near(const std::vector<Point_2>& points, const std::vector<Point_2>& others, double distance)
+{
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!((points[i] - others[i]).squared_length() <= distance * distance))
+      return false;
+  return true;
+}
+
+// The next three functions round the places of a chart so that no triangle is flipped, and return whether they could;
+// else the chart stays as it was. This one moves vertices within their stars.
+inline bool round_places(Chart& chart, Round_coordinate round)
+{
+  const std::vector<Point_2> exact = chart.points;
+  round_all(chart.points, round);
+  if (is_positive(chart))
+    return true;
+  chart.points = exact;
+  if (round && is_positive(chart) &&
+      round_map(One_rings(chart.points.size(), chart.triangles), round, 0, chart.points) && is_positive(chart))
+    return true;
+  chart.points = exact;
+  return false;
+}
+
+// Of a chart that is too small for the steps of its coordinates: its shape is scaled up around the middle of its place,
+// up to a size.
+inline bool round_places_enlarged(Chart& chart, const std::vector<Point_2>& shape, Round_coordinate round,
+                                  double most_size)
+{
+  const auto middle_of = [](const Bbox_2& box) {
+    return Vector_2(0.5 * (box.xmin() + box.xmax()), 0.5 * (box.ymin() + box.ymax()));
+  };
+  const std::vector<Point_2> exact = chart.points;
+  const Bbox_2 box = box_of(shape);
+  const Vector_2 middle = middle_of(box_of(chart.points));
+  for (double factor = 1; factor * (width(box) + height(box)) < most_size; factor *= 4) {
+    for (std::size_t i = 0; i < shape.size(); ++i)
+      chart.points[i] = CGAL::ORIGIN + (middle + factor * (shape[i] - CGAL::ORIGIN - middle_of(box)));
+    if (round_places(chart, round))
+      return true;
+  }
+  chart.points = exact;
+  return false;
+}
+
+// By a repair of the flips.
+inline bool round_places_repaired(Chart& chart, const Corner_mesh& mesh, Round_coordinate round)
 {
   std::size_t unused_number = 0;
-  return repair_map(surface_of(component), false, chart.points, unused_number) == OK &&
-         round_map(One_rings(chart.points.size(), chart.triangles), round, 0, chart.points) &&
-         is_positive(chart);
+  return repair_map(surface_of(mesh), false, chart.points, unused_number) == OK && round_places(chart, round);
+}
+
+// Whether the wanted charts lie in a square, and do not overlap.
+inline bool are_apart(const Atlas& atlas, const std::vector<bool>& is_wanted, double side)
+{
+  std::vector<Border_edge> edges;
+  std::vector<Index> chart_of_edge;
+  Index number_of_charts = 0;
+  for (std::size_t i = 0; i < atlas.charts.size(); ++i)
+    if (is_wanted[i]) {
+      for (const Index f : atlas.charts[i])
+        for (Index h = 3 * f; h < 3 * f + 3; ++h)
+          if (atlas.mesh.is_border(h)) {
+            const Point_2& p = atlas.uv[atlas.mesh.target(h)];
+            if (!(p.x() > 0 && p.y() > 0 && p.x() < side && p.y() < side))
+              return false;
+            edges.push_back({ atlas.mesh.source(h), atlas.mesh.target(h) });
+            chart_of_edge.push_back(number_of_charts);
+          }
+      ++number_of_charts;
+    }
+  return are_charts_one_to_one(edges, chart_of_edge, atlas.uv);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Packing pack_atlas(Atlas& atlas, const std::vector<bool>& is_wanted, const Pack_options& options,
-                   Round_coordinate round)
+Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_options& options, Round_coordinate round)
 {
   std::vector<Chart> charts;
   std::vector<Index> scratch(atlas.mesh.number_of_vertices(), no_index);
   std::vector<std::size_t> numbers;
-  std::vector<bool> was_positive;
   for (std::size_t i = 0; i < atlas.charts.size(); ++i)
     if (is_wanted[i]) {
       charts.push_back(chart_of(component_of(atlas.mesh, atlas.charts[i], scratch), map_of(atlas, atlas.charts[i])));
-      was_positive.push_back(is_positive(charts.back()));
       numbers.push_back(i);
     }
+  std::vector<bool> was_positive;
+  for (const Chart& chart : charts)
+    was_positive.push_back(is_positive(chart));
   Packing packing = pack_charts(charts, options);
-  const double scale = options.fills_unit_square && packing.side > 0 ? 1 / packing.side : 1;
-  const auto finished = [&](double x) {
-    return round ? round(scale * x, 0) : scale * x;
-  };
+  if (packing.side == 0)
+    return packing;
+  const double scale = options.fills_unit_square ? 1 / packing.side : 1;
+  packing.side *= scale;
+  packing.distance *= scale;
+
+  const double most_distance = 0.25 * packing.distance;         // two charts may come nearer to each other
+  std::vector<std::size_t> strayed;
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    for (Point_2& p : charts[i].points)
-      p = Point_2(finished(p.x()), finished(p.y()));
-    const std::vector<Index>& faces = atlas.charts[numbers[i]];
-    if (was_positive[i] && !is_positive(charts[i]) &&
-        !repair(charts[i], component_of(atlas.mesh, faces, scratch), round))
-      return {};
+    const std::size_t number = numbers[i];
+    const std::vector<Index>& faces = atlas.charts[number];
+    Chart& chart = charts[i];
+    for (Point_2& p : chart.points)
+      p = scaled(p, scale);
+    const std::vector<Point_2> exact = chart.points;
+    if (was_positive[i]) {
+      std::vector<Point_2> shape = map_of(atlas, faces);
+      for (Point_2& p : shape)
+        p = scaled(p, scale);
+      is_wanted[number] = round_places(chart, round) || round_places_enlarged(chart, shape, round, most_distance) ||
+                          round_places_repaired(chart, component_of(atlas.mesh, faces, scratch), round);
+      if (is_wanted[number] && !is_near(chart.points, exact, most_distance))
+        strayed.push_back(number);
+    } else
+      round_all(chart.points, round);
     const std::vector<Index> vertices = vertices_of(atlas.mesh, faces);
     for (std::size_t j = 0; j < vertices.size(); ++j)
-      atlas.uv[vertices[j]] = charts[i].points[j];
+      atlas.uv[vertices[j]] = chart.points[j];
   }
-  packing.side *= scale;
+  if (!strayed.empty() && !are_apart(atlas, is_wanted, packing.side))
+    for (const std::size_t number : strayed)
+      is_wanted[number] = false;
   return packing;
 }
 

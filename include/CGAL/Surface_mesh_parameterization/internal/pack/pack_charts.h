@@ -32,6 +32,7 @@ struct Packing
 {
   double side = 0;              // of the square that holds all charts
   double used_part = 0;         // of its area
+  double distance = 0;          // between charts, at least, and half of it to the sides of the square
 };
 
 // Moves and turns charts, so that they lie in a square with a corner at the origin, and do not meet.

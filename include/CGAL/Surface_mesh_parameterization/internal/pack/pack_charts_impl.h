@@ -10,17 +10,19 @@
 #include <CGAL/Surface_mesh_parameterization/internal/pack/turn_chart.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Origin.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The side of a square that should hold charts of these areas, each grown as the box around it grows by the margin, a
-// part of that side.
+// The side of a square that should hold charts of these areas, each grown by the part of its box that it covers when the
+// box grows by the margin, a part of that side.
 inline double guessed_side(const std::vector<Chart>& charts, const std::vector<double>& areas, double margin)
 {
   constexpr double guessed_part = 0.75;
@@ -30,8 +32,9 @@ inline double guessed_side(const std::vector<Chart>& charts, const std::vector<d
     double sum = 0, greatest_diagonal = 0;
     for (std::size_t j = 0; j < charts.size(); ++j) {
       const Bbox_2 box = box_of(charts[j].points);
-      if (areas[j] > 0)
-        sum += areas[j] * (1 + margin * side / width(box)) * (1 + margin * side / height(box));
+      const double area_of_box = width(box) * height(box), growth = margin * side,
+                   covered_part = area_of_box > areas[j] ? areas[j] / area_of_box : 1;
+      sum += areas[j] + covered_part * growth * (width(box) + height(box) + growth);
       greatest_diagonal = (std::max)(greatest_diagonal, std::hypot(width(box), height(box)));
     }
     side = (std::max)(std::sqrt(sum / guessed_part), std::sqrt(0.5) * greatest_diagonal);
@@ -68,8 +71,8 @@ inline Grid_packer::Plan make_plan(const Grid_packer& packer, const Large_charts
   return plan;
 }
 
-// Packs several charts. The margin is a part of the side. Returns the side.
-inline double pack_on_grid(std::vector<Chart>& charts, const std::vector<double>& areas, double margin,
+// Packs several charts. The margin is a part of the side. Returns the side, and the distance that charts have.
+inline std::pair<double, double> pack_on_grid(std::vector<Chart>& charts, const std::vector<double>& areas, double margin,
                            const Pack_options& options)
 {
   const double root = std::sqrt(double(charts.size()));
@@ -78,7 +81,8 @@ inline double pack_on_grid(std::vector<Chart>& charts, const std::vector<double>
   const std::size_t margin_cells = std::size_t((std::max)(1., std::floor(margin * cells))),
                     number_of_widths = std::clamp(options.most_placements / charts.size(), std::size_t(2),
                                                   options.most_widths);
-  if (margin > 0)
+  // A margin that is far below a cell becomes one cell.
+  if (double(margin_cells) <= 2 * margin * cells)
     cells = double(margin_cells) / margin;
 
   double side = guessed_side(charts, areas, margin);
@@ -101,7 +105,7 @@ inline double pack_on_grid(std::vector<Chart>& charts, const std::vector<double>
       turn_and_move(charts[i].points, directions[i][result.directions[i]],
                     cell * Vector_2(double(result.places[i].x) + 0.5 * double(margin_cells),
                                     double(result.places[i].y) + 0.5 * double(margin_cells)));
-    return double(result.side) * cell;
+    return { double(result.side) * cell, double(margin_cells) * cell };
   }
 }
 
@@ -115,15 +119,24 @@ Packing pack_charts(std::vector<Chart>& charts, const Pack_options& options)
   if (!(total_area > 0 && std::isfinite(total_area)))
     return {};
   const double margin = (std::min)(options.margin, options.margin_of_chart / std::sqrt(double(charts.size())));
-  double side;
+  // Where a chart was far away, its coordinates have few digits; in differences of them nothing is lost.
+  for (Chart& chart : charts) {
+    const Vector_2 first = chart.points.front() - CGAL::ORIGIN;
+    for (Point_2& p : chart.points)
+      p = p - first;
+  }
+  double side, distance;
   if (charts.size() == 1) {
     side = put_in_square(charts[0].points, margin);
+    distance = margin * side;
   } else {
     for (Chart& chart : charts)
       straighten(chart.points);
-    side = pack_on_grid(charts, areas, margin, options);
+    std::tie(side, distance) = pack_on_grid(charts, areas, margin, options);
   }
-  return { side, total_area / (side * side) };
+  if (!std::isfinite(side))
+    return {};
+  return { side, total_area / (side * side), distance };
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -66,6 +66,8 @@ public:
       put(m_index, m_vertices[i], int(i));
     m_surface = std::move(component.surface());
     m_border_size = m_surface.outer_border.size();
+    if (is_one_point(m_surface.points))         // two of which LSCM cannot hold
+      summary().error.code = ERROR_BORDER_TOO_SHORT;
     m_progress.start_stage(0, 0, 1, m_vertices.size());
     summary().seconds_hierarchy = m_timer.time();
   }
@@ -200,6 +202,11 @@ public:
   Parameterization_summary& summary() { return m_options.summary ? *m_options.summary : m_own_summary; }
 
 private:
+  static bool is_one_point(const std::vector<Point_3>& points)
+  {
+    return std::all_of(points.begin(), points.end(), [&](const Point_3& p) { return p == points.front(); });
+  }
+
   template <class Point, class Function>
   static Error_code solve_and_copy(const std::shared_ptr<Multigrid_session>& session, std::vector<Point>& uv,
                                    const Function& parameterize, bool copies_solution)
