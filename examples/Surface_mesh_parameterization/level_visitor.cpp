@@ -37,8 +37,8 @@ public:
   bool level_parameterized(const SMP::Level& level, const SMP::Level::Uv&, const SMP::Level_summary& summary)
   {
     std::cout << "level " << level.index() << ": " << summary.vertices << " vertices, energy " << summary.energy_start
-              << " -> " << summary.energy_end << ", " << summary.iterations << " iterations, " << m_timer.time()
-              << " s\n";
+              << " -> " << summary.energy_end << ", " << summary.iterations << " iterations, done "
+              << m_timer.time() << " s after the start\n";
     return true;
   }
 

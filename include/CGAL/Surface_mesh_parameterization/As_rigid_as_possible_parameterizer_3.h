@@ -75,6 +75,8 @@ public:
   /// - `tolerance`, `number_of_iterations` and the other named parameters of `Refinement_options`, except
   ///   `triangle_weight` and `globally_injective`
   /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `REPAIR`
+  /// - `fill_holes`: whether a flat run treats holes as parts of the surface, see `Nested_iteration_parameterizer_3`;
+  ///   default `false`
   /// - `initial_map`: whether a flat run starts from the map that `uvmap` holds; default `false`
   /// - `vertex_is_constrained_map`, `position_weight_map`: of a flat run, see `Nested_iteration_parameterizer_3`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did

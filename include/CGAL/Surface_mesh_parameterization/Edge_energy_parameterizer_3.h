@@ -88,6 +88,8 @@ public:
   /// - `number_of_iterations`: the most iterations of the multigrid method on a level; default 300. After these, a
   ///   direct solver takes over on the finest level
   /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `REPAIR`
+  /// - `fill_holes`: whether a flat run treats holes as parts of the surface, see `Nested_iteration_parameterizer_3`;
+  ///   default `false`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Edge_energy_parameterizer_3(const Border_parameterizer& border_parameterizer = Border_parameterizer(),

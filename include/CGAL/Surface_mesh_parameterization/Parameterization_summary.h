@@ -82,9 +82,10 @@ struct Parameterization_summary
   /// guarantees about flips do not depend on it
   bool converged = false;
   /// the method's energy of the result: the sum over the triangles, or the mean over the area; after a repair, if the
-  /// method tells the energy of any map, see `RefinableParameterizer_3`
+  /// method tells the energy of any map, see `RefinableParameterizer_3`; 0 for the linear methods of CGAL
   double energy = 0;
-  std::vector<Level_summary> levels;      ///< from the coarsest level to the finest
+  /// from the coarsest level to the finest; none for the linear methods of CGAL
+  std::vector<Level_summary> levels;
   /// triangles that the method flipped, before a repair; if there are none, vertices around which its map winds more
   /// than once, or not at all. Not counted if the `Flip_policy` is `KEEP`
   std::size_t flips = 0;

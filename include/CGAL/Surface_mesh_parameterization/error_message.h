@@ -33,7 +33,10 @@ inline std::string error_message(const Parameterization_error& error)
       break;
     case ERROR_NO_TOPOLOGICAL_BALL: message = "the surface is no sphere"; break;
     case ERROR_BORDER_TOO_SHORT: message = "the border has no length"; break;
-    case ERROR_NON_CONVEX_BORDER: message = "the border of the map crosses itself"; break;
+    case ERROR_NON_CONVEX_BORDER:
+      message = "the border of the map crosses itself, or vertices that a border parameterizer was given are not on "
+                "the outer border, or not in the component";
+      break;
     case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM:
       message = "a linear system could not be solved, or the parameterizer did not use the solver that it was given";
       break;
@@ -45,8 +48,10 @@ inline std::string error_message(const Parameterization_error& error)
       break;
     case ERROR_WRONG_PARAMETER:
       message = is_at_vertex ? "a coordinate or a weight is not a finite number, or a weight is negative"
-                             : "the halfedge is not on a border, a place on the border of the map is not finite, the "
-                               "map is too large for a double, or the holes of such a mesh cannot be filled";
+                             : "the surface has no border or the halfedge is not on one, a place on the border of the "
+                               "map is not finite, the map is too large for a double, the holes of such a mesh cannot "
+                               "be filled, uvmap cannot be read but a run starts from it or holds vertices there, or "
+                               "the margin is not from 0 to 0.1";
       break;
   }
   if (error.place != Parameterization_error::NOWHERE)

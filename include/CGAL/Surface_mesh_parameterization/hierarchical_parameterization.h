@@ -37,10 +37,12 @@ namespace CGAL::Surface_mesh_parameterization {
 /// the outer border is parameterized.
 ///
 /// \tparam Method a class template of parameterizers. Its first argument is the mesh, and the others have defaults.
-///         `Hierarchical_parameterizer_3` must take `Method<TriangleMesh>`
+///         `Hierarchical_parameterizer_3` must take `Method<TriangleMesh>`. For other arguments write an alias:
+///         `template <class M> using Mine = SMP::MIPS_parameterizer_3<M, CGAL::Parallel_tag>;`
 ///
 /// \param mesh a triangulated surface with a border and without handles, which may be `const`; it is only read
-/// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
+/// \param uvmap a writable property map from vertices to points of the plane; untouched on an error. For LSCM and the
+///        other methods of CGAL that solve linear systems it must be readable, too
 /// \param np the named parameters of `Method<TriangleMesh>` and of `Hierarchical_parameterizer_3`. A `summary` receives
 ///        what is returned
 ///
