@@ -21,10 +21,14 @@ report_is_whole() {
 }
 
 make_charts slurm
-for task in 0 1 2; do
-  SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_ID=$task bash "$scripts/slurm_array.sh" slurm/list 2>/dev/null ||
-    fail "task $task failed"
-done
+# run_task MIN MAX COUNT ID
+run_task() {
+  SLURM_ARRAY_TASK_MIN=$1 SLURM_ARRAY_TASK_MAX=$2 SLURM_ARRAY_TASK_COUNT=$3 SLURM_ARRAY_TASK_ID=$4 \
+    bash "$scripts/slurm_array.sh" slurm/list 2>/dev/null
+}
+for task in 0 1 2; do run_task 0 2 3 "$task" || fail "task $task failed"; done
+# Arrays whose tasks would leave meshes out: from 1 to 3, one of several, every second one.
+for tasks in '1 3 3 1' '2 2 1 2' '0 4 3 2'; do run_task $tasks && fail "an array of tasks $tasks is accepted"; done
 for i in $(seq $charts); do cat "slurm/chart $i.json"; done >slurm/list.report
 report_is_whole slurm
 
@@ -45,6 +49,11 @@ if command -v parallel >/dev/null; then
   rm charts/*.uv.ply
   bash "$scripts/with_parallel.sh" charts/list 2>/dev/null
   [ "$(ls charts/*.uv.ply | tr '\n' ' ')" = "charts/chart 3.uv.ply charts/chart 7.uv.ply " ] || fail "a second run wrote $(ls charts/*.uv.ply)"
+
+  # Nothing of another run is taken for a result.
+  rm charts/list.log
+  PROGRAM=false bash "$scripts/with_parallel.sh" charts/list 2>/dev/null
+  [ -z "$(ls charts/*.json 2>/dev/null)" ] || fail "reports of another run are left: $(ls charts/*.json)"
 else
   echo "GNU parallel is not there; its script was not run"
 fi
