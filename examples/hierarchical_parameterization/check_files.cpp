@@ -15,7 +15,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -62,6 +64,19 @@ std::vector<Named_place> output_places(const Options& options)
   return outputs;
 }
 
+// What else forbids to write a file is told when it is written. The folder of --levels is made then.
+void check_folder(const std::string& name)
+{
+  const File_place place = output_place(name);
+  if (name.empty() || place.is_special())
+    return;
+  const std::filesystem::path folder = place.path.parent_path();
+  std::error_code unused_error;
+  const std::filesystem::file_status status = std::filesystem::status(folder.empty() ? "." : folder, unused_error);
+  if (std::filesystem::status_known(status) && !std::filesystem::is_directory(status))
+    throw std::runtime_error(name + ": cannot be written ('" + folder.string() + "' is no folder)");
+}
+
 } // namespace
 
 bool is_standard_output_taken(const Options& options)
@@ -92,4 +107,6 @@ void check_files(const Options& options)
     for (auto b = outputs.begin(); b != a; ++b)
       if (is_same_file(a->place, b->place))
         throw Usage_error{ b->option + " and " + a->option + " are the same file '" + b->name + "'" };
+  for (const auto& option_and_name : options_with_names(options))
+    check_folder(option_and_name.second);
 }

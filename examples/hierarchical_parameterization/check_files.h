@@ -9,7 +9,7 @@
 struct Options;
 
 // Throws a Usage_error if a file cannot be written in the format of its name, or if one output would overwrite an input
-// or another output.
+// or another output, and a std::runtime_error if there is no folder for it.
 void check_files(const Options& options);
 
 // Whether an output goes to the standard output, so that nothing else may.

@@ -57,14 +57,17 @@ void print_summary(const Input& input, const Options& options, const Run_record&
   if (input.number_of_components > 1 && !options.takes_all_components)
     std::cerr << name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
   if (input.number_of_pieces > 0)
-    std::cerr << name << ": has " << input.number_of_pieces
-              << " components whose borders coincide with those of others; --stitch joins them\n";
+    std::cerr << name << ": has " << input.number_of_pieces << " components whose borders "
+              << (options.is_stitched ? "still coincide with those of others; --stitch joins two at an edge, of one "
+                                        "orientation\n"
+                                      : "coincide with those of others; --stitch joins them\n");
   if (run.summary.is_replaced)
     std::cerr << name << ": the map of " << options.method->name
               << " had flips whose repair would leave little of it; a method without flips made this one\n";
   const std::string levels = run.summary.levels.empty() || run.atlas
                                  ? ""
-                                 : std::to_string(run.summary.levels.size()) + " levels, ";
+                                 : std::to_string(run.summary.levels.size()) +
+                                       (run.summary.levels.size() == 1 ? " level, " : " levels, ");
   std::fprintf(is_standard_output_taken(options) ? stderr : stdout,
                "%s: %zu triangles, %s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %zu "
                "overlapping pairs, %.3f s\n",

@@ -232,7 +232,7 @@ void read_input(const std::string& file, const Input_options& options, Input& in
     stitch(input.mesh);
   std::vector<Component> components = find_components(input.mesh);
   input.number_of_components = components.size();
-  if (components.size() > 1 && !options.is_stitched)
+  if (components.size() > 1)
     input.number_of_pieces = number_of_separate_pieces(input.mesh);
   if (!options.takes_all_components)
     components = { largest(components) };

@@ -52,7 +52,7 @@ struct Input
   Corner_map corner_map;                   // of an atlas; no corner of a face that has no map has a finite place
   std::size_t number_of_borders = 0;       // of the part, before it is cut
   std::size_t number_of_components = 0;    // of the mesh
-  std::size_t number_of_pieces = 0;        // components that is_stitched would join with others
+  std::size_t number_of_pieces = 0;        // components that is_stitched would join with others, or could not
   std::vector<Mesh::Face_index> left_out;  // a face of each component that would have to be cut, but may not be
 };
 

@@ -12,7 +12,9 @@
 #include <boost/program_options.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <iostream>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +29,12 @@ struct Words
   std::string method, weights, flips, components, cut;
 };
 
+// Numbers as the command line has them: read as unsigned ones, -1 would be a huge one.
+struct Numbers
+{
+  long long iterations = 0, seed = 0;
+};
+
 // One text of what `describe(method)` returns, for all of them.
 template <class Describe>
 std::string list_of_methods(const std::string& separator, const Describe& describe)
@@ -38,7 +46,7 @@ std::string list_of_methods(const std::string& separator, const Describe& descri
 }
 
 // Texts for --help, and where the values go.
-po::options_description describe_options(Options& options, Words& words)
+po::options_description describe_options(Options& options, Words& words, Numbers& numbers)
 {
   po::options_description described("Options");
   auto add = described.add_options();
@@ -58,7 +66,9 @@ po::options_description describe_options(Options& options, Words& words)
       "divide charts by short cuts until they cover this part of the unit square, from 0 to 1, or no cut helps; 0.7 is "
       "within reach of most surfaces. Makes an atlas of one component, too");
   add("stitch", po::bool_switch(&options.is_stitched),
-      "join borders whose points coincide, as where every face has points of its own");
+      "join borders whose points coincide, as where every face has points of its own. Of points that are joined, the "
+      "first one stays; the numbers of those behind it change, also for --hold and --start, which count those of the "
+      "output");
   add("start", po::value(&options.start),
       "mips, symmetric-dirichlet, arap: start from the map that this file has for the vertices of INPUT: PLY with u and "
       "v, or OBJ, as --output writes them");
@@ -67,27 +77,32 @@ po::options_description describe_options(Options& options, Words& words)
       "0, and its two coordinates");
   add("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion");
   add("report", po::value(&options.report), "write figures as JSON, one line per input");
-  add("levels", po::value(&options.levels), "write every level of the hierarchy as OBJ into this folder");
+  add("levels", po::value(&options.levels),
+      "write every level of the hierarchy as OBJ into this folder: level_00.obj, the coarsest one, and so on. Those of "
+      "an earlier run that had more levels stay there");
   add("triangulate", po::bool_switch(&options.is_triangulated), "cut faces of more than three corners into triangles");
   add("flat", po::bool_switch(&options.flat),
-      "run the method without the hierarchy; those of CGAL as they are shipped");
+      "run the method without the hierarchy; those of CGAL as they are shipped. --tolerance and --iterations are for "
+      "mips and symmetric-dirichlet then: a direct solver, or CGAL, takes neither");
   add("tolerance", po::value(&options.tolerance),
       "mips, symmetric-dirichlet, arap: converged when a step lowers the energy by less than this part of its excess "
       "over the minimum (default 1e-6); others: when the relative residual is not greater (default 1e-8, of CGAL's "
       "1e-10)");
-  add("iterations", po::value(&options.iterations),
-      "mips, symmetric-dirichlet, arap: the most steps of Newton's method on a level (default 200); others: of the "
-      "linear solver, before a direct one takes over (default 300)");
+  add("iterations", po::value(&numbers.iterations),
+      "mips, symmetric-dirichlet, arap: the most steps of Newton's method on a level (default 200; 0: vertices are "
+      "only relaxed one by one); others: of the linear solver, before a direct one takes over (default 300; 0: at "
+      "once)");
   add("weights", po::value(&words.weights),
-      "of the triangles: triangle (all alike; default of mips) or area (in space; default of symmetric-dirichlet)");
+      "mips, symmetric-dirichlet: of the triangles: triangle (all alike; default of mips) or area (in space; default "
+      "of symmetric-dirichlet)");
   add("flips", po::value(&words.flips)->default_value("repair"),
-      "of methods that can flip triangles: repair, fail (an error) or keep");
+      "not for mips and symmetric-dirichlet, which flip no triangle: repair (default), fail (an error) or keep");
   add("globally-injective", po::bool_switch(&options.is_globally_injective),
       "mips, symmetric-dirichlet: keep the free border from running over itself");
   add("fill-holes", po::bool_switch(&options.fills_holes),
       "close every border but the longest one by a virtual vertex, so that a hole is laid out as a part of the "
       "surface");
-  add("seed", po::value(&options.seed)->default_value(0),
+  add("seed", po::value(&numbers.seed)->default_value(0),
       "of the random choices: the same seed gives the same result");
   add("threads", po::value(&options.threads)->default_value(0),
       "the most threads to use, if built with TBB; 0: as many as there are. The result is the same");
@@ -109,7 +124,8 @@ void print_help(const po::options_description& described)
                "  hierarchical_parameterization --method symmetric-dirichlet statue.stl --output statue.glb\n"
                "  hierarchical_parameterization --method symmetric-dirichlet --globally-injective scan.ply --output "
                "map.ply\n"
-               "  find charts -name '*.off' | xargs -P 8 -n 100 hierarchical_parameterization --quiet --threads 1\n\n"
+               "  find charts -name '*.off' | xargs -P 8 -n 100 hierarchical_parameterization --quiet --threads 1 "
+               "--report -\n\n"
                "Methods:\n  "
             << list_of_methods("\n  ",
                                [](const Method& m) {
@@ -138,6 +154,30 @@ void read_words(const Words& words, Options& options)
   options.flip_policy = words.flips == "fail"     ? SMP::Flip_policy::FAIL
                         : words.flips == "repair" ? SMP::Flip_policy::REPAIR
                                                   : SMP::Flip_policy::KEEP;
+}
+
+void read_numbers(const Numbers& numbers, Options& options)
+{
+  if (numbers.iterations < 0)
+    throw Usage_error{ "the number of iterations must not be negative" };
+  constexpr unsigned int greatest_seed = std::numeric_limits<unsigned int>::max();
+  if (numbers.seed < 0 || numbers.seed > greatest_seed)
+    throw Usage_error{ "the seed must be from 0 to " + std::to_string(greatest_seed) };
+  options.iterations = std::size_t(numbers.iterations);
+  options.seed = static_cast<unsigned int>(numbers.seed);
+}
+
+// Options that the method would not look at.
+void check_effects(const po::variables_map& values, const Options& options)
+{
+  const bool is_flip_free = options.method->is_flip_free;
+  if (is_flip_free && options.flip_policy != SMP::Flip_policy::REPAIR)
+    throw Usage_error{ "--flips: " + options.method->name + " flips no triangle" };
+  if (!is_flip_free && values.count("weights"))
+    throw Usage_error{ "--weights: " + options.method->name + " has no choice of the weights of triangles" };
+  for (const std::string option : { "tolerance", "iterations" })
+    if (options.flat && !is_flip_free && values.count(option))
+      throw Usage_error{ "--" + option + ": not with --flat, where " + options.method->name + " does not use it" };
 }
 
 // Which part of a mesh is laid out, and whether it may be cut: what the command line says, or the defaults.
@@ -198,7 +238,8 @@ void check_options(const Options& options)
 bool read_options(int argc, char** argv, Options& options)
 {
   Words words;
-  const po::options_description described = describe_options(options, words);
+  Numbers numbers;
+  const po::options_description described = describe_options(options, words, numbers);
   po::options_description all;
   all.add(described).add_options()("input", po::value(&options.inputs));
   po::variables_map values;
@@ -221,6 +262,8 @@ bool read_options(int argc, char** argv, Options& options)
     return false;
   }
   read_words(words, options);
+  read_numbers(numbers, options);
+  check_effects(values, options);
   if (!values.count("tolerance"))
     options.tolerance = options.method->tolerance;
   if (!values.count("iterations"))

@@ -65,8 +65,29 @@ private:
   std::vector<Place> m_places, m_vertex_places;
 };
 
-// Reads the `v` and `f` lines of Wavefront OBJ, and `vt` if `has_uv`; what else a line may say is skipped. Indices
-// count from 1, or, if negative, back from the last vertex so far.
+// An index into the n points so far as a position from 0. Indices count from 1, or, if negative, back from the last
+// point. One that is too large may be of a point that comes later.
+inline std::size_t position_of(long long index, const Polygon_soup& soup, const File_scanner& file)
+{
+  const std::size_t n = soup.points.size();
+  const std::size_t position = index < 0 ? n + std::size_t(index) : std::size_t(index) - 1;
+  if (index == 0 || (index < 0 && position >= n))
+    file.fail(face_text(soup.polygons.size()) + " refers to vertex " + std::to_string(index) + "; there are " +
+              std::to_string(n) + " so far, counted from 1, or from -1 backwards");
+  return position;
+}
+
+// As check_indices(), with the numbers of the file.
+inline void check_OBJ_indices(const Polygon_soup& soup)
+{
+  for (std::size_t f = 0; f < soup.polygons.size(); ++f)
+    for (const std::size_t v : soup.polygons[f])
+      if (v >= soup.points.size())
+        throw Input_error{ face_text(f) + " refers to vertex " + std::to_string(v + 1) + "; there are " +
+                           std::to_string(soup.points.size()) + ", counted from 1" };
+}
+
+// Reads the `v` and `f` lines of Wavefront OBJ, and `vt` if `has_uv`; what else a line may say is skipped.
 inline Polygon_soup read_OBJ(File_scanner& file, bool has_uv = false)
 {
   Polygon_soup soup;
@@ -84,7 +105,7 @@ inline Polygon_soup read_OBJ(File_scanner& file, bool has_uv = false)
       Polygon_soup::Polygon polygon;
       long long index;
       while (file.read(index)) {
-        polygon.push_back(index < 0 ? soup.points.size() + std::size_t(index) : std::size_t(index) - 1);
+        polygon.push_back(position_of(index, soup, file));
         if (has_uv && polygon.back() < soup.points.size())
           map.read_corner(file, polygon.back());
         file.skip_word();                // the other indices of the corner
@@ -96,6 +117,7 @@ inline Polygon_soup read_OBJ(File_scanner& file, bool has_uv = false)
     } else if (!std::isalpha(static_cast<unsigned char>(keyword.front())))
       file.fail("a keyword of OBJ expected");
   }
+  check_OBJ_indices(soup);
   soup.uv = map.vertex_places(soup.points.size());
   return soup;
 }

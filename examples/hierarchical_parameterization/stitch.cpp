@@ -14,29 +14,68 @@
 #include <cstddef>
 #include <vector>
 
+namespace {
+
+// The corners of a face as they are before borders are joined.
+struct Face_corners
+{
+  std::array<Mesh::Halfedge_index, 3> halfedges;
+  std::array<Mesh::Vertex_index, 3> vertices;
+};
+
+std::vector<Face_corners> corners_of_faces(const Mesh& mesh)
+{
+  std::vector<Face_corners> result;
+  for (const Mesh::Face_index f : mesh.faces()) {
+    Mesh::Halfedge_index h = mesh.halfedge(f);
+    result.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i, h = mesh.next(h)) {
+      result.back().halfedges[i] = h;
+      result.back().vertices[i] = mesh.target(h);
+    }
+  }
+  return result;
+}
+
+// The halfedge to the first of these corners after borders were joined. Of a face that has lost all of its halfedges,
+// points tell it.
+Mesh::Halfedge_index halfedge_to_first(const Mesh& mesh, Mesh::Face_index f, const Face_corners& corners)
+{
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const Mesh::Halfedge_index h = corners.halfedges[i]; !mesh.is_removed(h) && mesh.face(h) == f)
+      return i == 0 ? h : i == 1 ? mesh.prev(h) : mesh.next(h);
+  Mesh::Halfedge_index h = mesh.halfedge(f);
+  for (int turns = 0; turns < 2 && (mesh.point(mesh.target(h)) != mesh.point(corners.vertices[0]) ||
+                                    mesh.point(mesh.target(mesh.next(h))) != mesh.point(corners.vertices[1]));
+       ++turns)
+    h = mesh.next(h);
+  return h;
+}
+
+} // namespace
+
 void stitch(Mesh& mesh)
 {
-  std::vector<Kernel::Point_3> first_corners;
-  for (const Mesh::Face_index f : mesh.faces())
-    first_corners.push_back(mesh.point(mesh.target(mesh.halfedge(f))));
+  const std::vector<Face_corners> corners = corners_of_faces(mesh);
+  const std::size_t n = mesh.number_of_vertices();
   CGAL::Polygon_mesh_processing::stitch_borders(mesh);
 
   // Not by collect_garbage(), which puts the last vertices into the places of those that are gone.
-  Mesh compact;
-  std::vector<Mesh::Vertex_index> image(mesh.number_of_vertices() + mesh.number_of_removed_vertices());
-  for (const Mesh::Vertex_index v : mesh.vertices())
-    image[v] = compact.add_vertex(mesh.point(v));
+  std::vector<Mesh::Vertex_index> joined;                       // what became of each vertex
+  for (std::size_t v = 0; v < n; ++v)
+    joined.emplace_back(Mesh::size_type(v));
   for (const Mesh::Face_index f : mesh.faces()) {
-    std::array<Mesh::Vertex_index, 3> corners;
-    std::size_t i = 0, first = 0;
-    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f))) {
-      if (mesh.point(v) == first_corners[f])
-        first = i;
-      corners[i++] = image[v];
-    }
-    std::rotate(corners.begin(), corners.begin() + std::ptrdiff_t(first), corners.end());
-    compact.add_face(corners[0], corners[1], corners[2]);
+    Mesh::Halfedge_index h = halfedge_to_first(mesh, f, corners[f]);
+    for (std::size_t i = 0; i < 3; ++i, h = mesh.next(h))
+      joined[corners[f].vertices[i]] = mesh.target(h);
   }
+  Mesh compact;
+  std::vector<Mesh::Vertex_index> image(n, Mesh::null_vertex());      // in the new mesh, of what vertices became
+  for (std::size_t v = 0; v < n; ++v)
+    if (image[joined[v]] == Mesh::null_vertex())
+      image[joined[v]] = compact.add_vertex(mesh.point(Mesh::Vertex_index(Mesh::size_type(v))));
+  for (const Face_corners& c : corners)
+    compact.add_face(image[joined[c.vertices[0]]], image[joined[c.vertices[1]]], image[joined[c.vertices[2]]]);
   mesh = compact;
 }
 

@@ -42,6 +42,7 @@ done
 "$program" --version | grep -q '^hierarchical_parameterization [0-9.]* with CGAL [0-9]' || fail "--version tells no version"
 
 expect 0 --flat --report report.json
+grep -q ' 1 level, ' stdout || fail "one level is told as: $(cat stdout)"
 is_field flips 0 flat
 [ "$(grep -o '"energy_end"' report.json | wc -l)" -eq 1 ] || fail "a flat run has one level"
 expect 0 --method symmetric-dirichlet --report report.json
@@ -108,6 +109,7 @@ fi
 expect 0
 [ ! -s stderr ] || fail "a run in a pipe printed $(cat stderr) on stderr"
 expect 0 --help
+grep -q 'xargs .* --report -$' stdout || fail "the example of many meshes in --help has no output"
 
 # A square of two triangles, with a triangle apart and an isolated vertex.
 cat >components.off <<END
@@ -183,6 +185,11 @@ for line in '1 2' '1 2 3 4' '-1 2 3' '1.5 2 3' '1 2 nan' '1 x 3' '1042 0 0' '0 1
   grep -q -e "--hold: 'bad.txt' line 14: " stderr || fail "'$line' is told as: $(cat stderr)"
   [ ! -e bad.obj ] || fail "'$line' wrote a file"
 done
+printf '0 0 0\n1 1 0\n2 1 1\n3 2 0.2\n' >turned.txt
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n' >square.obj
+expect 3 square.obj --hold turned.txt
+printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >closed.off
+expect 2 closed.off --hold turned.txt
 sed 's/^0 .*/0 1e9 1e9/' held.txt >far.txt
 expect 0 --hold far.txt
 
@@ -192,6 +199,22 @@ expect 1 --method no-such-method
 expect 1 --weights no-such-weights
 expect 1 --method lscm --levels levels
 expect 1 --tolerance nonsense
+expect 1 --seed -1
+expect 1 --seed 4294967296
+expect 0 --seed 4294967295
+expect 1 --iterations -1
+
+# Options without an effect.
+for method in uniform mean-value lscm arap; do
+  expect 1 --method $method --weights area
+  expect 1 --method $method --flat --tolerance 1e-3
+  expect 1 --method $method --flat --iterations 5
+done
+for method in mips symmetric-dirichlet; do
+  expect 0 --method $method --flat --tolerance 1e-3 --iterations 5 --weights area --flips repair
+  expect 1 --method $method --flips keep
+  expect 1 --method $method --flips fail
+done
 expect 1 a.off b.off --output one.obj
 
 # No surface to parameterize.

@@ -426,6 +426,16 @@ TEST(Program_parts, without_a_place_have_none_in_PLY)
 
 // ---- pieces ----
 
+// Each once, in the order of the first ones.
+std::vector<Point> in_order_of_first(const std::vector<Point>& points)
+{
+  std::vector<Point> result;
+  for (const Point& p : points)
+    if (std::find(result.begin(), result.end(), p) == result.end())
+      result.push_back(p);
+  return result;
+}
+
 TEST(Program_pieces, are_stitched_on_request_and_told_otherwise)
 {
   const Mesh whole = octasphere(2);
@@ -437,7 +447,7 @@ TEST(Program_pieces, are_stitched_on_request_and_told_otherwise)
   EXPECT_EQ(runs.error(), "");
   EXPECT_EQ(runs.report().at("atlas").at("charts"), 1);
   const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
-  EXPECT_EQ(map.points.size(), whole.points.size());
+  EXPECT_EQ(map.points, in_order_of_first(taken_apart(whole).points));
   ASSERT_EQ(map.polygons.size(), whole.polygons.size());
   for (std::size_t f = 0; f < whole.polygons.size(); ++f)
     for (std::size_t i = 0; i < 3; ++i)
@@ -465,9 +475,9 @@ TEST(Program_pieces, a_cut_within_a_component_is_none)
   EXPECT_EQ(runs.run("in.off --report report.json"), good);
   EXPECT_EQ(runs.error(), "");
   EXPECT_EQ(runs.report().at("borders"), 1);
-  EXPECT_EQ(runs.run("in.off --stitch --report report.json"), good);
+  EXPECT_EQ(runs.run("in.off --stitch --report report.json --output map.obj"), good);
   EXPECT_EQ(runs.report().at("borders"), 2);
-  EXPECT_EQ(runs.report().at("vertices"), strip.points.size());
+  expect_same_mesh(read_OBJ(runs.content("map.obj")), strip);
   runs.write_input("in.off", joined(open, shifted(patch(), 20)));
   EXPECT_EQ(runs.run("in.off"), good);
   EXPECT_EQ(runs.error(), "");

@@ -117,15 +117,17 @@ const Row off_files[] = {
 const Row obj_files[] = {
   { "empty.obj", as_is(""), bad_input, no_faces, "is empty" },
   { "no_faces.obj", as_is("v 0 0 0\n"), bad_input, no_faces, "has no faces" },
-  { "index_0.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n"), bad_input, unreadable, "face 0 refers to vertex -1" },
+  { "index_0.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n"), bad_input, unreadable,
+    "line 4: face 0 refers to vertex 0; there are 3" },
   { "index_n_plus_1.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"), bad_input, unreadable,
-    "face 0 refers to vertex 3" },
+    "face 0 refers to vertex 4; there are 3, counted from 1" },
   { "too_far_back.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -4 -2 -1\n"), bad_input, unreadable,
-    "face 0 refers to vertex -1" },
+    "line 4: face 0 refers to vertex -4; there are 3" },
+  { "later_vertex.obj", as_is("v 0 0 0\nv 1 0 0\nf 1 2 3\nv 0 1 0\n"), good, ok },
   { "overflowing_index.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999999999999999\n"), bad_input, unreadable,
     "line 4: the vertices of face 0" },
   { "least_index.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -9223372036854775808\n"), bad_input, unreadable,
-    "face 0 refers to vertex" },
+    "face 0 refers to vertex -9223372036854775808" },
   { "word_for_index.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 two 3\n"), bad_input, unreadable,
     "line 4: the vertices of face 0" },
   { "two_corners.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"), bad_input, no_triangle, "face 0 has 2 corners" },
@@ -345,7 +347,13 @@ const Row surfaces[] = {
   { "closed_with_a_patch.off", [] { return OFF(joined(triangle(), octasphere(1))); }, good, ok },
   { "handle.off", [] { return OFF(without_face(torus(8, 6), 0)); }, good, ok },
   { "pieces.off", [] { return OFF(joined(triangle(), triangle())); }, good, any, "2 components whose borders coincide" },
-  { "quiet_pieces.off", [] { return OFF(joined(triangle(), triangle())); }, good, any, "", "--quiet" }
+  { "quiet_pieces.off", [] { return OFF(joined(triangle(), triangle())); }, good, any, "", "--quiet" },
+  { "pieces_of_one_direction.off", [] { return OFF(joined(triangle(), triangle())); }, good, any,
+    "2 components whose borders still coincide", "--stitch" },
+  { "three_pieces.off", [] { return OFF(joined(patch(), joined(patch(), patch()))); }, good, any,
+    "3 components whose borders still coincide", "--stitch" },
+  { "quiet_three_pieces.off", [] { return OFF(joined(patch(), joined(patch(), patch()))); }, good, any, "",
+    "--stitch --quiet" }
 };
 
 INSTANTIATE_TEST_SUITE_P(off, Program_input, testing::ValuesIn(off_files), test_name);
@@ -379,6 +387,8 @@ const Row unusable_paths[] = {
   { "picture_on_full_disk", nullptr, failed, "", "/dev/full: cannot be written", "patch.off --picture /dev/full" },
   { "report_on_full_disk", nullptr, failed, "", "/dev/full: cannot be written", "patch.off --report /dev/full" },
   { "no_folder", nullptr, failed, "", "none/map.obj: cannot be written", "patch.off --output none/map.obj" },
+  { "no_folder_is_told_first", nullptr, failed, "", "none/map.svg: cannot be written ('none' is no folder)",
+    "missing.off --picture none/map.svg" },
   { "no_folder_for_report", nullptr, failed, "", "none/report.json: cannot be written",
     "patch.off --report none/report.json" },
   { "report_is_a_folder", nullptr, failed, "", "folder.off: cannot be written", "patch.off --report folder.off" },
