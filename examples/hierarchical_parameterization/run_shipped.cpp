@@ -35,7 +35,7 @@ SMP::Parameterization_summary run_shipped(Input& input, const Method_options& op
   SMP::Parameterization_summary summary;
   CGAL::Real_timer timer;
   timer.start();
-  const SMP::Mesh_component<Mesh> component(input.mesh, input.border);
+  SMP::Mesh_component<Mesh> component(input.mesh, input.border);
   summary.error = component.error();
   const auto& points = component.surface().points;
   const auto is_first = [&](const auto& p) { return p == points.front(); };

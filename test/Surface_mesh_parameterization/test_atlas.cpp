@@ -244,17 +244,18 @@ struct Picky_parameterizer_3
 {
   typedef TriangleMesh           Triangle_mesh;
   typedef CGAL::Sequential_tag   Concurrency_tag;
+  static constexpr bool is_flip_free = true;
 
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Picky_parameterizer_3(const NamedParameters& np = parameters::default_values()) : m_method(np) { }
 
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv)
   {
-    return level.number_of_vertices() > 50 ? ERROR_NO_1_TO_1_MAPPING : m_method.parameterize_coarsest(level, uv);
+    return m_method.parameterize_coarsest(level, uv);
   }
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary)
   {
-    return m_method.refine(level, uv, summary);
+    return level.number_of_vertices() > 50 ? ERROR_NO_1_TO_1_MAPPING : m_method.refine(level, uv, summary);
   }
 
 private:

@@ -3,6 +3,7 @@
 
 // CGAL's parameterizers in Hierarchical_parameterizer_3: the same maps as without it.
 
+#include "mapped_mesh.h"
 #include "mesh_conversions.h"
 #include "seam_meshes.h"
 #include "test_meshes.h"
@@ -283,6 +284,16 @@ TEST(Wrapped_LSCM, has_no_flips_in_floats)
   } else {
     EXPECT_TRUE(mapped.is_untouched());
   }
+}
+
+TEST(Wrapped_LSCM, needs_two_places_for_its_vertices)
+{
+  Flat_mesh point = grid(4, 4, flat);
+  for (Point_3& p : point.points)
+    p = Point_3(1, 2, 3);
+  Mapped_mesh m(point);
+  EXPECT_EQ(m.parameterize(Hierarchical_parameterizer_3<LSCM_parameterizer_3<Surface_mesh>>()),
+            ERROR_BORDER_TOO_SHORT);
 }
 
 TEST(Wrapped_LSCM, of_a_small_surface_needs_no_multigrid)
