@@ -434,21 +434,27 @@ TEST(Packing, holds_out_with_slivers)
   }
 }
 
+void expect_one_to_one_in_floats(const Flat_mesh& m)
+{
+  Surface surface(m);
+  const auto uv = surface.mesh
+                      .add_property_map<Surface_mesh::Halfedge_index, CGAL::Simple_cartesian<float>::Point_2>("h:float")
+                      .first;
+  ASSERT_TRUE(atlas_parameterization(surface.mesh, uv).is_ok());
+  for (const auto h : surface.mesh.halfedges())
+    if (!surface.mesh.is_border(h))
+      surface.uv[h] = Kernel::Point_2(double(uv[h].x()), double(uv[h].y()));
+  expect_one_to_one(surface);
+}
+
 // Specks that are smaller than a float's steps are scaled up, and stay where they have room.
 TEST(Packing, keeps_specks_apart_in_floats)
 {
-  typedef CGAL::Simple_cartesian<float>::Point_2   Float_point;
   for (const double size : { 1e-6, 1e-8, 1e-11 }) {
     Flat_mesh m = grid(8, 8, wavy);
     for (int i = 1; i <= 5; ++i)
       m = with_component(m, tetrahedron(), size, 10. * i);
-    Surface surface(m);
-    const auto uv = surface.mesh.add_property_map<Surface_mesh::Halfedge_index, Float_point>("h:float").first;
-    ASSERT_TRUE(atlas_parameterization(surface.mesh, uv).is_ok());
-    for (const auto h : surface.mesh.halfedges())
-      if (!surface.mesh.is_border(h))
-        surface.uv[h] = Kernel::Point_2(double(uv[h].x()), double(uv[h].y()));
-    expect_one_to_one(surface);
+    expect_one_to_one_in_floats(m);
   }
 }
 
@@ -491,14 +497,7 @@ TEST(Packing, packs_a_map_from_elsewhere_and_refuses_what_is_none)
 // Rounding to the user's numbers makes no flips, not even in a chart whose triangles are a few of their steps wide.
 TEST(Packing, keeps_triangles_positive_in_floats)
 {
-  typedef CGAL::Simple_cartesian<float>::Point_2   Float_point;
-  Surface surface(with_component(grid(4, 4, wavy), crumpled_grid(12, 1), 4e-9));
-  const auto uv = surface.mesh.add_property_map<Surface_mesh::Halfedge_index, Float_point>("h:float").first;
-  ASSERT_TRUE(atlas_parameterization(surface.mesh, uv).is_ok());
-  for (const auto h : surface.mesh.halfedges())
-    if (!surface.mesh.is_border(h))
-      surface.uv[h] = Kernel::Point_2(double(uv[h].x()), double(uv[h].y()));
-  expect_one_to_one(surface);
+  expect_one_to_one_in_floats(with_component(grid(4, 4, wavy), crumpled_grid(12, 1), 4e-9));
 }
 
 } // namespace
