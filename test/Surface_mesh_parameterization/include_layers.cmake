@@ -18,7 +18,7 @@ set(layers
   "edge_energy: Edge_energy_parameterizer_3"
   "wrapped: Multigrid_solver_traits Hierarchical_parameterizer_3 hierarchical_parameterization"
   "cut: cut_to_disk"
-  "pack: pack_charts atlas_parameterization atlas_quality")
+  "pack: Atlas_summary pack_charts atlas_parameterization atlas_quality")
 
 set(prefix CGAL/Surface_mesh_parameterization)
 get_filename_component(include_dir ${CMAKE_CURRENT_LIST_DIR}/../../include ABSOLUTE)

@@ -108,6 +108,22 @@ std::vector<Flat_mesh> smooth_meshes()
   return { grid(16, 12, wavy), hemisphere(), disk_with_hole(), delaunay_patch(200, 1, wavy) };
 }
 
+TEST(As_rigid_as_possible, refuses_a_lambda_below_zero)
+{
+  for (const double lambda : { -1., std::numeric_limits<double>::quiet_NaN() })
+    for (const bool starts_from_map : { false, true }) {
+      Mapped_mesh m(grid(20, 20, wavy));
+      const auto options = parameters::lambda(lambda).initial_map(starts_from_map);
+      if (starts_from_map)
+        for (const auto v : vertices(m.mesh))
+          m.uvmap[v] = Kernel::Point_2(m.mesh.point(v).x(), m.mesh.point(v).y());
+      const std::vector<Kernel::Point_2> before = m.uv();
+      EXPECT_EQ(m.parameterize(Method(options)), ERROR_WRONG_PARAMETER);
+      EXPECT_EQ(m.parameterize(Hierarchical_method(options)), ERROR_WRONG_PARAMETER);
+      EXPECT_EQ(m.uv(), before);
+    }
+}
+
 TEST(As_rigid_as_possible, energy_is_that_of_the_definition)
 {
   for (const Flat_mesh& m : { grid(12, 9, wavy), crumpled_grid(14, 1), deep_cap() })

@@ -17,8 +17,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -88,14 +86,15 @@ public:
     m_options.set(np);
     m_options.triangle_weight = Triangle_weight::AREA;      // which is part of the energy's definition
     m_lambda = parameters::choose_parameter(parameters::get_parameter(np, internal_np::lambda), m_lambda);
-    CGAL_precondition(m_lambda >= 0);
   }
 
   /// Tutte's map of a level, scaled to the surface's area. In a flat run it is then improved without flips.
   /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING` if Tutte's map, computed in
-  /// doubles, has a flip; `ERROR_STOPPED`
+  /// doubles, has a flip; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if `lambda` is negative or no number
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
+    if (!(m_lambda >= 0))
+      return ERROR_WRONG_PARAMETER;
     const Error_code status = internal::compute_first_map(level, uv);
     if (status != OK)
       return status;
@@ -105,9 +104,11 @@ public:
 
   /// improves a flip-free map of a level and keeps it flip-free. On the finest level, minimizes the energy, and flips
   /// are possible.
-  /// \return `OK`, or `ERROR_STOPPED`
+  /// \return `OK`, `ERROR_STOPPED`, or `ERROR_WRONG_PARAMETER` if `lambda` is negative or no number
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
+    if (!(m_lambda >= 0))
+      return ERROR_WRONG_PARAMETER;
     const double energy_start = energy(level, uv);
     const Error_code status = minimize(level, uv, summary);
     summary.energy_start = energy_start;

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Atlas_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
@@ -16,13 +17,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
-#include <CGAL/Surface_mesh_parameterization/internal/pack/divide_charts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/atlas_steps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Real_timer.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
@@ -37,50 +37,7 @@
 
 namespace CGAL::Surface_mesh_parameterization {
 
-/// \ingroup PkgHierarchicalParameterizationAtlas
-///
-/// What `atlas_parameterization()` did.
-struct Atlas_summary
-{
-  /// one chart, a connected piece of the surface along the seams
-  struct Chart
-  {
-    std::size_t faces = 0;                  ///< number of triangles
-    /// of its map. The index of an error is that of a face of the mesh. Of a part of a chart that was divided it is
-    /// that of the whole chart, with a share of its seconds
-    Parameterization_summary summary;
-  };
-
-  Parameterization_error error;         ///< of the surface, of the first chart that has no map, or of the packing
-  Cut_summary cut;                      ///< the components of the surface and all seams, also between parts of charts
-  std::vector<Chart> charts;            ///< in the order of their first faces
-  std::vector<std::size_t> chart_of_face;         ///< number of each face's chart, in the order of `faces(mesh)`
-  std::size_t divisions = 0;            ///< cuts that divided charts, so that they fill the square better
-  double used_part = 0;                 ///< of the area of the square
-  double seconds_cut = 0;               ///< wall-clock time of reading and cutting
-  double seconds_parameterize = 0;      ///< wall-clock time of the charts' maps
-  double seconds_pack = 0;              ///< wall-clock time of dividing, packing and writing
-
-  /// whether every corner has a place
-  bool is_ok() const { return error.code == OK; }
-};
-
 namespace internal {
-
-typedef CGAL::Surface_mesh<Point_3>   Chart_mesh;
-
-// Returns whether there is such a mesh: not if two edges of the chart have the same ends.
-inline bool make_chart_mesh(const Corner_mesh& chart, Chart_mesh& mesh)
-{
-  mesh.reserve(Chart_mesh::size_type(chart.number_of_vertices()), chart.number_of_halfedges(), chart.number_of_faces());
-  for (const Point_3& p : chart.points)
-    mesh.add_vertex(p);
-  for (Index h = 0; h < chart.number_of_halfedges(); h += 3)
-    if (mesh.add_face(Chart_mesh::Vertex_index(chart.vertex[h]), Chart_mesh::Vertex_index(chart.vertex[h + 1]),
-                      Chart_mesh::Vertex_index(chart.vertex[h + 2])) == Chart_mesh::null_face())
-      return false;
-  return true;
-}
 
 // With the value `true` for `globally_injective` if the method knows that name and the caller gives no value.
 template <class Method, class NamedParameters>
@@ -94,16 +51,6 @@ auto with_injectivity(const NamedParameters& np)
     return Named_parameters<bool, internal_np::globally_injective_t, NamedParameters>(true, np);
   else
     return np;
-}
-
-// The number of each face's chart.
-inline std::vector<std::size_t> chart_of_face(const Atlas& atlas)
-{
-  std::vector<std::size_t> result(atlas.mesh.number_of_faces());
-  for (std::size_t i = 0; i < atlas.charts.size(); ++i)
-    for (const Index f : atlas.charts[i])
-      result[f] = i;
-  return result;
 }
 
 // Parameterizes a chart, and scales the map to the chart's area in space.
@@ -124,24 +71,6 @@ Parameterization_summary parameterize_chart(const Corner_mesh& chart, const Name
     scale_to_area_in_space(chart, uv);
   }
   return summary;
-}
-
-// The face of a chart at which an error lies, as a face of the mesh.
-inline Parameterization_error error_in_mesh(const Parameterization_error& error, const Corner_mesh& chart,
-                                            const std::vector<Index>& faces)
-{
-  Parameterization_error result = error;
-  if (error.code == OK)
-    return result;
-  result.place = Parameterization_error::FACE;
-  result.index = faces.front();
-  if (error.place == Parameterization_error::FACE)
-    result.index = faces[error.index];
-  else if (error.place == Parameterization_error::VERTEX)
-    for (Index h = 0; h < chart.number_of_halfedges(); ++h)
-      if (chart.vertex[h] == error.index)
-        result.index = faces[h / 3];
-  return result;
 }
 
 // Parameterizes all charts, unless a visitor stops the run. Returns which have a map.
@@ -187,54 +116,8 @@ std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, c
   return has_map;
 }
 
-// Packs the charts that have a map. Those that have none afterwards, as rounding left no room for it, are told.
-inline void pack(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& options, Round_coordinate round,
-                 Atlas_summary& result)
-{
-  const std::vector<bool> had_map = has_map;
-  const Packing packing = pack_atlas(atlas, has_map, options, round);
-  result.used_part = packing.used_part;
-  if (packing.side == 0)
-    has_map.assign(has_map.size(), false);
-  for (std::size_t i = 0; i < has_map.size(); ++i)
-    if (had_map[i] && !has_map[i]) {
-      Parameterization_error& error = result.charts[i].summary.error;
-      error = { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::FACE, atlas.charts[i].front() };
-      if (result.is_ok())
-        result.error = error;
-    }
-}
-
 typedef Joined_names<Joined_names<Cut_names, Pack_names>,
                      Names<internal_np::edge_is_constrained_t, internal_np::least_used_part_t>>   Atlas_names;
-
-// Divides the charts that have a map, so that they fill the square better.
-inline void divide_charts(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& pack_options,
-                          double least_used_part, Atlas_summary& result)
-{
-  Division_options options;
-  options.least_used_part = least_used_part;
-  const Division division = divide_charts(atlas, has_map, pack_options, options);
-  if (division.seam.empty())
-    return;
-  result.divisions = division.divisions;
-  result.cut.seam_edges += division.seam.size();
-  result.cut.seam_length += length(atlas.mesh, division.seam);
-  result.chart_of_face = chart_of_face(atlas);
-  const std::vector<bool> old_has_map = std::move(has_map);
-  const std::vector<Atlas_summary::Chart> old_charts = std::move(result.charts);
-  has_map.clear();
-  result.charts.clear();
-  for (std::size_t i = 0; i < atlas.charts.size(); ++i) {
-    const std::size_t old = division.old_charts[i];
-    has_map.push_back(old_has_map[old]);
-    Atlas_summary::Chart& chart = result.charts.emplace_back(old_charts[old]);
-    chart.faces = atlas.charts[i].size();
-    const double share = double(chart.faces) / double(old_charts[old].faces);
-    chart.summary.seconds_hierarchy *= share;
-    chart.summary.seconds_parameterize *= share;
-  }
-}
 
 } // namespace internal
 

@@ -1,0 +1,47 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_ATLAS_SUMMARY_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_ATLAS_SUMMARY_H
+
+#include <CGAL/license/Surface_mesh_parameterization.h>
+
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/cut_to_disk.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization {
+
+/// \ingroup PkgHierarchicalParameterizationAtlas
+///
+/// What `atlas_parameterization()` did.
+struct Atlas_summary
+{
+  /// one chart, a connected piece of the surface along the seams
+  struct Chart
+  {
+    std::size_t faces = 0;                  ///< number of triangles
+    /// of its map. The index of an error is that of a face of the mesh. Of a part of a chart that was divided it is
+    /// that of the whole chart, with a share of its seconds
+    Parameterization_summary summary;
+  };
+
+  Parameterization_error error;         ///< of the surface, of the first chart that has no map, or of the packing
+  Cut_summary cut;                      ///< the components of the surface and all seams, also between parts of charts
+  std::vector<Chart> charts;            ///< in the order of their first faces
+  std::vector<std::size_t> chart_of_face;         ///< number of each face's chart, in the order of `faces(mesh)`
+  std::size_t divisions = 0;            ///< cuts that divided charts, so that they fill the square better
+  double used_part = 0;                 ///< of the area of the square
+  double seconds_cut = 0;               ///< wall-clock time of reading and cutting
+  double seconds_parameterize = 0;      ///< wall-clock time of the charts' maps
+  double seconds_pack = 0;              ///< wall-clock time of dividing, packing and writing
+
+  /// whether every corner has a place
+  bool is_ok() const { return error.code == OK; }
+};
+
+} // namespace CGAL::Surface_mesh_parameterization
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_ATLAS_SUMMARY_H

@@ -1,0 +1,118 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_STEPS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_STEPS_H
+
+#include <CGAL/Surface_mesh_parameterization/Atlas_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/divide_charts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+// What atlas_parameterization() does, and what it tells of it, whatever the mesh and the method are.
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+typedef CGAL::Surface_mesh<Point_3>   Chart_mesh;
+
+// Returns whether there is such a mesh: not if two edges of the chart have the same ends.
+inline bool make_chart_mesh(const Corner_mesh& chart, Chart_mesh& mesh)
+{
+  mesh.reserve(Chart_mesh::size_type(chart.number_of_vertices()), chart.number_of_halfedges(), chart.number_of_faces());
+  for (const Point_3& p : chart.points)
+    mesh.add_vertex(p);
+  for (Index h = 0; h < chart.number_of_halfedges(); h += 3)
+    if (mesh.add_face(Chart_mesh::Vertex_index(chart.vertex[h]), Chart_mesh::Vertex_index(chart.vertex[h + 1]),
+                      Chart_mesh::Vertex_index(chart.vertex[h + 2])) == Chart_mesh::null_face())
+      return false;
+  return true;
+}
+
+// The number of each face's chart.
+inline std::vector<std::size_t> chart_of_face(const Atlas& atlas)
+{
+  std::vector<std::size_t> result(atlas.mesh.number_of_faces());
+  for (std::size_t i = 0; i < atlas.charts.size(); ++i)
+    for (const Index f : atlas.charts[i])
+      result[f] = i;
+  return result;
+}
+
+// The face of a chart at which an error lies, as a face of the mesh.
+inline Parameterization_error error_in_mesh(const Parameterization_error& error, const Corner_mesh& chart,
+                                            const std::vector<Index>& faces)
+{
+  Parameterization_error result = error;
+  if (error.code == OK)
+    return result;
+  result.place = Parameterization_error::FACE;
+  result.index = faces.front();
+  if (error.place == Parameterization_error::FACE)
+    result.index = faces[error.index];
+  else if (error.place == Parameterization_error::VERTEX)
+    for (Index h = 0; h < chart.number_of_halfedges(); ++h)
+      if (chart.vertex[h] == error.index)
+        result.index = faces[h / 3];
+  return result;
+}
+
+// Divides the charts that have a map, so that they fill the square better.
+inline void divide_charts(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& pack_options,
+                          double least_used_part, Atlas_summary& result)
+{
+  Division_options options;
+  options.least_used_part = least_used_part;
+  const Division division = divide_charts(atlas, has_map, pack_options, options);
+  if (division.seam.empty())
+    return;
+  result.divisions = division.divisions;
+  result.cut.seam_edges += division.seam.size();
+  result.cut.seam_length += length(atlas.mesh, division.seam);
+  result.chart_of_face = chart_of_face(atlas);
+  const std::vector<bool> old_has_map = std::move(has_map);
+  const std::vector<Atlas_summary::Chart> old_charts = std::move(result.charts);
+  has_map.clear();
+  result.charts.clear();
+  for (std::size_t i = 0; i < atlas.charts.size(); ++i) {
+    const std::size_t old = division.old_charts[i];
+    has_map.push_back(old_has_map[old]);
+    Atlas_summary::Chart& chart = result.charts.emplace_back(old_charts[old]);
+    chart.faces = atlas.charts[i].size();
+    const double share = double(chart.faces) / double(old_charts[old].faces);
+    chart.summary.seconds_hierarchy *= share;
+    chart.summary.seconds_parameterize *= share;
+  }
+}
+
+// Packs the charts that have a map. Those that have none afterwards, as rounding left no room for it, are told.
+inline void pack(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& options, Round_coordinate round,
+                 Atlas_summary& result)
+{
+  const std::vector<bool> had_map = has_map;
+  const Packing packing = pack_atlas(atlas, has_map, options, round);
+  result.used_part = packing.used_part;
+  if (packing.side == 0)
+    has_map.assign(has_map.size(), false);
+  for (std::size_t i = 0; i < has_map.size(); ++i)
+    if (had_map[i] && !has_map[i]) {
+      Parameterization_error& error = result.charts[i].summary.error;
+      error = { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::FACE, atlas.charts[i].front() };
+      if (result.is_ok())
+        result.error = error;
+    }
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_STEPS_H
