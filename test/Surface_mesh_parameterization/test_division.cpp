@@ -212,7 +212,8 @@ Flat_mesh legs()
   Flat_mesh m = grid(30, 30, wavy);
   const auto is_outside = [&](const Index_triangle& t) {
     const Point_3& p = m.points[t[0]];
-    return (p.y() > 0.2 && std::sin(5 * CGAL_PI * p.x()) < 0) || (std::abs(p.x() - 0.5) < 0.05 && p.y() < 0.1 && p.y() > 0.05);
+    return (p.y() > 0.2 && std::sin(5 * CGAL_PI * p.x()) < 0) ||
+           (std::abs(p.x() - 0.5) < 0.05 && p.y() > 0.05 && p.y() < 0.1);
   };
   m.triangles.erase(std::remove_if(m.triangles.begin(), m.triangles.end(), is_outside), m.triangles.end());
   return m;

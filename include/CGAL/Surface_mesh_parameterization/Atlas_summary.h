@@ -28,7 +28,7 @@ struct Atlas_summary
     Parameterization_summary summary;
   };
 
-  Parameterization_error error;         ///< of the surface, of the first chart that has no map, or of the packing
+  Parameterization_error error;         ///< of the surface, or of the first chart that has no map
   Cut_summary cut;                      ///< the components of the surface and all seams, also between parts of charts
   std::vector<Chart> charts;            ///< in the order of their first faces
   std::vector<std::size_t> chart_of_face;         ///< number of each face's chart, in the order of `faces(mesh)`

@@ -33,6 +33,13 @@ std::vector<Index> vertices_of(const Corner_mesh& mesh, const std::vector<Index>
   return vertices;
 }
 
+inline std::vector<Point_2> scaled_places(std::vector<Point_2> points, double scale)
+{
+  for (Point_2& p : points)
+    p = Point_2(scale * p.x(), scale * p.y());
+  return points;
+}
+
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
 {
@@ -44,8 +51,7 @@ void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
   }
   const double scale = std::sqrt(area_in_space / area_in_plane);
   if (std::isfinite(scale) && scale > 0)
-    for (Point_2& p : uv)
-      p = Point_2(scale * p.x(), scale * p.y());
+    uv = scaled_places(std::move(uv), scale);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -96,8 +102,6 @@ inline bool is_positive(const Chart& chart)
   });
 }
 
-inline Point_2 scaled(const Point_2& p, double scale) { return Point_2(scale * p.x(), scale * p.y()); }
-
 inline void round_all(std::vector<Point_2>& points, Round_coordinate round)
 {
   if (round)
@@ -113,8 +117,8 @@ inline bool is_near(const std::vector<Point_2>& points, const std::vector<Point_
   return true;
 }
 
-// The next three functions round the places of a chart so that no triangle is flipped, and return whether they could;
-// else the chart stays as it was. This one moves vertices within their stars.
+// The next three functions round the places of a chart so that no triangle is flipped, and return whether they could.
+// This one moves vertices within their stars; if that fails, the chart stays as it was.
 inline bool round_places(Chart& chart, Round_coordinate round)
 {
   const std::vector<Point_2> exact = chart.points;
@@ -130,7 +134,7 @@ inline bool round_places(Chart& chart, Round_coordinate round)
 }
 
 // Of a chart that is too small for the steps of its coordinates: its shape is scaled up around the middle of its place,
-// up to a size.
+// up to a size. If that fails, the chart stays as it was.
 inline bool round_places_enlarged(Chart& chart, const std::vector<Point_2>& shape, Round_coordinate round,
                                   double most_size)
 {
@@ -206,15 +210,13 @@ Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_option
     const std::size_t number = numbers[i];
     const std::vector<Index>& faces = atlas.charts[number];
     Chart& chart = charts[i];
-    for (Point_2& p : chart.points)
-      p = scaled(p, scale);
+    chart.points = scaled_places(std::move(chart.points), scale);
     const std::vector<Point_2> exact = chart.points;
     if (was_positive[i]) {
-      std::vector<Point_2> shape = map_of(atlas, faces);
-      for (Point_2& p : shape)
-        p = scaled(p, scale);
-      is_wanted[number] = round_places(chart, round) || round_places_enlarged(chart, shape, round, most_distance) ||
-                          round_places_repaired(chart, component_of(atlas.mesh, faces, scratch), round);
+      is_wanted[number] =
+          round_places(chart, round) ||
+          round_places_enlarged(chart, scaled_places(map_of(atlas, faces), scale), round, most_distance) ||
+          round_places_repaired(chart, component_of(atlas.mesh, faces, scratch), round);
       if (is_wanted[number] && !is_near(chart.points, exact, most_distance))
         strayed.push_back(number);
     } else
