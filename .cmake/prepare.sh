@@ -41,6 +41,9 @@ install_missing() {
 # CMake by itself would keep the one of the last time.
 configure() { cmake -G Ninja -S "$root" -B "$1" -U CGAL_DIR "${@:2}"; }
 
+# Several files of tests in one unit: what they include is compiled once for all of them.
+together=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=7)
+
 build_packages=(g++ ninja-build cmake libcgal-dev libeigen3-dev nlohmann-json3-dev libtbb-dev libtinygltf-dev
   libboost-program-options-dev)
 

@@ -30,7 +30,7 @@
 #include <limits>
 #include <set>
 
-namespace {
+namespace test_archetypes {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -284,4 +284,4 @@ TEST(Nested_iteration, coarsens_further_what_the_method_cannot_lay_out)
   }
 }
 
-} // namespace
+} // namespace test_archetypes

@@ -42,7 +42,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_as_rigid_as_possible {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -399,4 +399,4 @@ TEST(Hierarchical_ARAP_parameterizer, tells_what_it_did)
   EXPECT_LE(mapped.summary.energy, theirs.energy(10) * (1 + 1e-6));
 }
 
-} // namespace
+} // namespace test_as_rigid_as_possible

@@ -39,7 +39,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_atlas {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -500,4 +500,4 @@ TEST(Packing, keeps_triangles_positive_in_floats)
   expect_one_to_one_in_floats(with_component(grid(4, 4, wavy), crumpled_grid(12, 1), 4e-9));
 }
 
-} // namespace
+} // namespace test_atlas

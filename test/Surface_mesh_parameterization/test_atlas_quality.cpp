@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_atlas_quality {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -201,4 +201,4 @@ TEST(Atlas_quality, measures_the_faces_that_are_asked_for)
   EXPECT_EQ(atlas_quality(charts.mesh, first, charts.uv).flips, 1u);
 }
 
-} // namespace
+} // namespace test_atlas_quality

@@ -35,7 +35,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace {
+namespace test_calls_of_CGAL {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -110,10 +110,10 @@ template <class TriangleMesh>
 class Band : public testing::Test
 {
 protected:
-  typedef typename Mapped<TriangleMesh>::Point_2   Point;
+  typedef typename Wrapped_map<TriangleMesh>::Point_2   Point;
 
   TriangleMesh mesh = make<TriangleMesh>(band);
-  Mapped<TriangleMesh> mapped{ mesh };
+  Wrapped_map<TriangleMesh> mapped{ mesh };
   Halfedge<TriangleMesh> bhd = longest_border(mesh);
 
   void lay_out(const Band_map& map)
@@ -174,12 +174,12 @@ TYPED_TEST(Band, is_not_one_to_one_with_a_triangle_without_area_or_a_place_that_
 // A ring and a triangle: beside it, in its hole, over it, and across its border.
 TYPED_TEST(Band, is_one_to_one_with_other_faces_if_they_do_not_overlap)
 {
-  typedef typename Mapped<TypeParam>::Point_2   Point;
+  typedef typename Wrapped_map<TypeParam>::Point_2   Point;
   const Hierarchical_parameterizer_3<MIPS_parameterizer_3<TypeParam>> mips;
   TypeParam mesh = make<TypeParam>(annulus(8));
   const std::size_t size = num_vertices(mesh);
   append(single_triangle(), mesh);
-  Mapped<TypeParam> mapped(mesh);
+  Wrapped_map<TypeParam> mapped(mesh);
   const auto are_one_to_one = [&](double x, double y, double scale) {
     std::size_t i = 0;
     for (const auto v : vertices(mesh)) {
@@ -214,7 +214,7 @@ TYPED_TEST(Short_calls, give_the_map_of_the_long_one)
   append(annulus(40), mesh);
   const auto bhd = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
   Hierarchical_parameterizer_3<TypeParam> parameterizer;
-  Mapped<TriangleMesh> expected(mesh), with_border(mesh), without(mesh);
+  Wrapped_map<TriangleMesh> expected(mesh), with_border(mesh), without(mesh);
   EXPECT_EQ(expected.parameterize(parameterizer, bhd), OK);
   EXPECT_EQ(parameterizer.parameterize(mesh, bhd, with_border.uvmap), OK);
   EXPECT_EQ(parameterizer.parameterize(mesh, without.uvmap), OK);
@@ -228,7 +228,7 @@ TYPED_TEST(Short_calls, tell_errors)
 {
   typedef typename TypeParam::Triangle_mesh   TriangleMesh;
   TriangleMesh closed = make<TriangleMesh>(sphere(4, 6));
-  Mapped<TriangleMesh> mapped(closed);
+  Wrapped_map<TriangleMesh> mapped(closed);
   Parameterization_summary summary;
   Hierarchical_parameterizer_3<TypeParam> parameterizer(parameters::summary(std::ref(summary)));
   EXPECT_EQ(parameterizer.parameterize(closed, mapped.uvmap), ERROR_WRONG_PARAMETER);
@@ -241,7 +241,7 @@ TEST(Short_calls_of_iterative_authalic, take_a_number_of_iterations)
   typedef Iterative_authalic_parameterizer_3<Surface_mesh>   Parameterizer;
   Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(300, 3, wavy));
   const auto bhd = longest_border(mesh);
-  Mapped<Surface_mesh> expected(mesh), with_border(mesh), without(mesh);
+  Wrapped_map<Surface_mesh> expected(mesh), with_border(mesh), without(mesh);
   Parameterization_summary summary;
   Hierarchical_parameterizer_3<Parameterizer> parameterizer(parameters::summary(std::ref(summary)));
   const auto expect_iterations = [&summary](std::size_t number) { EXPECT_EQ(summary.linear_solver.setups, number); };
@@ -256,4 +256,4 @@ TEST(Short_calls_of_iterative_authalic, take_a_number_of_iterations)
   expect_iterations(2);
 }
 
-} // namespace
+} // namespace test_calls_of_CGAL

@@ -31,7 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_collapse {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -219,4 +219,4 @@ TEST(Unit_edge_metric, keeps_coarse_triangles_of_stretched_meshes_round)
   }
 }
 
-} // namespace
+} // namespace test_collapse

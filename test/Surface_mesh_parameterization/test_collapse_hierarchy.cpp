@@ -27,7 +27,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace test_collapse_hierarchy {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -351,4 +351,4 @@ TEST(Fixed_vertices, that_no_level_can_do_without_stay)
   EXPECT_EQ(pinned, (std::set<Index>{ 0, last_of_part, inside, alone, across[0], across[1] }));
 }
 
-} // namespace
+} // namespace test_collapse_hierarchy

@@ -133,7 +133,7 @@ struct graph_traits<archetype::Mesh> : archetype::Traits
 
 } // namespace boost
 
-namespace {
+namespace test_concepts {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -249,4 +249,4 @@ TEST(Third_argument, that_is_not_used_is_an_error)
   EXPECT_EQ(mapped.uv(), Points(num_vertices(mapped.mesh), mapped.untouched()));
 }
 
-} // namespace
+} // namespace test_concepts

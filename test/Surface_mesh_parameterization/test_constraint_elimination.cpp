@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_constraint_elimination {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using internal::Constraint_elimination;
@@ -163,4 +163,4 @@ TEST(Constraint_elimination, tells_when_a_constraint_cannot_be_solved_for_a_poin
   }
 }
 
-} // namespace
+} // namespace test_constraint_elimination

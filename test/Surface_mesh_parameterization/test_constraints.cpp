@@ -32,7 +32,7 @@
 #include <limits>
 #include <vector>
 
-namespace {
+namespace test_constraints {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -383,4 +383,4 @@ TEST(Held_vertices_of_ARAP, pin_a_conformal_map)
   }
 }
 
-} // namespace
+} // namespace test_constraints

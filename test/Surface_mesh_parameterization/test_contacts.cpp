@@ -30,7 +30,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace {
+namespace test_contacts {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -213,4 +213,4 @@ TEST(Newton_with_border_barrier, leads_borders_apart_in_a_few_steps)
   EXPECT_FALSE(has_crossings(border_edges(level.rings()), uv));
 }
 
-} // namespace
+} // namespace test_contacts

@@ -18,7 +18,7 @@
 
 #include <cstddef>
 
-namespace {
+namespace test_core {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -108,4 +108,4 @@ TEST(Sparse_matrix, rows_stay_as_they_are_while_somebody_holds_them)
   EXPECT_EQ(copy.get_coef(0, 0), -1);
 }
 
-} // namespace
+} // namespace test_core

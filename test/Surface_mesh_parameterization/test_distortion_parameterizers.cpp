@@ -39,7 +39,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace {
+namespace test_distortion_parameterizers {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -268,4 +268,4 @@ INSTANTIATE_TEST_SUITE_P(Shared, Real_mesh,
                          testing::Values("face_1042", "patch_476", "homer_cut", "fertility_cut", "hand"),
                          [](const auto& info) { return std::string(info.param); });
 
-} // namespace
+} // namespace test_distortion_parameterizers

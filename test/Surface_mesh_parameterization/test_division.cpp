@@ -34,7 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_division {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -304,4 +304,4 @@ TEST(Division, refuses_parts_that_are_none)
   }
 }
 
-} // namespace
+} // namespace test_division

@@ -48,7 +48,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace {
+namespace test_edge_energies {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -347,4 +347,4 @@ TYPED_TEST(Edge_energy_parameterizer, is_the_same_for_every_number_of_threads)
 }
 #endif
 
-} // namespace
+} // namespace test_edge_energies

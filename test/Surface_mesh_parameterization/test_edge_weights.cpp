@@ -28,7 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_edge_weights {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -194,4 +194,4 @@ TYPED_TEST(Linear_precision, a_planar_mesh_is_mapped_onto_itself)
   }
 }
 
-} // namespace
+} // namespace test_edge_weights

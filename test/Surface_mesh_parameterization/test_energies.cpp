@@ -26,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_energies {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -274,4 +274,4 @@ TEST(Unfolding_energy_2, is_that_of_MIPS_where_its_width_is_0_and_grows_where_tr
   }
 }
 
-} // namespace
+} // namespace test_energies

@@ -20,7 +20,7 @@
 #include <limits>
 #include <vector>
 
-namespace {
+namespace test_exact_predicates {
 
 using namespace CGAL::Surface_mesh_parameterization::internal;
 using namespace test_meshes;
@@ -306,4 +306,4 @@ TEST(Do_segments_meet, of_ends_next_to_the_other_segment)
   EXPECT_LT(meeting, 9000u);
 }
 
-} // namespace
+} // namespace test_exact_predicates

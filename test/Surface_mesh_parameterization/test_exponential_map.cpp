@@ -18,7 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace {
+namespace test_exponential_map {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -105,4 +105,4 @@ TEST(Discrete_exponential_map, lays_out_degenerate_rings)
     }
 }
 
-} // namespace
+} // namespace test_exponential_map

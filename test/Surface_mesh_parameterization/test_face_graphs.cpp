@@ -32,7 +32,7 @@
 #include <cstddef>
 #include <map>
 
-namespace {
+namespace test_face_graphs {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -155,4 +155,4 @@ TEST_P(Map_of_floats, is_an_error_where_floats_leave_no_room)
 
 INSTANTIATE_TEST_SUITE_P(Both, Map_of_floats, testing::Bool());
 
-} // namespace
+} // namespace test_face_graphs

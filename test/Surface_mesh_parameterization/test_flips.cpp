@@ -32,7 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_flips {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -321,4 +321,4 @@ TEST(Patch_unfolder, changes_nothing_where_there_are_no_valid_places)
   }
 }
 
-} // namespace
+} // namespace test_flips

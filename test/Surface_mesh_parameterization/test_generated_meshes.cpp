@@ -27,7 +27,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_generated_meshes {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -187,4 +187,4 @@ INSTANTIATE_TEST_SUITE_P(All_kinds, Generated_mesh, testing::ValuesIn(mesh_kinds
 // A run on the large chain of pearls comes to the limit of steps.
 INSTANTIATE_TEST_SUITE_P(Most_kinds, Large_generated_mesh, testing::ValuesIn(kinds_without("pearls")), name_of);
 
-} // namespace
+} // namespace test_generated_meshes

@@ -26,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_hard_surfaces {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -150,4 +150,4 @@ TEST(Huge_coordinates, are_mapped_or_refused)
   }
 }
 
-} // namespace
+} // namespace test_hard_surfaces

@@ -33,7 +33,7 @@
 #include <set>
 #include <vector>
 
-namespace {
+namespace test_hierarchical_parameterizer {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -304,4 +304,4 @@ TEST(Hierarchical_parameterizer, takes_any_border_for_the_outer_one)
   }
 }
 
-} // namespace
+} // namespace test_hierarchical_parameterizer

@@ -44,7 +44,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace {
+namespace test_holes {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -272,4 +272,4 @@ TEST(Holes, what_is_no_surface_has_the_error_that_it_has_without_filling)
   EXPECT_EQ(of_filled.error.place, Parameterization_error::VERTEX);
 }
 
-} // namespace
+} // namespace test_holes

@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace {
+namespace test_incomplete_LU {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -135,4 +135,4 @@ TEST(Incomplete_LU, relaxation_adds_the_solution_for_the_residual)
   EXPECT_NEAR((iteration - (Eigen::MatrixXd::Identity(36, 36) - smoother * a)).norm(), 0, 1e-12);
 }
 
-} // namespace
+} // namespace test_incomplete_LU

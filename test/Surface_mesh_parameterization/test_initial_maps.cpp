@@ -30,7 +30,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace test_initial_maps {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -256,4 +256,4 @@ TEST(Initial_map_that_cannot_be_read, is_an_error)
   EXPECT_EQ(writes, mesh.number_of_vertices());
 }
 
-} // namespace
+} // namespace test_initial_maps

@@ -16,7 +16,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace {
+namespace test_krylov_methods {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -176,4 +176,4 @@ TEST(Conjugate_gradients, tell_what_they_lower)
   EXPECT_TRUE(is_less_or_equal(abs(value + sum), Value_2::all(1e-12)));
 }
 
-} // namespace
+} // namespace test_krylov_methods

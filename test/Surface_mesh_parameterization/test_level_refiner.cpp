@@ -24,7 +24,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace {
+namespace test_level_refiner {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -163,4 +163,4 @@ TEST(Level_refiner, weights_matter_on_an_irregular_mesh)
   EXPECT_LT(by_area(maps[1]), by_area(maps[0]));
 }
 
-} // namespace
+} // namespace test_level_refiner

@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_mesh_component {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -303,4 +303,4 @@ TEST(Mesh_component, leaves_the_mesh_as_it_was)
     EXPECT_TRUE(mesh.next(h) == fresh.next(h) && mesh.target(h) == fresh.target(h) && mesh.face(h) == fresh.face(h));
 }
 
-} // namespace
+} // namespace test_mesh_component

@@ -32,7 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_multigrid {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -206,4 +206,4 @@ TEST(Multigrid_preconditioner, cycles_reduce_the_error_and_full_cycles_more_so)
   EXPECT_LT(by_full_cycle, 0.5 * by_cycle);
 }
 
-} // namespace
+} // namespace test_multigrid

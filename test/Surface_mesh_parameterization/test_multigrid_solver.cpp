@@ -40,7 +40,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_multigrid_solver {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -679,4 +679,4 @@ TEST(Multigrid_solver_traits, solves_for_a_parameterizer_of_CGAL)
   EXPECT_EQ(solver.summary().setups, 2u);
 }
 
-} // namespace
+} // namespace test_multigrid_solver

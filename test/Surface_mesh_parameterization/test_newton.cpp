@@ -37,7 +37,7 @@
 #include <limits>
 #include <utility>
 
-namespace {
+namespace test_newton {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -325,4 +325,4 @@ TEST(Corner_hessian, that_lends_curvature_is_exact_down_to_half_the_scale)
   }
 }
 
-} // namespace
+} // namespace test_newton

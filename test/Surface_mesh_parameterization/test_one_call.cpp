@@ -30,7 +30,7 @@
 #include <cmath>
 #include <string>
 
-namespace {
+namespace test_one_call {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -97,4 +97,4 @@ TEST(One_call, tells_what_cannot_be_laid_out)
   EXPECT_EQ(hierarchical_parameterization(empty.mesh, empty.uvmap).error.code, ERROR_EMPTY_MESH);
 }
 
-} // namespace
+} // namespace test_one_call

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_one_rings {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -148,4 +148,4 @@ TEST(One_rings, can_be_built_again)
   }
 }
 
-} // namespace
+} // namespace test_one_rings

@@ -30,7 +30,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_one_to_one {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -183,4 +183,4 @@ TEST(Random_surfaces, are_laid_out_one_to_one)
   }
 }
 
-} // namespace
+} // namespace test_one_to_one

@@ -30,7 +30,7 @@
 #include <set>
 #include <string>
 
-namespace {
+namespace test_options {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -167,4 +167,4 @@ TEST(Error_message, knows_every_code)
   EXPECT_EQ(messages.size(), std::size_t(ERROR_WRONG_PARAMETER) + 2);
 }
 
-} // namespace
+} // namespace test_options

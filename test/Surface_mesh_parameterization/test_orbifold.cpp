@@ -34,7 +34,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_orbifold {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -305,4 +305,4 @@ TEST(Orbifolds, refuse_a_point_that_is_not_finite)
   EXPECT_TRUE(cut.is_untouched(uv));
 }
 
-} // namespace
+} // namespace test_orbifold

@@ -29,7 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_overlaps {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -242,4 +242,4 @@ TEST(Border_barrier, knows_when_the_ends_meet)
   }
 }
 
-} // namespace
+} // namespace test_overlaps

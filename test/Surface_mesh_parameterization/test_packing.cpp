@@ -24,7 +24,7 @@
 #include <numeric>
 #include <vector>
 
-namespace {
+namespace test_packing {
 
 using namespace test_meshes;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -218,4 +218,4 @@ TEST(Chart_mask, has_the_cells_of_the_triangles)
   }
 }
 
-} // namespace
+} // namespace test_packing

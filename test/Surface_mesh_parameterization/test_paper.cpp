@@ -22,7 +22,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace {
+namespace test_paper {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -91,4 +91,4 @@ TEST(Paper, hierarchical_optimization_gets_much_nearer_to_the_optimum_than_the_c
   }
 }
 
-} // namespace
+} // namespace test_paper

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_polygon_kernel {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -143,4 +143,4 @@ TEST(Polygon_kernel_2, without_interior_is_empty)
   EXPECT_TRUE(kernel.is_empty());
 }
 
-} // namespace
+} // namespace test_polygon_kernel

@@ -27,7 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_program_atlas {
 
 using namespace hostile_meshes;
 using namespace mesh_files;
@@ -570,4 +570,4 @@ TEST(Program_GLB, is_told_where_it_cannot_be_written)
   EXPECT_EQ(runs.files(), (std::vector<std::string>{ "in.off", "stderr.txt", "stdout.txt" }));
 }
 
-} // namespace
+} // namespace test_program_atlas

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_program_hard_input {
 
 using namespace hostile_meshes;
 using namespace mesh_files;
@@ -128,4 +128,4 @@ INSTANTIATE_TEST_SUITE_P(globally_injective, Hard_input,
                          testing::ValuesIn(hard_rows(hard_meshes, "symmetric-dirichlet --globally-injective")),
                          test_name);
 
-} // namespace
+} // namespace test_program_hard_input

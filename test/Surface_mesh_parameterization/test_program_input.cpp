@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_program_input {
 
 using namespace hostile_meshes;
 using namespace mesh_files;
@@ -404,4 +404,4 @@ const Row unusable_paths[] = {
 
 INSTANTIATE_TEST_SUITE_P(unusable, Program_files, testing::ValuesIn(unusable_paths), test_name);
 
-} // namespace
+} // namespace test_program_input

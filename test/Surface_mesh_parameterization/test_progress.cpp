@@ -36,7 +36,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_progress {
 
 using namespace wrapped_maps;
 namespace np = CGAL::Surface_mesh_parameterization::parameters;
@@ -83,7 +83,7 @@ private:
 template <class Method, class Options>
 struct Run
 {
-  Mapped<Surface_mesh> mapped;
+  Wrapped_map<Surface_mesh> mapped;
   Parameterization_summary summary;
 
   explicit Run(Surface_mesh& mesh) : mapped(mesh) { }
@@ -298,7 +298,7 @@ TEST(Progress_of_a_users_method, is_told_and_stops_the_run)
     for (const bool is_deaf : { false, true }) {
       Parameterization_summary summary;
       const auto run = [&](Record& record) {
-        Mapped<Surface_mesh> mapped(mesh);
+        Wrapped_map<Surface_mesh> mapped(mesh);
         const auto options = np::coarsest_size(20).summary(std::ref(summary)).visitor(Recording_visitor(record));
         const Error_code status = mapped.parameterize(
             Hierarchical_parameterizer_3<Users_method>(Users_method(failures, is_deaf), options), longest_border(mesh));
@@ -324,4 +324,4 @@ TEST(Error_message, knows_a_run_that_was_stopped)
   EXPECT_EQ(std::string(get_error_message(ERROR_STOPPED)), "Unknown error");
 }
 
-} // namespace
+} // namespace test_progress

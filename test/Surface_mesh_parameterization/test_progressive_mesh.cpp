@@ -19,7 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace {
+namespace test_progressive_mesh {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -111,4 +111,4 @@ TEST(Level, goes_to_any_other_level)
   }
 }
 
-} // namespace
+} // namespace test_progressive_mesh

@@ -26,7 +26,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace {
+namespace test_prolongation {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -210,4 +210,4 @@ TEST(Pruned_prolongation, in_triangles_keeps_linear_functions)
   }
 }
 
-} // namespace
+} // namespace test_prolongation

@@ -28,7 +28,7 @@
 #include <random>
 #include <utility>
 
-namespace {
+namespace test_relaxation {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -180,4 +180,4 @@ TYPED_TEST(Relaxation_of, leaves_pinned_vertices)
   EXPECT_EQ(uv, start);
 }
 
-} // namespace
+} // namespace test_relaxation

@@ -27,7 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_results {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -245,4 +245,4 @@ TEST(Write_SVG, draws_every_triangle)
   EXPECT_EQ(text.find("nan"), std::string::npos);
 }
 
-} // namespace
+} // namespace test_results

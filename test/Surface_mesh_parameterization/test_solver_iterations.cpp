@@ -23,7 +23,7 @@
 #include <cstddef>
 #include <string>
 
-namespace {
+namespace test_solver_iterations {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -102,4 +102,4 @@ TEST(Multigrid_solver_traits, unit_edges_suit_uniform_weights)
   EXPECT_GE(iterations(stretched, Uniform_edge_weights_3(), 0, false), expected + 3);
 }
 
-} // namespace
+} // namespace test_solver_iterations

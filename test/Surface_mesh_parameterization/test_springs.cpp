@@ -21,7 +21,7 @@
 #include <cmath>
 #include <limits>
 
-namespace {
+namespace test_springs {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -102,4 +102,4 @@ TEST(Springs, have_the_gradient_of_their_energy)
   }
 }
 
-} // namespace
+} // namespace test_springs

@@ -27,7 +27,7 @@
 #include <limits>
 #include <vector>
 
-namespace {
+namespace test_star {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -237,4 +237,4 @@ TEST(Relax_vertex, keeps_the_angles_at_the_border_below_a_full_turn)
   }
 }
 
-} // namespace
+} // namespace test_star

@@ -17,7 +17,7 @@
 #include <cmath>
 #include <vector>
 
-namespace {
+namespace test_star_validity {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -131,4 +131,4 @@ TEST(Round_map, tells_that_there_is_no_room)
   EXPECT_FALSE(round_map(rings, &to_integer, 0, uv));
 }
 
-} // namespace
+} // namespace test_star_validity

@@ -34,7 +34,7 @@
 #include <string>
 #include <utility>
 
-namespace {
+namespace test_starting_maps {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -269,4 +269,4 @@ TEST(Insert_new_vertices, puts_ears_back_in_shape)
   EXPECT_GT(ears, 3);
 }
 
-} // namespace
+} // namespace test_starting_maps

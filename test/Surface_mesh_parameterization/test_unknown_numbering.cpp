@@ -30,7 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_unknown_numbering {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -151,7 +151,7 @@ struct Double_mean_value : Mean_value_of<Mesh, Order, Solver>
 struct Parameterized
 {
   Surface_mesh mesh = make<Surface_mesh>(cap(50, 100, 0.5 * CGAL_PI));
-  Mapped<Surface_mesh> mapped{ mesh };
+  Wrapped_map<Surface_mesh> mapped{ mesh };
   Parameterization_summary summary;
 
   Parameterized() = default;
@@ -252,4 +252,4 @@ TEST(Unknown_numbering, is_not_mistaken_for_a_given_place)
   EXPECT_EQ(run.summary.linear_solver.direct_solutions, 1u);
 }
 
-} // namespace
+} // namespace test_unknown_numbering

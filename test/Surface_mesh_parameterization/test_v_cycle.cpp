@@ -36,7 +36,7 @@
 #include <numeric>
 #include <vector>
 
-namespace {
+namespace test_v_cycle {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -343,4 +343,4 @@ TEST(Conjugate_gradients, need_not_many_more_cycles_for_conformal_motions_on_mor
   EXPECT_LE(cycles_for_conformal_motion(140), 3 * cycles_for_conformal_motion(35));
 }
 
-} // namespace
+} // namespace test_v_cycle

@@ -22,7 +22,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace {
+namespace test_vertex_inserter {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
@@ -212,4 +212,4 @@ TEST(Vertex_inserter, inserts_border_vertices_beside_border_vertices_of_any_turn
     }
 }
 
-} // namespace
+} // namespace test_vertex_inserter

@@ -114,7 +114,7 @@ struct internal::Solver_use<archetype::Stubborn_parameterizer<Mesh, Solver>> : S
 
 } // namespace CGAL::Surface_mesh_parameterization
 
-namespace {
+namespace test_wrapped_constructors {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -135,7 +135,7 @@ TEST(Wrapped_constructor, takes_the_arguments_and_then_named_parameters)
 
   const auto residual = [&](Hierarchical_mean_value parameterizer) {
     summary = Parameterization_summary();
-    EXPECT_EQ(Mapped<Surface_mesh>(mesh).parameterize(parameterizer, longest_border(mesh)), OK);
+    EXPECT_EQ(Wrapped_map<Surface_mesh>(mesh).parameterize(parameterizer, longest_border(mesh)), OK);
     return summary.linear_solver.residual;
   };
   for (const Hierarchical_mean_value& parameterizer :
@@ -158,7 +158,7 @@ TEST(Wrapped_constructor, takes_the_pins_of_LSCM)
   const auto np = parameters::flip_policy(Flip_policy::KEEP);
   expect_equal_maps(mesh, LSCM(Pins(a, b)), Hierarchical_parameterizer_3<LSCM>(Pins(a, b), np));
 
-  Mapped<Surface_mesh> pinned(mesh), other(mesh);
+  Wrapped_map<Surface_mesh> pinned(mesh), other(mesh);
   ASSERT_EQ(pinned.parameterize(Hierarchical_parameterizer_3<LSCM>(Pins(a, b), np), longest_border(mesh)), OK);
   ASSERT_EQ(other.parameterize(LSCM(Pins(b, a)), longest_border(mesh)), OK);
   EXPECT_NEAR(CGAL::squared_distance(get(pinned.uvmap, a), get(other.uvmap, b)), 0, 1e-20);
@@ -194,7 +194,7 @@ TEST(Wrapped_constructor, visitor_sees_the_hierarchy_and_can_stop_the_run)
   for (const std::size_t coarsest_size : { 10, 60 }) {
     std::size_t seen = 0;
     Parameterization_summary summary;
-    Mapped<Surface_mesh> mapped(mesh);
+    Wrapped_map<Surface_mesh> mapped(mesh);
     const auto np = parameters::coarsest_size(coarsest_size).summary(std::ref(summary)).visitor(Stopping_visitor(seen));
     EXPECT_EQ(mapped.parameterize(Hierarchical_mean_value(np), longest_border(mesh)), ERROR_STOPPED);
     EXPECT_EQ(summary.error.code, ERROR_STOPPED);
@@ -208,7 +208,7 @@ TEST(Wrapped_constructor, visitor_sees_the_hierarchy_and_can_stop_the_run)
 TEST(Wrapped_constructor, visitor_that_looks_on_changes_nothing)
 {
   Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
-  Mapped<Surface_mesh> seen(mesh), unseen(mesh);
+  Wrapped_map<Surface_mesh> seen(mesh), unseen(mesh);
   EXPECT_EQ(
       seen.parameterize(Hierarchical_mean_value(parameters::visitor(Hierarchy_visitor_3())), longest_border(mesh)), OK);
   EXPECT_EQ(unseen.parameterize(Hierarchical_mean_value(), longest_border(mesh)), OK);
@@ -222,7 +222,7 @@ TEST(Wrapped_barycentric, takes_no_more_iterations_on_stretched_triangles)
   Surface_mesh mesh = make<Surface_mesh>(affine_image(grid(120, 120, flat), 6, 0, 0, 1));
   const auto iterations = [&](const auto& np) {
     Parameterization_summary summary;
-    EXPECT_EQ(Mapped<Surface_mesh>(mesh).parameterize(
+    EXPECT_EQ(Wrapped_map<Surface_mesh>(mesh).parameterize(
                   Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Surface_mesh>>(
                       np.summary(std::ref(summary))),
                   longest_border(mesh)),
@@ -239,10 +239,10 @@ TEST(Wrapped_constructor, copies_give_the_same_map)
   Hierarchical_mean_value parameterizer(Circle(), parameters::summary(std::ref(summary)));
   Hierarchical_mean_value copy(parameterizer), assigned;
   assigned = copy;
-  Mapped<Surface_mesh> expected(mesh);
+  Wrapped_map<Surface_mesh> expected(mesh);
   EXPECT_EQ(expected.parameterize(parameterizer, longest_border(mesh)), OK);
   for (const Hierarchical_mean_value& p : { parameterizer, copy, assigned }) {
-    Mapped<Surface_mesh> found(mesh);
+    Wrapped_map<Surface_mesh> found(mesh);
     summary.converged = false;
     EXPECT_EQ(SMP::parameterize(mesh, p, longest_border(mesh), found.uvmap), OK);
     EXPECT_TRUE(summary.converged);
@@ -263,7 +263,7 @@ TEST(Rebind_solver, opens_the_adaptor_to_a_parameterizer_of_the_user)
 
   Parameterization_summary summary;
   Hierarchical_parameterizer_3<Parameterizer> parameterizer(parameters::summary(std::ref(summary)));
-  EXPECT_EQ(Mapped<Surface_mesh>(mesh).parameterize(parameterizer, longest_border(mesh)), OK);
+  EXPECT_EQ(Wrapped_map<Surface_mesh>(mesh).parameterize(parameterizer, longest_border(mesh)), OK);
   EXPECT_EQ(summary.linear_solver.setups, 1u);
   EXPECT_EQ(summary.linear_solver.right_sides, 2u);
 }
@@ -281,7 +281,7 @@ TEST(Rebind_solver, lets_a_stop_and_failures_end_a_parameterizer_that_would_go_o
   Parameterization_summary summary;
   const auto told = parameters::summary(std::ref(summary));
   const auto run = [&](int failing_tries, const auto& np) {
-    Mapped<Surface_mesh> mapped(mesh);
+    Wrapped_map<Surface_mesh> mapped(mesh);
     Parameterizer::failing_tries = failing_tries;
     const Error_code code =
         mapped.parameterize(Hierarchical_parameterizer_3<Parameterizer>(np), longest_border(mesh));
@@ -302,4 +302,4 @@ TEST(Rebind_solver, lets_a_stop_and_failures_end_a_parameterizer_that_would_go_o
   EXPECT_LE(Parameterizer::tries, 10);
 }
 
-} // namespace
+} // namespace test_wrapped_constructors

@@ -43,7 +43,7 @@
 #include <utility>
 #include <vector>
 
-namespace {
+namespace test_wrapped_parameterizers {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -90,7 +90,7 @@ TYPED_TEST(Wrapped, leaves_other_components_alone)
   append(grid(9, 8, wavy), mesh);
   append(torus_with_hole(6), mesh);
   const auto bhd = longest_border(mesh);
-  Mapped<Surface_mesh> expected(mesh), found(mesh);
+  Wrapped_map<Surface_mesh> expected(mesh), found(mesh);
   EXPECT_EQ(SMP::parameterize(mesh, TypeParam(), bhd, expected.uvmap), OK);
   EXPECT_EQ(SMP::parameterize(mesh, Hierarchical_parameterizer_3<TypeParam>(), bhd, found.uvmap), OK);
   found.expect_equal(expected, tolerance);
@@ -102,7 +102,7 @@ TYPED_TEST(Wrapped, leaves_the_maps_untouched_on_errors)
 {
   const auto expect_error = [](Surface_mesh& mesh, Surface_mesh::Halfedge_index bhd, Error_code code,
                                Parameterization_error::Place place, std::size_t index) {
-    Mapped<Surface_mesh> mapped(mesh);
+    Wrapped_map<Surface_mesh> mapped(mesh);
     Parameterization_summary summary;
     EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<TypeParam>(parameters::summary(std::ref(summary))), bhd),
               code);
@@ -159,7 +159,7 @@ TEST(Wrapped_borders, are_those_of_CGAL)
   const auto corner = [](std::size_t i) { return Surface_mesh::Vertex_index(i); };
   const Square square(corner(0), corner(20), corner(21 * 17 - 1), corner(21 * 16));
   check<Mean_value<Square>>(mesh, square);
-  Mapped<Surface_mesh> mapped(mesh);
+  Wrapped_map<Surface_mesh> mapped(mesh);
   EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Mean_value<Square>>(square), longest_border(mesh)), OK);
   EXPECT_NEAR(CGAL::squared_distance(get(mapped.uvmap, corner(0)), get(mapped.uvmap, corner(21 * 17 - 1))), 2, 1e-12);
 }
@@ -168,7 +168,7 @@ TEST(Wrapped_borders, that_cannot_be_placed_are_errors_as_in_CGAL)
 {
   typedef Mean_value<Square_border_arc_length_parameterizer_3<Surface_mesh>> Parameterizer;
   Surface_mesh mesh = make<Surface_mesh>(single_triangle());
-  Mapped<Surface_mesh> expected(mesh), found(mesh);
+  Wrapped_map<Surface_mesh> expected(mesh), found(mesh);
   const Error_code status = expected.parameterize(Parameterizer(), longest_border(mesh));
   Parameterization_summary summary;
   EXPECT_NE(status, OK);
@@ -186,7 +186,7 @@ TEST(Wrapped_LSCM, pins_the_given_vertices)
   Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
   const Surface_mesh::Vertex_index v0(7), v1(800);
   check<LSCM>(mesh, Two_vertices(v0, v1));
-  Mapped<Surface_mesh> mapped(mesh);
+  Wrapped_map<Surface_mesh> mapped(mesh);
   EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<LSCM>(Two_vertices(v0, v1),
                                                                    parameters::flip_policy(Flip_policy::KEEP)),
                                 longest_border(mesh)),
@@ -195,7 +195,7 @@ TEST(Wrapped_LSCM, pins_the_given_vertices)
   EXPECT_EQ(get(mapped.uvmap, v1), Kernel::Point_2(1, 0.5));
 
   // The user's map may hold further ones.
-  Mapped<Surface_mesh> expected(mesh), found(mesh);
+  Wrapped_map<Surface_mesh> expected(mesh), found(mesh);
   for (auto* m : { &expected, &found }) {
     put(m->uvmap, Surface_mesh::Vertex_index(42), Kernel::Point_2(0.3, 0.9));
     put(m->vpmap, Surface_mesh::Vertex_index(42), true);
@@ -245,9 +245,9 @@ TEST(Wrapped_LSCM, gives_way_to_a_method_without_flips)
 {
   typedef LSCM_parameterizer_3<Surface_mesh, Ends_of_border<Surface_mesh>>            LSCM;
   auto mesh = make<Surface_mesh>(tube_with_waves(200, 40));
-  Mapped<Surface_mesh> failed(mesh), repaired(mesh), kept(mesh);      // each knows which vertices have a place
+  Wrapped_map<Surface_mesh> failed(mesh), repaired(mesh), kept(mesh);      // each knows which vertices have a place
   Parameterization_summary summary;
-  const auto run = [&](Mapped<Surface_mesh>& mapped, Flip_policy policy) {
+  const auto run = [&](Wrapped_map<Surface_mesh>& mapped, Flip_policy policy) {
     return mapped.parameterize(
         Hierarchical_parameterizer_3<LSCM>(Ends_of_border<Surface_mesh>(),
                                            parameters::flip_policy(policy).summary(std::ref(summary))),
@@ -272,7 +272,7 @@ TEST(Wrapped_LSCM, has_no_flips_in_floats)
   typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>                  Float_mesh;
   typedef LSCM_parameterizer_3<Float_mesh, Ends_of_border<Float_mesh>>                LSCM;
   auto mesh = make<Float_mesh>(tube_with_waves(90, 14));
-  Mapped<Float_mesh> mapped(mesh);
+  Wrapped_map<Float_mesh> mapped(mesh);
   Parameterization_summary summary;
   const Error_code status = mapped.parameterize(
       Hierarchical_parameterizer_3<LSCM>(Ends_of_border<Float_mesh>(), parameters::summary(std::ref(summary))),
@@ -333,7 +333,7 @@ TEST(Wrapped_authalic, takes_its_own_solver_where_weights_are_wild)
   const auto own_solutions = [](const Flat_mesh& m) {
     Surface_mesh mesh = make<Surface_mesh>(m);
     Parameterization_summary summary;
-    Mapped<Surface_mesh> expected(mesh), found(mesh);
+    Wrapped_map<Surface_mesh> expected(mesh), found(mesh);
     EXPECT_EQ(expected.parameterize(Parameterizer(), longest_border(mesh)), OK);
     solutions = 0;
     EXPECT_EQ(found.parameterize(Hierarchical_parameterizer_3<Parameterizer>(
@@ -378,7 +378,7 @@ TEST(Wrapped_iterative_authalic, iterates_as_CGAL_does)
   typedef Iterative_authalic_parameterizer_3<Surface_mesh> Parameterizer;
   Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(700, 3, wavy));
   const auto bhd = longest_border(mesh);
-  Mapped<Surface_mesh> expected(mesh), found(mesh);
+  Wrapped_map<Surface_mesh> expected(mesh), found(mesh);
   Parameterization_summary summary;
   unsigned int iterations = 6, hierarchical_iterations = 6;
   double error = -1, hierarchical_error = -1;
@@ -405,7 +405,7 @@ TEST(Wrapped_iterative_authalic, map_depends_neither_on_the_size_of_the_surface_
       mesh.point(v) = CGAL::ORIGIN + size * (mesh.point(v) - CGAL::ORIGIN);
     Parameterization_summary summary;
     const auto np = parameters::flip_policy(Flip_policy::KEEP).summary(std::ref(summary));
-    Mapped<Surface_mesh> result(mesh);
+    Wrapped_map<Surface_mesh> result(mesh);
     EXPECT_EQ(result.parameterize(Hierarchical_parameterizer_3<Parameterizer>(np.number_of_iterations(most_iterations)),
                                   longest_border(mesh)),
               OK);
@@ -421,4 +421,4 @@ TEST(Wrapped_iterative_authalic, map_depends_neither_on_the_size_of_the_surface_
   }
 }
 
-} // namespace
+} // namespace test_wrapped_parameterizers

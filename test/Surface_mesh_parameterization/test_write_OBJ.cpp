@@ -33,7 +33,7 @@
 #include <string>
 #include <vector>
 
-namespace {
+namespace test_write_OBJ {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
@@ -303,4 +303,4 @@ TYPED_TEST(Write_OBJ_of_seam_mesh, has_no_texture_where_there_is_no_place)
   cut.expect_written(cut.number_of_places - 1);
 }
 
-} // namespace
+} // namespace test_write_OBJ

@@ -56,7 +56,7 @@ namespace parameters = CGAL::parameters;
 
 // A mesh with places that say "untouched" where nobody wrote.
 template <class TriangleMesh>
-struct Mapped
+struct Wrapped_map
 {
   typedef typename boost::property_traits<typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type>::value_type    Point_3;
   typedef typename CGAL::Kernel_traits<Point_3>::Kernel::Point_2                                                        Point_2;
@@ -68,7 +68,7 @@ struct Mapped
 
   static Point_2 untouched() { return Point_2(-77, 77); }
 
-  explicit Mapped(TriangleMesh& mesh)
+  explicit Wrapped_map(TriangleMesh& mesh)
     : mesh(mesh), uvmap(get(CGAL::dynamic_vertex_property_t<Point_2>(), mesh)),
       vimap(get(CGAL::dynamic_vertex_property_t<int>(), mesh)),
       vpmap(get(CGAL::dynamic_vertex_property_t<bool>(), mesh))
@@ -95,7 +95,7 @@ struct Mapped
     return true;
   }
 
-  void expect_equal(const Mapped& other, double tolerance) const
+  void expect_equal(const Wrapped_map& other, double tolerance) const
   {
     for (const auto v : vertices(mesh)) {
       ASSERT_LT(CGAL::squared_distance(get(uvmap, v), get(other.uvmap, v)), tolerance * tolerance)
@@ -112,7 +112,7 @@ template <class TriangleMesh, class Flat, class Hierarchical>
 void expect_equal_maps(TriangleMesh& mesh, Flat&& flat, Hierarchical&& hierarchical)
 {
   const Halfedge<TriangleMesh> bhd = longest_border(mesh);
-  Mapped<TriangleMesh> expected(mesh), found(mesh);
+  Wrapped_map<TriangleMesh> expected(mesh), found(mesh);
   ASSERT_EQ(expected.parameterize(flat, bhd), OK);
   ASSERT_EQ(found.parameterize(hierarchical, bhd), OK);
   found.expect_equal(expected, tolerance);
