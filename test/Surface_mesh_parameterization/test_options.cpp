@@ -8,6 +8,7 @@
 #include "mesh_conversions.h"
 #include "test_meshes.h"
 
+#include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
@@ -27,6 +28,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -124,6 +126,31 @@ TEST(Options, fill_the_summary_of_one_call)
   EXPECT_EQ(s.error.code, ERROR_NO_TOPOLOGICAL_DISC);
   hierarchical_parameterization(empty.mesh, empty.uvmap, np::summary(std::ref(s)));
   EXPECT_EQ(s.error.code, ERROR_EMPTY_MESH);
+}
+
+template <class Parameterizer>
+class Tolerance : public testing::Test
+{ };
+
+typedef testing::Types<MIPS_parameterizer_3<Surface_mesh>, As_rigid_as_possible_parameterizer_3<Surface_mesh>,
+                       Edge_energy_parameterizer_3<Surface_mesh, Uniform_edge_weights_3>>   Methods_with_tolerance;
+TYPED_TEST_SUITE(Tolerance, Methods_with_tolerance, );
+
+TYPED_TEST(Tolerance, is_at_least_zero)
+{
+  for (const double tolerance : { 0., -1e-6, std::numeric_limits<double>::quiet_NaN() }) {
+    const Error_code expected = tolerance == 0 ? OK : ERROR_WRONG_PARAMETER;
+    Mapped<Surface_mesh> flat(grid(12, 9, wavy)), hierarchical(grid(12, 9, wavy));
+    const Points before = flat.uv();
+    EXPECT_EQ(parameterize(flat.mesh, TypeParam(np::tolerance(tolerance)), test_meshes::longest_border(flat.mesh),
+                           flat.uvmap),
+              expected);
+    hierarchical.parameterize(
+        Hierarchical_parameterizer_3<TypeParam>(TypeParam(np::tolerance(tolerance)), np::coarsest_size(20)));
+    EXPECT_EQ(hierarchical.code, expected);
+    EXPECT_EQ(flat.uv() == before, expected != OK);
+    EXPECT_EQ(hierarchical.uv() == before, expected != OK);
+  }
 }
 
 template <class Parameterizer>

@@ -90,10 +90,10 @@ public:
 
   /// Tutte's map of a level, scaled to the surface's area. In a flat run it is then improved without flips.
   /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING` if Tutte's map, computed in
-  /// doubles, has a flip; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if `lambda` is negative or no number
+  /// doubles, has a flip; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if `lambda` or `tolerance` is negative or no number
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
-    if (!(m_lambda >= 0))
+    if (!are_options_valid())
       return ERROR_WRONG_PARAMETER;
     const Error_code status = internal::compute_first_map(level, uv);
     if (status != OK)
@@ -104,10 +104,10 @@ public:
 
   /// improves a flip-free map of a level and keeps it flip-free. On the finest level, minimizes the energy, and flips
   /// are possible.
-  /// \return `OK`, `ERROR_STOPPED`, or `ERROR_WRONG_PARAMETER` if `lambda` is negative or no number
+  /// \return `OK`, `ERROR_STOPPED`, or `ERROR_WRONG_PARAMETER` if `lambda` or `tolerance` is negative or no number
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
-    if (!(m_lambda >= 0))
+    if (!are_options_valid())
       return ERROR_WRONG_PARAMETER;
     const double energy_start = energy(level, uv);
     const Error_code status = minimize(level, uv, summary);
@@ -136,6 +136,8 @@ public:
   }
 
 private:
+  bool are_options_valid() const { return m_options.are_valid() && m_lambda >= 0; }
+
   // with lambda in the units of the level; reported in the user's units
   internal::Level_energy_of<Energy> level_energy(const Level& level) const
   {

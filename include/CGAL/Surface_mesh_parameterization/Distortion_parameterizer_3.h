@@ -106,18 +106,23 @@ public:
 
   /// the map of less energy among Tutte's, scaled to the surface's area, and the unfolded level, if that is a map.
   /// \return `OK`, or if the unfolded level is no map: `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING`
-  /// if Tutte's map, computed in doubles, has a flip
+  /// if Tutte's map, computed in doubles, has a flip; `ERROR_WRONG_PARAMETER` if an option makes no sense
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
+    if (!m_options.are_valid())
+      return ERROR_WRONG_PARAMETER;
     const internal::Level_energy_of<Energy> energy(level, m_options.triangle_weight);
     return internal::choose_first_map(energy, m_options, uv);
   }
 
   /// improves a flip-free map of a level and keeps it flip-free.
   /// \return `OK`, or `ERROR_NO_1_TO_1_MAPPING` if `globally_injective` is true and the borders could not be
-  ///         separated, or if the energy is not finite on the finest level; `ERROR_STOPPED`
+  ///         separated, or if the energy is not finite on the finest level; `ERROR_STOPPED`;
+  ///         `ERROR_WRONG_PARAMETER` if an option makes no sense
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
+    if (!m_options.are_valid())
+      return ERROR_WRONG_PARAMETER;
     if constexpr (Energy::is_scale_invariant)
       if (m_bounds_scale) {
         const Error_code status = minimize<internal::Scale_bounded_energy_2<Energy>>(level, uv, summary);

@@ -121,9 +121,12 @@ public:
   }
 
   /// solves a level directly.
-  /// \return `OK`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+  /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_WRONG_PARAMETER` if `tolerance` is negative or no
+  /// number
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
+    if (!(m_tolerance >= 0))
+      return ERROR_WRONG_PARAMETER;
     return internal::solve_directly<Edge_weights::is_symmetric>(internal::Edge_system(level, m_weights), uv);
   }
 

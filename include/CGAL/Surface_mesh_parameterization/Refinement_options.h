@@ -42,7 +42,8 @@ struct Refinement_options
   /// too, when the last three steps show that the remaining ones would lower the energy by less than that; and levels
   /// below the finest use 5e-3 instead: they only need to give a good first guess. Below 1e-12, which is what energies
   /// in doubles tell, Newton's method ends with a few steps that the gradient judges, as long as they make it smaller:
-  /// the map reaches the minimum to rounding, not only to the square root of it. `globally_injective` prevents them
+  /// the map reaches the minimum to rounding, not only to the square root of it. `globally_injective` prevents them.
+  /// A tolerance that is negative or no number makes a method return `ERROR_WRONG_PARAMETER`
   double tolerance = 1e-6;
 
   /// named parameter `number_of_iterations`: the most iterations on a level: Newton steps, or sweeps (of as many visits
@@ -62,6 +63,9 @@ struct Refinement_options
 
   /// named parameter `random_seed`, of vertices chosen at random
   unsigned int random_seed = 0;
+
+  /// whether the options make sense
+  bool are_valid() const { return tolerance >= 0; }
 
   /// sets the options that are among the given named parameters.
   template <class NamedParameters>

@@ -51,8 +51,8 @@ inline std::string error_message(const Parameterization_error& error)
                              : "the surface has no border or the halfedge is not on one, a place on the border of the "
                                "map is not finite, the map is too large for a double, the holes of such a mesh cannot "
                                "be filled, uvmap cannot be read but a run starts from it or holds vertices there, "
-                               "the margin is not from 0 to 0.1, least_used_part is not from 0 to 1, or lambda is "
-                               "negative";
+                               "the margin is not from 0 to 0.1, least_used_part is not from 0 to 1, or lambda or "
+                               "the tolerance is negative";
       break;
   }
   if (error.place != Parameterization_error::NOWHERE)
