@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Text_writer.h>
 
 #include <unistd.h>
 
@@ -24,11 +25,11 @@
 namespace {
 
 // One level as OBJ: its vertices where the input has them, or in the middle of a hole that was filled, its triangles,
-// and its map (up to scale).
-void write_level(std::ostream& out, const Mesh& mesh, const std::vector<Mesh::Vertex_index>& vertices_of_component,
+// and its map in units of the input, before flips are repaired.
+void write_level(std::ostream& os, const Mesh& mesh, const std::vector<Mesh::Vertex_index>& vertices_of_component,
                         const SMP::Level& level, const SMP::Level::Uv& uv)
 {
-  out.precision(17);
+  SMP::internal::Text_writer out(os);
   const auto is_of_mesh = [&](SMP::Level::Index v) {
     return level.hierarchy().input_vertex(v) < vertices_of_component.size();
   };
@@ -43,14 +44,18 @@ void write_level(std::ostream& out, const Mesh& mesh, const std::vector<Mesh::Ve
   SMP::Level::Index reference = 0;
   while (!is_of_mesh(reference))
     ++reference;
-  for (SMP::Level::Index v = 0; v < level.number_of_vertices(); ++v)
-    out << "v " << (is_of_mesh(v) ? point_of_mesh(v) : point_of_mesh(reference) + (scaled(v) - scaled(reference)))
-        << '\n';
+  for (SMP::Level::Index v = 0; v < level.number_of_vertices(); ++v) {
+    const Kernel::Point_3 p =
+        is_of_mesh(v) ? point_of_mesh(v) : point_of_mesh(reference) + (scaled(v) - scaled(reference));
+    out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  }
   for (const SMP::Level::Point_2& p : uv)
-    out << "vt " << p << '\n';
+    out << "vt " << std::ldexp(p.x(), -level.scale_exponent()) << ' ' << std::ldexp(p.y(), -level.scale_exponent())
+        << '\n';
   for (const SMP::Level::Triangle& t : level.triangles())
     out << "f " << t[0] + 1 << '/' << t[0] + 1 << ' ' << t[1] + 1 << '/' << t[1] + 1 << ' ' << t[2] + 1 << '/'
         << t[2] + 1 << '\n';
+  out.flush();
 }
 
 } // namespace

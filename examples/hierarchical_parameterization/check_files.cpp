@@ -64,8 +64,8 @@ std::vector<Named_place> output_places(const Options& options)
   return outputs;
 }
 
-// What else forbids to write a file is told when it is written. The folder of --levels is made then.
-void check_folder(const std::string& name)
+// What else forbids to write a file is told when it is written.
+void check_output(const std::string& name)
 {
   const File_place place = output_place(name);
   if (name.empty() || place.is_special())
@@ -75,6 +75,8 @@ void check_folder(const std::string& name)
   const std::filesystem::file_status status = std::filesystem::status(folder.empty() ? "." : folder, unused_error);
   if (std::filesystem::status_known(status) && !std::filesystem::is_directory(status))
     throw std::runtime_error(name + ": cannot be written ('" + folder.string() + "' is no folder)");
+  if (std::filesystem::is_directory(place.path, unused_error))
+    throw std::runtime_error(name + ": cannot be written (it is a folder)");
 }
 
 } // namespace
@@ -108,5 +110,8 @@ void check_files(const Options& options)
       if (is_same_file(a->place, b->place))
         throw Usage_error{ b->option + " and " + a->option + " are the same file '" + b->name + "'" };
   for (const auto& option_and_name : options_with_names(options))
-    check_folder(option_and_name.second);
+    check_output(option_and_name.second);
+  const std::filesystem::file_status levels = std::filesystem::status(options.levels);
+  if (std::filesystem::exists(levels) && !std::filesystem::is_directory(levels))
+    throw std::runtime_error(options.levels + ": cannot be written (it is no folder)");
 }

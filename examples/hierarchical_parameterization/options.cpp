@@ -78,8 +78,8 @@ po::options_description describe_options(Options& options, Words& words, Numbers
   add("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion");
   add("report", po::value(&options.report), "write figures as JSON, one line per input");
   add("levels", po::value(&options.levels),
-      "write every level of the hierarchy as OBJ into this folder: level_00.obj, the coarsest one, and so on. Those of "
-      "an earlier run that had more levels stay there");
+      "write every level of the hierarchy as OBJ into this folder: level_00.obj, the coarsest one, and so on, with maps "
+      "before the repair of flips. Files of an earlier run that had more levels stay there");
   add("triangulate", po::bool_switch(&options.is_triangulated), "cut faces of more than three corners into triangles");
   add("flat", po::bool_switch(&options.flat),
       "run the method without the hierarchy; those of CGAL as they are shipped. --tolerance and --iterations are for "
@@ -207,7 +207,7 @@ void read_part(const std::string& components, const std::string& cut, Options& o
 void check_options(const Options& options)
 {
   if (!(options.tolerance >= 0))
-    throw Usage_error{ "the tolerance must not be negative" };
+    throw Usage_error{ "--tolerance: a number that is not negative expected" };
   if (options.is_globally_injective && !options.method->is_flip_free)
     throw Usage_error{ "--globally-injective: " + options.method->name + " does not promise maps without flips" };
   for (const auto& [option, file] : { std::make_pair("--start", options.start), std::make_pair("--hold", options.hold) }) {
@@ -261,6 +261,9 @@ bool read_options(int argc, char** argv, Options& options)
     std::cout << "hierarchical_parameterization " PROGRAM_VERSION " with CGAL " << CGAL_STR(CGAL_VERSION) << '\n';
     return false;
   }
+  for (const std::string option : { "output", "picture", "report", "levels", "start", "hold" })
+    if (values.count(option) && values[option].as<std::string>().empty())
+      throw Usage_error{ "--" + option + ": the name is empty" };
   read_words(words, options);
   read_numbers(numbers, options);
   check_effects(values, options);

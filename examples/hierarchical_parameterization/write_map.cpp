@@ -12,14 +12,14 @@
 
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_SVG.h>
-
-#include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Text_writer.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <ostream>
 #include <string>
-#include <vector>
+#include <string_view>
 
 namespace {
 
@@ -47,53 +47,63 @@ Corner_map corner_map_of_chart(Input& input)
   return result;
 }
 
-// The map of one chart as PLY, in plain text: a place for every vertex.
-void write_PLY(std::ostream& out, const Mesh& mesh, const UV_map& uvmap, const Vertex_flags& is_mapped)
-{
-  Mesh copy;    // without the properties that are of no use outside
-  std::vector<Mesh::Vertex_index> vertices;
-  for (const Mesh::Vertex_index v : mesh.vertices())
-    vertices.push_back(copy.add_vertex(mesh.point(v)));
-  std::vector<Mesh::Vertex_index> corners;
-  for (const Mesh::Face_index f : mesh.faces()) {
-    corners.clear();
-    for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
-      corners.push_back(vertices[v]);
-    copy.add_face(corners);
-  }
-  const auto u = copy.add_property_map<Mesh::Vertex_index, double>("v:u").first,
-             v = copy.add_property_map<Mesh::Vertex_index, double>("v:v").first;
-  for (const Mesh::Vertex_index w : mesh.vertices()) {
-    const Kernel::Point_2& place = is_mapped[w] ? uvmap[w] : nowhere;
-    u[vertices[w]] = place.x();
-    v[vertices[w]] = place.y();
-  }
-  CGAL::IO::write_PLY(out, copy, CGAL::parameters::stream_precision(17));
-}
+typedef SMP::internal::Text_writer   Text_writer;
 
-// The map of an atlas as PLY, in plain text: a list of coordinates for every face, empty where it has no map. Readers
-// know the list `texcoord` of floats; the digits are all there.
-void write_PLY(std::ostream& out, const Mesh& mesh, const Corner_map& corner_map)
+// The start of a PLY file in plain text, and its vertices, each with what `write_place` adds.
+template <class Function>
+void write_vertices(Text_writer& out, const Mesh& mesh, std::string_view comment, std::string_view vertex_properties,
+                    std::string_view face_properties, const Function& write_place)
 {
-  out.precision(17);
-  out << "ply\nformat ascii 1.0\ncomment texcoord has u and v of the corners of a face, in their order\nelement vertex "
-      << mesh.number_of_vertices() << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-      << mesh.number_of_faces()
-      << "\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\nend_header\n";
-  for (const Kernel::Point_3& p : mesh.points())
-    out << p << '\n';
-  for (const Mesh::Face_index f : mesh.faces()) {
-    const auto corners = mesh.halfedges_around_face(mesh.halfedge(f));
-    out << '3';
-    for (const Mesh::Halfedge_index h : corners)
-      out << ' ' << mesh.target(h).idx();
-    const bool is_mapped = std::isfinite(corner_map[*corners.begin()].x());
-    out << (is_mapped ? " 6" : " 0");
-    for (const Mesh::Halfedge_index h : corners)
-      if (is_mapped)
-        out << ' ' << corner_map[h];
+  out << "ply\nformat ascii 1.0\n" << comment << "element vertex " << mesh.number_of_vertices()
+      << "\nproperty double x\nproperty double y\nproperty double z\n" << vertex_properties << "element face "
+      << mesh.number_of_faces() << "\nproperty list uchar int vertex_indices\n" << face_properties << "end_header\n";
+  for (const Mesh::Vertex_index v : mesh.vertices()) {
+    const Kernel::Point_3& p = mesh.point(v);
+    out << p.x() << ' ' << p.y() << ' ' << p.z();
+    write_place(v);
     out << '\n';
   }
+}
+
+void write_corners(Text_writer& out, const Mesh& mesh, Mesh::Face_index f)
+{
+  out << '3';
+  for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+    out << ' ' << v.idx();
+}
+
+// The map of one chart as PLY: a place for every vertex.
+void write_PLY(std::ostream& os, const Mesh& mesh, const UV_map& uvmap, const Vertex_flags& is_mapped)
+{
+  Text_writer out(os);
+  write_vertices(out, mesh, "", "property double u\nproperty double v\n", "", [&](Mesh::Vertex_index v) {
+    const Kernel::Point_2& place = is_mapped[v] ? uvmap[v] : nowhere;
+    out << ' ' << place.x() << ' ' << place.y();
+  });
+  for (const Mesh::Face_index f : mesh.faces()) {
+    write_corners(out, mesh, f);
+    out << '\n';
+  }
+  out.flush();
+}
+
+// The map of an atlas as PLY: a list of coordinates for every face, empty where it has no map. Readers know the list
+// `texcoord` of floats; the digits are all there.
+void write_PLY(std::ostream& os, const Mesh& mesh, const Corner_map& corner_map)
+{
+  Text_writer out(os);
+  write_vertices(out, mesh, "comment texcoord has u and v of the corners of a face, in their order\n", "",
+                 "property list uchar float texcoord\n", [](Mesh::Vertex_index) {});
+  for (const Mesh::Face_index f : mesh.faces()) {
+    write_corners(out, mesh, f);
+    const bool is_mapped = std::isfinite(corner_map[mesh.halfedge(f)].x());
+    out << (is_mapped ? " 6" : " 0");
+    if (is_mapped)
+      for (const Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
+        out << ' ' << corner_map[h].x() << ' ' << corner_map[h].y();
+    out << '\n';
+  }
+  out.flush();
 }
 
 } // namespace

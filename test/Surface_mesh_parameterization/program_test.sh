@@ -19,6 +19,7 @@ grep -o '"iterations":[1-9][0-9]*,"cycles":[0-9]*' report.json | tr -c '0-9\n' '
   fail "a Newton step took no V-cycle"
 finest=$(ls levels | tail -1)
 [ "$(grep -c '^f ' "levels/$finest")" -eq 1999 ] || fail "the finest level is not the input"
+cmp -s <(grep '^vt ' face.obj | sort) <(grep '^vt ' "levels/$finest" | sort) || fail "the finest level has another map"
 [ -z "$(ls -A . levels | grep -F .part)" ] || fail "a temporary file was left"
 
 # What it writes can be read again, with the same vertices and faces in the same order.
@@ -147,6 +148,16 @@ is_field status '"ok"' "--start folded.obj"
 expect 1 --method lscm --start map.obj
 expect 1 --flat --start map.obj
 expect 1 --levels levels --start map.obj
+for option in output picture report levels start hold; do expect 1 --$option ''; done
+for option in output picture report; do expect 3 nowhere.obj --$option levels; grep -q folder stderr || fail "--$option levels: $(cat stderr)"; done
+expect 3 nowhere.obj --levels face.svg
+grep -q folder stderr || fail "--levels face.svg: $(cat stderr)"
+
+# Mirrored, too: the result is positive.
+sed 's/^vt -/vt ~/; s/^vt \([0-9]\)/vt -\1/; s/^vt ~/vt /' map.obj >mirrored.obj
+expect 0 --start mirrored.obj --report report.json
+is_field flips 0 "--start mirrored.obj"
+is_field status '"ok"' "--start mirrored.obj"
 expect 1 --start map.obj --output map.obj
 expect 1 face.obj tube.obj --start map.obj
 expect 2 --start missing.obj

@@ -120,6 +120,9 @@ TEST(As_rigid_as_possible, refuses_a_lambda_below_zero)
       const std::vector<Kernel::Point_2> before = m.uv();
       EXPECT_EQ(m.parameterize(Method(options)), ERROR_WRONG_PARAMETER);
       EXPECT_EQ(m.parameterize(Hierarchical_method(options)), ERROR_WRONG_PARAMETER);
+      const auto is_held = m.mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:is_held", false).first;
+      is_held[Surface_mesh::Vertex_index(7)] = true;
+      EXPECT_EQ(m.parameterize(Method(options.vertex_is_constrained_map(is_held))), ERROR_WRONG_PARAMETER);
       EXPECT_EQ(m.uv(), before);
     }
 }
@@ -278,6 +281,29 @@ TEST(As_rigid_as_possible, same_seed_same_bytes)
   };
   EXPECT_EQ(run(8), run(8));
   EXPECT_NE(run(8), run(9));
+}
+
+// The map that takes the place of one that a repair would spoil is a minimum, too: another run gains nothing.
+TEST(As_rigid_as_possible, replaces_a_map_by_one_that_has_converged)
+{
+  typedef Symmetric_Dirichlet_parameterizer_3<Surface_mesh>   Flip_free;
+  std::size_t replaced = 0;
+  for (const Flat_mesh& m : { deep_cap(), tube(20, 12, 12), cap(20, 24, 0.97 * CGAL_PI) }) {
+    Mapped_mesh mapped(m);
+    EXPECT_EQ(mapped.parameterize(Hierarchical_method(Method(), parameters::summary(std::ref(mapped.summary)))), OK);
+    if (!mapped.summary.is_replaced)
+      continue;
+    ++replaced;
+    const Parameterization_summary before = mapped.summary;
+    EXPECT_EQ(mapped.parameterize(Flip_free(parameters::initial_map(true)
+                                                .triangle_weight(Triangle_weight::AREA)
+                                                .summary(std::ref(mapped.summary)))),
+              OK);
+    const Level_summary& level = mapped.summary.levels.back();
+    EXPECT_EQ(level.energy_end >= level.energy_start * (1 - 1e-4), before.converged);
+    EXPECT_TRUE(before.converged);
+  }
+  EXPECT_GT(replaced, 0u);
 }
 
 // After a repair, too. A map that the repair would spoil is replaced: its energy is never above that of the symmetric

@@ -345,6 +345,21 @@ TYPED_TEST(Held_vertices, at_no_place_are_an_error)
   }
 }
 
+// Without a place that says so, a result is positive, whatever it starts from.
+TYPED_TEST(Held_vertices, that_are_none_do_not_mirror_the_map)
+{
+  for (const bool is_hierarchical : { false, true }) {
+    Constrained_mesh m(grid(12, 9, wavy));
+    ASSERT_EQ(m.run<TypeParam>(), OK);
+    for (const auto v : vertices(m.mesh))
+      m.uvmap[v] = Kernel_point(-m.uvmap[v].x(), m.uvmap[v].y());
+    const auto options = parameters::initial_map(true).vertex_is_constrained_map(m.is_held).position_weight_map(m.weight);
+    EXPECT_EQ(m.run_with<TypeParam>(options, is_hierarchical), OK);
+    EXPECT_FALSE(m.quality().is_mirrored);
+    EXPECT_EQ(m.quality().flips, 0u);
+  }
+}
+
 typedef As_rigid_as_possible_parameterizer_3<Mesh>   ARAP;
 
 TEST(Held_vertices_of_ARAP, keep_their_places)

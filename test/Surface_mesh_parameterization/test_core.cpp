@@ -1,7 +1,7 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Loops, and the matrix that others fill.
+// Loops, the matrix that others fill, and text.
 
 #include "dense_matrices.h"
 #include "test_meshes.h"
@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Text_writer.h>
 
 #include <CGAL/tags.h>
 
@@ -16,7 +17,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
+#include <cstdlib>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
 
 namespace test_core {
 
@@ -36,6 +44,31 @@ TEST(Loops, least_and_sum_see_every_index)
   EXPECT_TRUE(loops.min(0, n, true, [](Index) { return true; }));
   EXPECT_EQ(loops.sum(3, n, 0., [](Index k) { return double(k); }), 0.5 * n * (n - 1.) - 3);
   EXPECT_EQ(loops.sum(5, 5, 0., [](Index) { return 7.; }), 0);
+}
+
+// Every double comes back from the fewest digits, whatever the stream's state is, and none is lost between blocks.
+TEST(Text_writer, writes_numbers_that_read_back_the_same)
+{
+  std::stringstream stream;
+  stream << std::fixed << std::showpos << std::hex << std::setprecision(2);
+  internal::Text_writer out(stream);
+  std::vector<double> numbers = { 0, -0., 0.1, 1e300, -1e-300, (std::numeric_limits<double>::denorm_min)(),
+                                  (std::numeric_limits<double>::max)() };
+  Random random(1);
+  while (numbers.size() < 20000)
+    numbers.push_back(std::ldexp(random(-1, 1), int(random(-1000, 1000))));
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    out << i << ' ' << numbers[i] << '\n';
+  out.flush();
+
+  std::string index, number;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    ASSERT_TRUE(stream >> index >> number);
+    EXPECT_EQ(index, std::to_string(i));
+    EXPECT_EQ(std::strtod(number.c_str(), nullptr), numbers[i]);
+    EXPECT_LE(number.size(), 24u);
+  }
+  EXPECT_FALSE(stream >> index);
 }
 
 TEST(Sparse_matrix, equals_a_dense_one_after_any_sequence_of_changes)

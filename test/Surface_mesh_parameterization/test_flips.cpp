@@ -64,6 +64,7 @@ TYPED_TEST(Flip_policies, are_kept)
   EXPECT_EQ(run(Flip_policy::FAIL), ERROR_NO_1_TO_1_MAPPING);
   EXPECT_EQ(m.summary.error.code, ERROR_NO_1_TO_1_MAPPING);
   EXPECT_GT(m.summary.flips, 0u);
+  EXPECT_FALSE(m.summary.converged);
   EXPECT_TRUE(m.is_untouched());
 
   EXPECT_EQ(run(Flip_policy::KEEP), OK);

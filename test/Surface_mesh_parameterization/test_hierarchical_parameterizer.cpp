@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -267,6 +268,11 @@ TEST(Named_parameters, chain_in_any_order_of_the_package_and_end_with_those_of_C
   EXPECT_LE(s.levels.front().vertices, 9u);
   for (const Level_summary& level : s.levels)
     EXPECT_EQ(level.vertex_visits, 50u);
+  Mapped_mesh tall(tube(20, 12, 12));     // whose map is far above the minimum after so few
+  EXPECT_EQ(tall.parameterize(
+                Symmetric_Dirichlet_parameterizer_3<Surface_mesh>(parameters::number_of_local_steps(100).summary(std::ref(t)))),
+            OK);
+  EXPECT_EQ(t.levels.back().vertex_visits, 100u);
   EXPECT_EQ(mapped.parameterize(MIPS(
                 parameters::optimizer(Optimizer::SWEEPS).tolerance(0).summary(std::ref(t)).number_of_iterations(7))),
             OK);

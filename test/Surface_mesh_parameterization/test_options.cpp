@@ -128,6 +128,21 @@ TEST(Options, fill_the_summary_of_one_call)
   EXPECT_EQ(s.error.code, ERROR_EMPTY_MESH);
 }
 
+struct Visitor_that_is_no_copy : Hierarchy_visitor_3
+{
+  int levels = 0;
+  bool level_parameterized(const Level&, const Level::Uv&, const Level_summary&) { return ++levels; }
+};
+
+TEST(Options, may_refer_to_a_visitor)
+{
+  Mapped<Surface_mesh> mapped(grid(24, 18, wavy));
+  Visitor_that_is_no_copy visitor;
+  Parameterization_summary s;
+  mapped.parameterize(Hierarchical_MIPS(np::visitor(std::ref(visitor)).coarsest_size(20).summary(std::ref(s))));
+  EXPECT_EQ(std::size_t(visitor.levels), s.levels.size());
+}
+
 template <class Parameterizer>
 class Tolerance : public testing::Test
 { };

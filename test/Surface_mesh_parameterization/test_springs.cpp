@@ -71,6 +71,29 @@ TYPED_TEST(Springs_of_vertices, pull_them_to_their_places)
   EXPECT_NEAR(energy, unit * free.summary.energy, 1e-4 * energy);
 }
 
+// Whatever the optimizer is.
+TYPED_TEST(Springs_of_vertices, are_a_matter_of_Newtons_method)
+{
+  Constrained_mesh start(delaunay_patch(300, 3, wavy));
+  ASSERT_EQ(start.run<TypeParam>(), OK);
+  start.bend(0.05);
+  const auto run = [&](const auto& options, bool is_hierarchical) {
+    Constrained_mesh m(delaunay_patch(300, 3, wavy));
+    for (const auto v : vertices(m.mesh)) {
+      m.uvmap[v] = start.uvmap[v];
+      m.weight[v] = 100;
+    }
+    EXPECT_EQ(m.run_with<TypeParam>(options.position_weight_map(m.weight), is_hierarchical), OK);
+    return m.uv();
+  };
+  for (const bool is_hierarchical : { false, true }) {
+    const auto expected = run(np::optimizer(Optimizer::NEWTON), is_hierarchical);
+    EXPECT_EQ(run(np::optimizer(Optimizer::SWEEPS), is_hierarchical), expected);
+    EXPECT_EQ(run(np::optimizer(Optimizer::RANDOM_VERTICES), is_hierarchical), expected);
+    EXPECT_EQ(run(np::number_of_local_steps(100), is_hierarchical), expected);
+  }
+}
+
 // The gradient of the energy with springs is the derivative of its values.
 TEST(Springs, have_the_gradient_of_their_energy)
 {

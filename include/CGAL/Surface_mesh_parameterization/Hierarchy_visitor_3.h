@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <functional>
 #include <memory>
 #include <type_traits>
 
@@ -21,7 +22,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
 /// A visitor that does nothing. It is a base class for visitors that need only one of the functions. Visitors are
-/// copied, so let a visitor hold references to what it collects. Each function returns whether the run may go on.
+/// copied, so let a visitor hold references to what it collects, or give `std::ref(visitor)`. Each function returns
+/// whether the run may go on.
 ///
 /// \cgalModels `HierarchyVisitor_3`
 struct Hierarchy_visitor_3
@@ -64,17 +66,25 @@ struct Hierarchy_visitor_holder final : Any_hierarchy_visitor
   Visitor visitor;
 };
 
+// The type to hold for an argument: a reference for std::ref().
+template <class T>
+struct Unwrapped { typedef T type; };
+
+template <class T>
+struct Unwrapped<std::reference_wrapper<T>> { typedef T& type; };
+
 // The named parameter `visitor`; null if there is none.
 template <class NamedParameters>
 std::shared_ptr<Any_hierarchy_visitor> hierarchy_visitor_of(const NamedParameters& np)
 {
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value) {
     const auto visitor = parameters::get_parameter(np, internal_np::visitor);
-    typedef std::decay_t<decltype(visitor)>   Visitor;
-    if constexpr (Visitor_check<Visitor>::value)
+    typedef typename Unwrapped<std::decay_t<decltype(visitor)>>::type   Visitor;
+    typedef Visitor_check<std::remove_reference_t<Visitor>>             Check;
+    if constexpr (Check::value)
       return std::make_shared<Hierarchy_visitor_holder<Visitor>>(visitor);
     else
-      Visitor_check<Visitor>::tell();
+      Check::tell();
   }
   return nullptr;
 }

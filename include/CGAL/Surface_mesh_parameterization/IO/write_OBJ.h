@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Text_writer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Corner_places.h>
@@ -16,11 +17,8 @@
 #include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/io/ios_state.hpp>
 
 #include <cstddef>
-#include <limits>
-#include <locale>
 #include <ostream>
 #include <type_traits>
 
@@ -54,23 +52,15 @@ auto uncut_vertex(Vertex v, const Seam_mesh<TriangleMesh, SeamEdgeMap, SeamVerte
   return target(towards_v, mesh.mesh());
 }
 
-// Numbers have all digits, whatever the stream did before.
-inline void write_all_digits(std::ostream& os)
-{
-  os.imbue(std::locale::classic());
-  os.flags(std::ios::dec);
-  os.precision((std::numeric_limits<double>::max_digits10));
-}
-
 // Writes the vertices, and numbers them from 1.
 template <class TriangleMesh, class VertexIndexMap>
-void write_vertices(std::ostream& os, const TriangleMesh& mesh, VertexIndexMap index_of)
+void write_vertices(Text_writer& out, const TriangleMesh& mesh, VertexIndexMap index_of)
 {
   const auto point_map = get(CGAL::vertex_point, mesh);
   std::size_t index = 0;
   for (const auto v : vertices(mesh)) {
     const auto& p = get(point_map, v);
-    os << "v " << CGAL::to_double(p.x()) << ' ' << CGAL::to_double(p.y()) << ' ' << CGAL::to_double(p.z()) << '\n';
+    out << "v " << CGAL::to_double(p.x()) << ' ' << CGAL::to_double(p.y()) << ' ' << CGAL::to_double(p.z()) << '\n';
     put(index_of, v, ++index);
   }
 }
@@ -81,52 +71,50 @@ void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, Ve
   const auto& uncut = uncut_mesh(mesh);
   const auto index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), uncut);
   const auto texture_index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
-  const boost::io::ios_all_saver saver(os);
-  write_all_digits(os);
-
-  write_vertices(os, uncut, index_of);
+  Text_writer out(os);
+  write_vertices(out, uncut, index_of);
   std::size_t texture_index = 0;
   for (const auto v : vertices(mesh))
     if (get(vpmap, v)) {
       const auto& p = get(uvmap, v);
-      os << "vt " << CGAL::to_double(p.x()) << ' ' << CGAL::to_double(p.y()) << '\n';
+      out << "vt " << CGAL::to_double(p.x()) << ' ' << CGAL::to_double(p.y()) << '\n';
       put(texture_index_of, v, ++texture_index);
     }
   for (const auto f : faces(mesh)) {
     bool has_texture = true;
     for (const auto v : vertices_around_face(halfedge(f, mesh), mesh))
       has_texture = has_texture && get(vpmap, v);
-    os << 'f';
+    out << 'f';
     for (const auto v : vertices_around_face(halfedge(f, mesh), mesh)) {
-      os << ' ' << get(index_of, uncut_vertex(v, mesh));
+      out << ' ' << get(index_of, uncut_vertex(v, mesh));
       if (has_texture)
-        os << '/' << get(texture_index_of, v);
+        out << '/' << get(texture_index_of, v);
     }
-    os << '\n';
+    out << '\n';
   }
+  out.flush();
 }
 
 template <class TriangleMesh, class HalfedgeUVMap>
 void write_OBJ(std::ostream& os, const TriangleMesh& mesh, HalfedgeUVMap uvmap)
 {
   const auto index_of = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
-  const boost::io::ios_all_saver saver(os);
-  write_all_digits(os);
   const Corner_places corners(mesh, uvmap);
-
-  write_vertices(os, mesh, index_of);
+  Text_writer out(os);
+  write_vertices(out, mesh, index_of);
   std::size_t corner = 0;
   for (const Corner_places::Place& place : corners.places)
-    os << "vt " << place.uv.x() << ' ' << place.uv.y() << '\n';
+    out << "vt " << place.uv.x() << ' ' << place.uv.y() << '\n';
   for (const auto f : faces(mesh)) {
-    os << 'f';
+    out << 'f';
     for (const auto v : vertices_around_face(halfedge(f, mesh), mesh)) {
-      os << ' ' << get(index_of, v);
+      out << ' ' << get(index_of, v);
       if (const Index place = corners.place_of[corner++]; place != no_index)
-        os << '/' << place + 1;
+        out << '/' << place + 1;
     }
-    os << '\n';
+    out << '\n';
   }
+  out.flush();
 }
 
 } // namespace internal
@@ -136,7 +124,7 @@ namespace IO {
 /// \ingroup PkgHierarchicalParameterizationIO
 ///
 /// writes a mesh with its parameterization as Wavefront OBJ: `v` and `vt` lines in the order of `vertices(mesh)`, faces
-/// in the order of `faces(mesh)`. Coordinates have all digits.
+/// in the order of `faces(mesh)`. Coordinates are doubles, with the fewest digits that read back the same.
 ///
 /// Of a `CGAL::Seam_mesh` the surface is written uncut: its `v` lines are the vertices of the mesh that it cuts, in the
 /// order of that mesh. Only the texture coordinates are cut: there is a `vt` line for each vertex of the seam mesh, so a

@@ -141,8 +141,7 @@ Error_code solve_by_multigrid(const Edge_system& system, double tolerance, std::
   options.tolerance = safety * wanted_residual / residual;
   options.most_iterations = most_iterations;
   options.progress = &progress;
-  if (!level.is_finest())
-    options.make_direct_solver = [](const Sparse_rows<double>&) { return std::unique_ptr<Direct_solver>(); };
+  options.may_solve_directly = level.is_finest();
   const Linear_solver_result result = correct_by_multigrid(system, options, uv);
   summary.iterations = result.iterations;
   summary.converged = result.is_solved;

@@ -85,6 +85,8 @@ inline Parent_triangle find_parent_triangle(const std::vector<Vector_2>& flat_ri
   const std::size_t size = flat_ring.size();
   const Vector_2& a = flat_ring[w0];
   Parent_triangle best;
+  best.slots = { Index(w0), Index((w0 + 1) % size), Index((w0 + 2) % size) };
+  best.coordinates = { 0, 0 };
   double best_least = -(std::numeric_limits<double>::infinity)();
   for (std::size_t k = 1; k + 1 < size; ++k) {
     const std::size_t i = (w0 + k) % size, j = (w0 + k + 1) % size;
@@ -92,7 +94,7 @@ inline Parent_triangle find_parent_triangle(const std::vector<Vector_2>& flat_ri
     const std::array<double, 3> areas = { cross(b, c), cross(c, a), cross(a, b) };
     const double area = areas[0] + areas[1] + areas[2];
     const double least = *std::min_element(areas.begin(), areas.end()) / area;
-    if (!(least > best_least))
+    if (!(area > 0 && least > best_least))      // the area of a thin triangle far away may be lost by rounding
       continue;
     best_least = least;
     const std::array<double, 3> inside = { (std::max)(areas[0], 0.), (std::max)(areas[1], 0.),

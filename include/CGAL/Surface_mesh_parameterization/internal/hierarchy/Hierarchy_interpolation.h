@@ -26,7 +26,8 @@ public:
   // From the coarsest level to the given one; without points.
   Hierarchy_interpolation(const Vertex_hierarchy& vertices, std::size_t finest_level);
 
-  Hierarchy_interpolation(const Collapse_hierarchy_3& hierarchy);
+  // With points, unless the hierarchy has another metric than that of space.
+  Hierarchy_interpolation(const Collapse_hierarchy_3& hierarchy, bool has_unit_edges = false);
 
   // Builds the hierarchy of a surface.
   Hierarchy_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options);

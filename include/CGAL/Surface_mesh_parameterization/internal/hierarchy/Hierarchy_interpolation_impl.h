@@ -27,9 +27,11 @@ Hierarchy_interpolation::Hierarchy_interpolation(const Vertex_hierarchy& vertice
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Hierarchy_interpolation::Hierarchy_interpolation(const Collapse_hierarchy_3& hierarchy)
+Hierarchy_interpolation::Hierarchy_interpolation(const Collapse_hierarchy_3& hierarchy, bool has_unit_edges)
   : Hierarchy_interpolation(hierarchy.vertices(), hierarchy.number_of_levels() - 1)
 {
+  if (has_unit_edges)
+    return;
   const Index first_of_input = ranks()[0];
   m_points = rounded(hierarchy.points(), hierarchy.point(first_of_input));
 }

@@ -44,6 +44,7 @@ Error_code Nested_iteration::run(Triangulated_surface_3 surface, CGAL::Real_time
     uv_by_rank.reserve(hierarchy.number_of_vertices());
     const Error_code status = m_summary.error.code = parameterize(hierarchy, uv_by_rank);
     m_summary.seconds_parameterize = seconds_parameterize = timer.time() - seconds_hierarchy;
+    m_summary.converged = m_summary.converged && status == OK;
     if (status == OK) {
       uv.resize(uv_by_rank.size());
       for (Index rank = 0; rank < uv.size(); ++rank)
@@ -76,8 +77,10 @@ Error_code Nested_iteration::parameterize(const Collapse_hierarchy_3& hierarchy,
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::check_places(const Level& level, const Level::Uv& uv, Error_code status)
 {
+  if ((status != OK && status != ERROR_NO_1_TO_1_MAPPING) || uv.size() < level.number_of_vertices())
+    return status;
   const std::vector<Index> displaced = displaced_vertices(level, uv);
-  if (displaced.empty() || (status != OK && status != ERROR_NO_1_TO_1_MAPPING))
+  if (displaced.empty())
     return status;
   const auto distance = [&](Index v) { return (uv[v] - level.fixed_place(v)).squared_length(); };
   const Index farthest = *std::max_element(displaced.begin(), displaced.end(),
@@ -242,6 +245,7 @@ Error_code Nested_iteration::replace_map(const Level& level, Error_code status, 
   if (!is_map_valid(level.rings(), m_map_before))
     return status;
   Level_summary summary = m_summary.levels.back();      // its iterations go on
+  summary.converged = false;
   const Error_code other_status = m_method.refine_without_flips(level, m_map_before, summary);
   if (m_progress.is_stopped())
     return ERROR_STOPPED;

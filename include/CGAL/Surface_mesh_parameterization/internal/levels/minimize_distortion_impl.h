@@ -156,12 +156,22 @@ inline std::vector<Triangulated_surface_3::Spring> springs_of_energy(const Level
   return result;
 }
 
+// What a stiff spring asks of one vertex is for all its neighbors to follow: only Newton's method moves it.
+inline Refinement_options options_with_springs(Refinement_options options)
+{
+  options.optimizer = Optimizer::NEWTON;
+  options.number_of_local_steps = 0;
+  return options;
+}
+
 // The same with the springs of the level and with vertices at given places. A coarse level may have no room for one of
 // these: it waits for a finer one.
 inline Error_code minimize_with_places(const Level_energy& free_energy, Level::Uv& uv,
-                                       const Refinement_options& options, Level_summary& summary)
+                                       const Refinement_options& given_options, Level_summary& summary)
 {
   const Level& level = free_energy.level();
+  const Refinement_options options =
+      level.hierarchy().springs().empty() ? given_options : options_with_springs(given_options);
   const Level_energy_with_springs energy(free_energy, springs_of_energy(free_energy, options.triangle_weight));
   const bool borders_must_not_meet = options.is_globally_injective;
   if (borders_must_not_meet && !separate_borders(level, uv))
@@ -248,7 +258,8 @@ Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, L
   Error_code status = minimize_from(energy, uv, options, summary);
   if (status == ERROR_STOPPED)
     return status;
-  if (level.is_finest() && (status != OK || is_far_above_minimum(energy, energy(uv))))
+  const bool is_experiment = options.number_of_local_steps > 0;
+  if (level.is_finest() && (status != OK || (!is_experiment && is_far_above_minimum(energy, energy(uv)))))
     start_again_from_first_map(energy, uv, options, summary, status);
   if (status == OK && scales_to_area)
     scale_to_area(level, options.is_globally_injective, uv);

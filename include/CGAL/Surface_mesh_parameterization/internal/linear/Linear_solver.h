@@ -40,6 +40,7 @@ struct Linear_solver_options
   // For what multigrid does not solve, and to be checked: if its residual is above the tolerance, a factorization takes
   // over. Null: factorize_rows().
   Make_direct_solver make_direct_solver = nullptr;
+  bool may_solve_directly = true;       // if not, what multigrid does not solve stays unsolved
   Run_progress* progress = nullptr;     // is told of each iteration, and may end them unsolved; may be null
   double part_of_rest = 0.9;            // of the progress's run: a solution takes so much of what is left, more or less
 };

@@ -233,6 +233,8 @@ private:
   void solve_directly(const Side_by_side& b, Vector& x, Vector& r, const Value& start,
                       const Linear_solver_options& options, Linear_solver_result& result)
   {
+    if (!options.may_solve_directly)
+      return;
     result.is_direct = true;
     if (!m_direct_solver && !m_has_scaled_rows)
       m_direct_solver = options.make_direct_solver ? options.make_direct_solver(*m_system.rows())

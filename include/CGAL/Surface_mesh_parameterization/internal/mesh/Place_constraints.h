@@ -153,14 +153,16 @@ Parameterization_error add_places(const Place_constraints<TriangleMesh>& constra
     const auto v = component.vertices_of_component()[i];
     const bool is_fixed = constraints.is_constrained && constraints.is_constrained(v);
     const double weight = constraints.weight && !is_fixed ? constraints.weight(v) : 0;
-    if (!(weight >= 0 && std::isfinite(weight)) || ((is_fixed || weight > 0) && !is_finite(uv[i])))
+    const double stiffness = 2 * std::ldexp(weight, -2 * surface.scale_exponent);
+    if (!(weight >= 0 && std::isfinite(stiffness)) || ((is_fixed || weight > 0) && !is_finite(uv[i])))
       return { ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, position_in(vertices(mesh), v) };
     if (is_fixed)
       surface.fixed_vertices.push_back({ Index(i), uv[i] });
     else if (weight > 0)
-      surface.springs.push_back({ Index(i), uv[i], 2 * std::ldexp(weight, -2 * surface.scale_exponent) });
+      surface.springs.push_back({ Index(i), uv[i], stiffness });
   }
-  is_mirrored = is_start ? is_start_mirrored(surface, uv) : is_border_mirrored(surface);
+  const bool has_places = !surface.fixed_vertices.empty() || !surface.springs.empty();
+  is_mirrored = has_places && (is_start ? is_start_mirrored(surface, uv) : is_border_mirrored(surface));
   if (is_mirrored)
     mirror_places(surface);
   const std::size_t f = first_contradiction(surface);

@@ -19,8 +19,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 //
 //   sum of stiffness / 2 |uv[v] - place|^2
 //
-// Vertices with springs are moved by Newton's method only, not one at a time: what a stiff spring asks of one vertex is
-// for all its neighbors to follow.
+// Vertices with springs are moved by Newton's method only, not one at a time.
 class Level_energy_with_springs final
   : public Level_energy
 {

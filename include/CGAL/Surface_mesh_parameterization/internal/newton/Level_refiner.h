@@ -55,6 +55,7 @@ public:
       }
     }
     m_summary.energy_end = m_energy(m_uv) / m_unit;
+    m_summary.converged = m_summary.converged && std::isfinite(m_summary.energy_end);
     return !m_is_stopped;
   }
 

@@ -154,6 +154,8 @@ public:
     settlement.may_give_up = has_other_method;
     summary().error.code = internal::settle_flips(
         settlement, *m_rings, [this] { return std::move(m_surface); }, map, summary());
+    if (error() != OK)
+      fail(error());
     if (error() == OK && summary().moved_vertices > 0)
       round_and_copy(map, uv);
     return error();
@@ -163,7 +165,7 @@ public:
   Error_code finish()
   {
     if (!m_progress.finish())
-      summary().error.code = ERROR_STOPPED;
+      fail(ERROR_STOPPED);
     return error();
   }
 
@@ -231,12 +233,19 @@ private:
     return code;
   }
 
+  // After close().
+  void fail(Error_code code)
+  {
+    summary().error.code = code;
+    summary().converged = false;
+  }
+
   // Copies a map without flips to the user's numbers, where it must have none, either.
   template <class Point>
   void round_and_copy(std::vector<Point_2>& map, std::vector<Point>& uv)
   {
     if (!round_map(*m_rings, rounding_to<Point>(), 0, map))
-      summary().error.code = ERROR_NO_1_TO_1_MAPPING;
+      fail(ERROR_NO_1_TO_1_MAPPING);
     for (std::size_t i = 0; i < uv.size(); ++i)
       uv[i] = Point(map[i].x(), map[i].y());
   }

@@ -26,7 +26,7 @@ build_visited_interpolation(Triangulated_surface_3 surface, const Hierarchy_opti
 {
   const Collapse_hierarchy_3 hierarchy(std::move(surface), options, Loops());
   const bool may_go_on = !options.progress->is_stopped() && visitor->hierarchy_built(hierarchy);
-  return may_go_on ? std::make_shared<const Hierarchy_interpolation>(hierarchy) : nullptr;
+  return may_go_on ? std::make_shared<const Hierarchy_interpolation>(hierarchy, options.has_unit_edges) : nullptr;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
