@@ -345,6 +345,26 @@ TYPED_TEST(Held_vertices, at_no_place_are_an_error)
   }
 }
 
+// A texture may have other units than the surface.
+TYPED_TEST(Held_vertices, may_be_held_at_another_scale)
+{
+  for (const double scale : { 1e-4, 0.1, 10., 1e3 })
+    for (const std::size_t one_of : { 200, 20, 5 }) {
+      Constrained_mesh m(delaunay_patch(600, 3, wavy));
+      ASSERT_EQ(m.run<TypeParam>(), OK);
+      for (const auto v : vertices(m.mesh))
+        m.uvmap[v] = Kernel_point(scale * m.uvmap[v].x(), scale * m.uvmap[v].y());
+      m.hold_some(one_of);
+      EXPECT_EQ(m.run<TypeParam>(), OK) << scale << ' ' << one_of;
+      EXPECT_TRUE(m.is_valid());
+      for (const auto v : vertices(m.mesh)) {
+        if (m.is_held[v]) {
+          EXPECT_EQ(m.uvmap[v], m.places[v.idx()]);
+        }
+      }
+    }
+}
+
 // Without a place that says so, a result is positive, whatever it starts from.
 TYPED_TEST(Held_vertices, that_are_none_do_not_mirror_the_map)
 {

@@ -124,6 +124,11 @@ private:
   Error_code check_places(const Level& level, const Level::Uv& uv, Error_code status);
   Error_code round(const Level& level, Level::Uv& uv);
 
+  // Finds a map that has the vertices at their places, for the next attempt to start from, where these are much farther
+  // apart than the vertices on the surface, or less: by a run as if the surface were so large. Returns whether there is
+  // one, the first time.
+  bool find_start_at_scale_of_places(const Collapse_hierarchy_3& hierarchy);
+
   // A coarsest level that the method cannot lay out without a flip is coarsened further: the vertices come back by
   // insertion. Where doubles leave no room for one of them, another hierarchy may, or a more careful method; at last
   // the method lays out the finest level at once.
@@ -136,6 +141,7 @@ private:
   Parameterization_summary& m_summary;
   CGAL::Real_timer m_timer_of_level;
   unsigned int m_number_of_seeds = 0;
+  bool m_has_other_scale = false;   // was tried
   bool m_is_finished = false;       // the method, with a map of the finest level
   bool m_is_flat = false;           // the hierarchy has only the finest level
   std::vector<Point_2> m_start;     // in the order of the surface's vertices; empty if there is none

@@ -12,7 +12,11 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Bbox_3.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -51,8 +55,9 @@ Error_code Nested_iteration::run(Triangulated_surface_3 surface, CGAL::Real_time
         uv[hierarchy.input_vertex(rank)] = uv_by_rank[rank];
       return OK;
     }
-    if (status != ERROR_NO_1_TO_1_MAPPING || !can_try_another_way(hierarchy))
-      return status;
+    if (status != ERROR_NO_1_TO_1_MAPPING ||
+        !(find_start_at_scale_of_places(hierarchy) || can_try_another_way(hierarchy)))
+      return m_progress.is_stopped() ? m_summary.error.code = ERROR_STOPPED : status;
     surface = input_surface(hierarchy);
   }
 }
@@ -275,6 +280,43 @@ Error_code Nested_iteration::round(const Level& level, Level::Uv& uv)
   const bool is_good = round_map(level.rings(), m_options.round, level.scale_exponent(), uv) &&
                        !(m_must_keep_apart && has_crossings(border_edges(level.rings()), uv));
   return is_good ? OK : ERROR_NO_1_TO_1_MAPPING;
+}
+
+// The power of two by which the box of the fixed vertices' places is greater than that of the vertices, more or less.
+inline int scale_exponent_of_places(const Triangulated_surface_3& surface)
+{
+  CGAL::Bbox_2 places;
+  CGAL::Bbox_3 points;
+  for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices) {
+    places += fixed.place.bbox();
+    points += surface.points[fixed.vertex].bbox();
+  }
+  const double ratio = std::hypot(places.x_span(), places.y_span()) /
+                       std::hypot(points.x_span(), points.y_span(), points.z_span());
+  return std::isnormal(ratio) ? int(std::lround(std::log2(ratio))) : 0;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Nested_iteration::find_start_at_scale_of_places(const Collapse_hierarchy_3& hierarchy)
+{
+  if (m_has_other_scale || hierarchy.fixed_places().empty())
+    return false;
+  m_has_other_scale = true;
+  Triangulated_surface_3 surface = input_surface(hierarchy);
+  const int exponent = scale_exponent_of_places(surface);
+  if (exponent == 0)
+    return false;
+  for (Point_3& p : surface.points)
+    p = Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent));
+  const Collapse_hierarchy_3 scaled(std::move(surface), m_options.hierarchy, m_method.loops());
+  Level::Uv uv;
+  if (parameterize(scaled, uv) != OK)
+    return false;
+  m_is_finished = false;
+  m_start.resize(uv.size());
+  for (Index rank = 0; rank < uv.size(); ++rank)
+    m_start[scaled.input_vertex(rank)] = uv[rank];
+  return true;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
