@@ -111,7 +111,8 @@ void check_files(const Options& options)
         throw Usage_error{ b->option + " and " + a->option + " are the same file '" + b->name + "'" };
   for (const auto& option_and_name : options_with_names(options))
     check_output(option_and_name.second);
-  const std::filesystem::file_status levels = std::filesystem::status(options.levels);
+  std::error_code unused_error;
+  const std::filesystem::file_status levels = std::filesystem::status(options.levels, unused_error);
   if (std::filesystem::exists(levels) && !std::filesystem::is_directory(levels))
     throw std::runtime_error(options.levels + ": cannot be written (it is no folder)");
 }

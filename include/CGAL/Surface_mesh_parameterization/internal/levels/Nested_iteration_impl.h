@@ -308,11 +308,15 @@ bool Nested_iteration::find_start_at_scale_of_places(const Collapse_hierarchy_3&
     return false;
   for (Point_3& p : surface.points)
     p = Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent));
+  const Parameterization_summary summary = m_summary;
+  const bool is_finished = std::exchange(m_is_finished, false);
   const Collapse_hierarchy_3 scaled(std::move(surface), m_options.hierarchy, m_method.loops());
   Level::Uv uv;
-  if (parameterize(scaled, uv) != OK)
+  const Error_code status = parameterize(scaled, uv);
+  m_summary = summary;
+  m_is_finished = is_finished && status != OK;
+  if (status != OK)
     return false;
-  m_is_finished = false;
   m_start.resize(uv.size());
   for (Index rank = 0; rank < uv.size(); ++rank)
     m_start[scaled.input_vertex(rank)] = uv[rank];
