@@ -348,9 +348,9 @@ TYPED_TEST(Held_vertices, at_no_place_are_an_error)
 // A texture may have other units than the surface.
 TYPED_TEST(Held_vertices, may_be_held_at_another_scale)
 {
-  for (const double scale : { 1e-4, 0.1, 10., 1e3 })
-    for (const std::size_t one_of : { 200, 20, 5 }) {
-      Constrained_mesh m(delaunay_patch(600, 3, wavy));
+  for (const double scale : { 1e-2, 10., 1e3 })
+    for (const std::size_t one_of : { 100, 10 }) {
+      Constrained_mesh m(delaunay_patch(300, 3, wavy));
       ASSERT_EQ(m.run<TypeParam>(), OK);
       for (const auto v : vertices(m.mesh))
         m.uvmap[v] = Kernel_point(scale * m.uvmap[v].x(), scale * m.uvmap[v].y());
