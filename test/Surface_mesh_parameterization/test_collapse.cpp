@@ -73,13 +73,14 @@ TEST(Parent_triangle, is_no_needle)
   Random random(1);
   int tried = 0;
   for (int i = 0; i < 100000; ++i) {
-    const double size = std::pow(10., -random(4, 5.5)), turn = random(0, 2 * CGAL_PI);
-    const Vector_2 along(size * std::cos(turn), size * std::sin(turn)), across(-along.y(), along.x()), far(1, 0);
+    const double size = std::pow(10., -random(4, 5.5)), turn = random(0, 2 * CGAL_PI), direction = random(0, 2 * CGAL_PI);
+    const Vector_2 along(size * std::cos(turn), size * std::sin(turn)), across(-along.y(), along.x()),
+        far = polar(1, direction) - CGAL::ORIGIN;
     std::vector<Vector_2> flat_ring = { far, far + random(0.3, 0.7) * along - std::pow(10., -random(1, 6)) * across,
                                         far + along };
     std::sort(flat_ring.begin(), flat_ring.end(), [](const Vector_2& a, const Vector_2& b) { return cross(a, b) > 0; });
     for (const double angle : { 2.1, 4.2 })
-      flat_ring.push_back(polar(random(0.5, 1.5), angle + random(-0.3, 0.3)) - CGAL::ORIGIN);
+      flat_ring.push_back(polar(random(0.5, 1.5), direction + angle + random(-0.3, 0.3)) - CGAL::ORIGIN);
     for (std::size_t w0 = 0; w0 < 3; ++w0) {
       if (!(worst_quality_after_collapse(flat_ring, w0) > 1e-6))
         continue;
