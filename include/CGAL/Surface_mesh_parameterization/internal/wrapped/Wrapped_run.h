@@ -156,7 +156,7 @@ public:
         settlement, *m_rings, [this] { return std::move(m_surface); }, map, summary());
     if (error() != OK)
       fail(error());
-    if (error() == OK && summary().moved_vertices > 0)
+    else if (summary().moved_vertices > 0)
       round_and_copy(map, uv);
     return error();
   }
