@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Refused.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/run_nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>

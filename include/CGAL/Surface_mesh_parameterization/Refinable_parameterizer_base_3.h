@@ -9,7 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/run_nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 

@@ -11,7 +11,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/detection.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_attempts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Refinable_method.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Place_constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
@@ -182,8 +184,8 @@ Error_code run_nested_iteration(Method method, const Nested_iteration_options& o
     if (!options.make_starting_map(component.surface(), uv))
       uv.clear();
   }
-  Error_code status =
-      Nested_iteration(engine_method, options_of_run, visitor, summary).run(std::move(component.surface()), timer, uv);
+  Nested_iteration_attempts attempts(engine_method, options_of_run, visitor, summary);
+  Error_code status = attempts.run(std::move(component.surface()), timer, uv);
   if (is_mirrored)
     mirror(uv);
   if (status == OK)

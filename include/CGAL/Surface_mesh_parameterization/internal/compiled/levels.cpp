@@ -3,6 +3,8 @@
 //
 // The core library: distortion energies, and the way from the coarsest level to the finest.
 
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Map_finisher_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_attempts_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy_impl.h>

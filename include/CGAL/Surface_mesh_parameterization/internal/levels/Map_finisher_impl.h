@@ -1,0 +1,111 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_MAP_FINISHER_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_MAP_FINISHER_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Map_finisher.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Map_finisher::Map_finisher(Refinable_method& method, const Nested_iteration_options& options, bool must_keep_apart,
+                           Parameterization_summary& summary)
+  : m_method(method), m_options(options), m_must_keep_apart(must_keep_apart), m_summary(summary)
+{ }
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void Map_finisher::start(const Level::Uv& uv)
+{
+  if (m_options.flips.policy == Flip_policy::REPAIR && m_method.has_other_way())
+    m_map_before = uv;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Map_finisher::finish(const Level& level, Level::Uv& uv)
+{
+  m_summary.energy = m_summary.levels.back().energy_end;
+  m_summary.converged = m_summary.levels.back().converged;
+  Error_code status = settle_flips(level, uv);
+  if (status == OK && m_options.round)
+    status = round(level, uv);
+  return status;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Map_finisher::settle_flips(const Level& level, Level::Uv& uv)
+{
+  constexpr std::size_t greatest_part_moved = 10;      // a tenth of the vertices
+  const Error_code status = m_method.settle_flips(
+      m_options.flips, level.rings(), [&] { return surface_by_rank(level); }, uv, m_summary);
+  if (m_map_before.empty() || (status == OK && m_summary.moved_vertices == 0))
+    return status;
+  m_summary.energy = m_method.energy(level, uv);
+  const bool leaves_little = m_summary.moved_vertices > uv.size() / greatest_part_moved;
+  return status == OK && !leaves_little && displaced_vertices(level, uv).empty() ? OK : replace_map(level, status, uv);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Map_finisher::replace_map(const Level& level, Error_code status, Level::Uv& uv)
+{
+  if (!is_map_valid(level.rings(), m_map_before))
+    return status;
+  Level_summary summary = m_summary.levels.back();      // its iterations go on
+  summary.converged = false;
+  const Error_code other_status = m_method.refine_without_flips(level, m_map_before, summary);
+  if (other_status != OK)
+    return status;
+  m_summary.levels.back().iterations = summary.iterations;
+  m_summary.levels.back().cycles = summary.cycles;
+  const double energy = m_method.energy(level, m_map_before);
+  const bool is_better = status != OK || energy < m_summary.energy ||
+                         displaced_vertices(level, m_map_before).size() < displaced_vertices(level, uv).size();
+  if (!is_better)
+    return status;
+  uv.swap(m_map_before);
+  m_summary.energy = energy;
+  m_summary.converged = summary.converged;
+  m_summary.moved_vertices = uv.size();
+  m_summary.is_replaced = true;
+  return OK;
+}
+
+// What is promised of the map is promised of what the user gets.
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Map_finisher::round(const Level& level, Level::Uv& uv)
+{
+  if (!m_method.is_flip_free() && m_options.flips.policy == Flip_policy::KEEP)
+    return OK;
+  const bool is_good = round_map(level.rings(), m_options.round, level.scale_exponent(), uv) &&
+                       !(m_must_keep_apart && has_crossings(border_edges(level.rings()), uv));
+  return is_good ? OK : ERROR_NO_1_TO_1_MAPPING;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Map_finisher::check_places(const Level& level, const Level::Uv& uv, Error_code status)
+{
+  if ((status != OK && status != ERROR_NO_1_TO_1_MAPPING) || uv.size() < level.number_of_vertices())
+    return status;
+  const std::vector<Index> displaced = displaced_vertices(level, uv);
+  if (displaced.empty())
+    return status;
+  const auto distance = [&](Index v) { return (uv[v] - level.fixed_place(v)).squared_length(); };
+  const Index farthest = *std::max_element(displaced.begin(), displaced.end(),
+                                           [&](Index v, Index w) { return distance(v) < distance(w); });
+  m_summary.error.place = Parameterization_error::VERTEX;
+  m_summary.error.index = level.hierarchy().input_vertex(farthest);
+  return ERROR_NO_1_TO_1_MAPPING;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_MAP_FINISHER_IMPL_H

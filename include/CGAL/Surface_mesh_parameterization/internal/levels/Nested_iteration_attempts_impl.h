@@ -1,0 +1,118 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_NESTED_ITERATION_ATTEMPTS_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_NESTED_ITERATION_ATTEMPTS_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_attempts.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Bbox_3.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Nested_iteration_attempts::Nested_iteration_attempts(Refinable_method& method, const Nested_iteration_options& options,
+                                                     Any_hierarchy_visitor* visitor, Parameterization_summary& summary)
+  : m_method(method), m_options(options), m_visitor(visitor), m_progress(visitor), m_summary(summary)
+{
+  m_options.hierarchy.progress = &m_progress;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::Real_timer& timer, std::vector<Point_2>& uv)
+{
+  constexpr double part_of_hierarchy = 0.05;      // of the time, more or less
+  m_start.swap(uv);
+  double seconds_hierarchy = 0, seconds_parameterize = 0;      // of all attempts
+  for (;;) {
+    m_progress.start_stage(part_of_hierarchy);
+    const Collapse_hierarchy_3 hierarchy(std::move(surface), m_options.hierarchy, m_method.loops());
+    m_summary = Parameterization_summary();
+    m_summary.seconds_hierarchy = seconds_hierarchy = timer.time() - seconds_parameterize;
+
+    Level::Uv uv_by_rank;
+    uv_by_rank.reserve(hierarchy.number_of_vertices());
+    Nested_iteration attempt(m_method, m_options, m_visitor, m_progress, m_summary);
+    const Error_code status = m_summary.error.code = attempt.run(hierarchy, std::exchange(m_start, {}), uv_by_rank);
+    m_summary.seconds_parameterize = seconds_parameterize = timer.time() - seconds_hierarchy;
+    m_summary.converged = m_summary.converged && status == OK;
+    if (status == OK) {
+      uv.resize(uv_by_rank.size());
+      for (Index rank = 0; rank < uv.size(); ++rank)
+        uv[hierarchy.input_vertex(rank)] = uv_by_rank[rank];
+      return m_progress.finish() ? OK : ERROR_STOPPED;
+    }
+    if (status != ERROR_NO_1_TO_1_MAPPING ||
+        !(find_start_at_scale_of_places(hierarchy) || (!attempt.is_finished() && can_try_another_way(hierarchy))))
+      return m_progress.is_stopped() ? m_summary.error.code = ERROR_STOPPED : status;
+    surface = input_surface(hierarchy);
+  }
+}
+
+// The power of two by which the box of the fixed vertices' places is greater than that of the vertices, more or less.
+inline int scale_exponent_of_places(const Triangulated_surface_3& surface)
+{
+  CGAL::Bbox_2 places;
+  CGAL::Bbox_3 points;
+  for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices) {
+    places += fixed.place.bbox();
+    points += surface.points[fixed.vertex].bbox();
+  }
+  const double ratio = std::hypot(places.x_span(), places.y_span()) /
+                       std::hypot(points.x_span(), points.y_span(), points.z_span());
+  return std::isnormal(ratio) ? int(std::lround(std::log2(ratio))) : 0;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Nested_iteration_attempts::find_start_at_scale_of_places(const Collapse_hierarchy_3& hierarchy)
+{
+  if (m_has_other_scale || hierarchy.fixed_places().empty())
+    return false;
+  m_has_other_scale = true;
+  Triangulated_surface_3 surface = input_surface(hierarchy);
+  const int exponent = scale_exponent_of_places(surface);
+  if (exponent == 0)
+    return false;
+  for (Point_3& p : surface.points)
+    p = Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent));
+  const Collapse_hierarchy_3 scaled(std::move(surface), m_options.hierarchy, m_method.loops());
+  Parameterization_summary summary;
+  Level::Uv uv;
+  if (Nested_iteration(m_method, m_options, m_visitor, m_progress, summary).run(scaled, {}, uv) != OK)
+    return false;
+  m_start.resize(uv.size());
+  for (Index rank = 0; rank < uv.size(); ++rank)
+    m_start[scaled.input_vertex(rank)] = uv[rank];
+  return true;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Nested_iteration_attempts::can_try_another_way(const Collapse_hierarchy_3& hierarchy)
+{
+  constexpr unsigned int most_seeds = 3;
+  if (!m_method.is_flip_free())
+    return false;
+  const bool has_coarsest_map = !m_summary.levels.empty();
+  m_is_flat = m_is_flat || (has_coarsest_map && hierarchy.number_of_levels() == 1);
+  if (has_coarsest_map) {
+    ++m_options.hierarchy.random_seed;
+    if ((++m_number_of_seeds < most_seeds && !m_is_flat) || m_method.leave_room())
+      return true;
+  }
+  if (m_is_flat)
+    return false;
+  m_is_flat = has_coarsest_map || hierarchy.number_of_vertices(0) > m_options.hierarchy.coarsest_size;
+  m_options.hierarchy.coarsest_size = m_is_flat ? hierarchy.number_of_vertices() : hierarchy.number_of_vertices(0) / 2;
+  return true;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_NESTED_ITERATION_ATTEMPTS_IMPL_H
