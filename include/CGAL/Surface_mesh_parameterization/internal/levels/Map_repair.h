@@ -163,9 +163,10 @@ private:
       if (m_displaced.empty())
         return;
       double decrease = 0;
-      for (const Index v : m_displaced)
-        decrease +=
-            (has_wanted_place(v) ? *conformal : *isometric).relax(v, 1, (std::numeric_limits<double>::infinity)(), uv);
+      for (const Index v : m_displaced) {
+        Vertex_relaxer& relaxer = has_wanted_place(v) ? *conformal : *isometric;
+        decrease += relaxer.relax(v, 1, 1, (std::numeric_limits<double>::infinity)(), uv);
+      }
       if (!(decrease > 0))
         return;
     }

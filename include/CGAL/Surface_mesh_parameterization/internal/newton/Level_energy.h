@@ -21,9 +21,9 @@ class Vertex_relaxer
 public:
   virtual ~Vertex_relaxer() = default;
 
-  // One step for v, of `relaxation_factor` times Newton's, but no longer than `reach`. Returns by how much the energy
-  // fell.
-  virtual double relax(Index v, double relaxation_factor, double reach, Level::Uv& uv) = 0;
+  // Takes steps for v, of `relaxation_factor` times Newton's each, but no longer than `reach`. Returns by how much the
+  // energy fell.
+  virtual double relax(Index v, int steps, double relaxation_factor, double reach, Level::Uv& uv) = 0;
 };
 
 // The weighted sum of the energies of a level's triangles, as a function of the map: all that optimization has to know

@@ -46,10 +46,13 @@ private:
 
     explicit Relaxer(const Level_energy_of& energy) : energy(energy) { }
 
-    double relax(Index v, double relaxation_factor, double reach, Level::Uv& uv) override
+    double relax(Index v, int steps, double relaxation_factor, double reach, Level::Uv& uv) override
     {
       energy.gather(v, uv, star);
-      return relax_vertex(star, energy.level().rings(), v, relaxation_factor, uv, reach);
+      double decrease = 0, last = 1;
+      for (int i = 0; i < steps && last > 0; ++i)
+        decrease += last = relax_vertex(star, energy.level().rings(), v, relaxation_factor, uv, reach);
+      return decrease;
     }
   };
 

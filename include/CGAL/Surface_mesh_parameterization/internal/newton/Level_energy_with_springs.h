@@ -52,9 +52,9 @@ private:
       : relaxer(std::move(relaxer_)), energy(energy_)
     { }
 
-    double relax(Index v, double relaxation_factor, double reach, Level::Uv& uv) override
+    double relax(Index v, int steps, double relaxation_factor, double reach, Level::Uv& uv) override
     {
-      return energy.has_spring(v) ? 0 : relaxer->relax(v, relaxation_factor, reach, uv);
+      return energy.has_spring(v) ? 0 : relaxer->relax(v, steps, relaxation_factor, reach, uv);
     }
   };
 

@@ -54,7 +54,7 @@ public:
           relax_until_convergence();
       }
     }
-    m_summary.energy_end = m_energy(m_uv) / m_unit;
+    m_summary.energy_end = (m_level.is_finest() ? m_energy(m_uv) : m_current) / m_unit;
     m_summary.converged = m_summary.converged && std::isfinite(m_summary.energy_end);
     return !m_is_stopped;
   }
@@ -126,8 +126,9 @@ private:
   void settle_new_vertices()
   {
     const Vertex_relaxation relaxation(m_energy, 1, m_barrier.get());
-    for (int i = 0; i < m_options.sweeps_of_new_vertices && m_level.index() > 0; ++i)
-      count(relaxation.sweep_group(m_level.index(), m_uv));
+    if (m_level.index() > 0)
+      count(relaxation.sweep_group(m_level.index(), m_uv, (std::numeric_limits<double>::infinity)(),
+                                   m_options.sweeps_of_new_vertices));
   }
 
   void relax_until_convergence()

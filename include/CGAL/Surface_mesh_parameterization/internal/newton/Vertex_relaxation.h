@@ -53,17 +53,19 @@ public:
 
   // Relaxes the vertices that the level `group` has in addition to the next coarser one. They share no edge, so that
   // only those on the border, where the angles involve two neighbors, have to go one by one. So have all of level 0.
-  Effect sweep_group(std::size_t group, Level::Uv& uv, double least_decrease = infinity) const
+  //
+  // Several sweeps go over any group but that of level 0. To a vertex within the surface they are steps in one star.
+  Effect sweep_group(std::size_t group, Level::Uv& uv, double least_decrease = infinity, int sweeps = 1) const
   {
     const Collapse_hierarchy_3& hierarchy = m_level.hierarchy();
     const Index first = group == 0 ? 0 : Index(hierarchy.number_of_vertices(group - 1)),
                 last = Index(hierarchy.number_of_vertices(group));
-    const auto relax_if = [&](Index begin, Index end, bool at_border, Vertex_relaxer& relaxer) {
+    const auto relax_if = [&](Index begin, Index end, bool at_border, int steps, Vertex_relaxer& relaxer) {
       Effect effect;
       for (Index v = begin; v < end; ++v)
         if (m_level.is_border(v) == at_border) {
           m_level.prefetch_neighbors_after(v, uv);
-          const double decrease = relax(v, uv, relaxer);
+          const double decrease = relax(v, steps, uv, relaxer);
           effect.decrease += decrease;
           if (decrease > least_decrease)
             effect.active_vertices.push_back(v);
@@ -75,13 +77,15 @@ public:
     Effect effect = loops.reduce_with_scratch(
         first, last, Effect(), make_relaxer,
         [&](Index begin, Index end, std::unique_ptr<Vertex_relaxer>& relaxer) {
-          return relax_if(begin, end, false, *relaxer);
+          return relax_if(begin, end, false, sweeps, *relaxer);
         },
         add);
-    if (m_barrier)
-      m_barrier->set_reach(uv);
-    add(effect, relax_if(first, last, true, *make_relaxer()));
-    effect.visits = last - first;
+    for (int i = 0; i < sweeps; ++i) {
+      if (m_barrier)
+        m_barrier->set_reach(uv);
+      add(effect, relax_if(first, last, true, 1, *make_relaxer()));
+    }
+    effect.visits = std::size_t(sweeps) * (last - first);
     return effect;
   }
 
@@ -95,7 +99,7 @@ public:
     for (std::size_t i = 0; i < number_of_steps; ++i) {
       if (m_barrier && i % m_level.number_of_vertices() == 0)
         m_barrier->set_reach(uv);
-      decrease += relax(Index((std::uint64_t(random()) * m_level.number_of_vertices()) >> 32), uv, *relaxer);
+      decrease += relax(Index((std::uint64_t(random()) * m_level.number_of_vertices()) >> 32), 1, uv, *relaxer);
     }
     return decrease;
   }
@@ -143,7 +147,7 @@ private:
       const Index v = waiting.front();
       waiting.pop();
       is_waiting[v] = false;
-      const double decrease = relax(v, uv, *relaxer);
+      const double decrease = relax(v, 1, uv, *relaxer);
       effect.decrease += decrease;
       if (decrease > least_decrease)
         wake_star(v);
@@ -151,15 +155,15 @@ private:
   }
 
   // Returns by how much the energy fell.
-  double relax(Index v, Level::Uv& uv, Vertex_relaxer& relaxer) const
+  double relax(Index v, int steps, Level::Uv& uv, Vertex_relaxer& relaxer) const
   {
     if (m_level.is_pinned(v) || m_level.is_fixed(v))
       return 0;
     if (!m_level.is_border(v))
-      return relaxer.relax(v, m_relaxation_factor, infinity, uv);
+      return relaxer.relax(v, steps, m_relaxation_factor, infinity, uv);
     const Point_2 start = uv[v];
-    const double barrier_before = turn_energy_around(v, uv),
-                 decrease = relaxer.relax(v, m_relaxation_factor, m_barrier ? m_barrier->reach(v) : infinity, uv);
+    const double barrier_before = turn_energy_around(v, uv), reach = m_barrier ? m_barrier->reach(v) : infinity,
+                 decrease = relaxer.relax(v, steps, m_relaxation_factor, reach, uv);
     if (turn_energy_around(v, uv) > barrier_before + decrease) {
       uv[v] = start;
       return 0;
