@@ -37,6 +37,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -87,16 +88,57 @@ TEST(Multigrid_solver_traits, solution_may_replace_the_right_side)
   }
 }
 
-// Whose coarse levels have no vertex that is not on the border.
+// With one more vertex in the middle of each triangle.
+Flat_mesh with_centers(const Flat_mesh& m)
+{
+  Flat_mesh result{ m.points, {} };
+  for (const auto& t : m.triangles) {
+    const Index center = Index(result.points.size());
+    result.points.push_back(CGAL::centroid(m.points[t[0]], m.points[t[1]], m.points[t[2]]));
+    for (int i = 0; i < 3; ++i)
+      result.triangles.push_back({ t[i], t[(i + 1) % 3], center });
+  }
+  return result;
+}
+
+// Whose coarse levels, all or the first one, have no vertex that is not on the border.
 TEST(Multigrid_solver_traits, solves_where_coarse_levels_have_no_unknown)
 {
-  for (const Flat_mesh& m : { grid(1500, 2, wavy), grid(700, 3, wavy), grid_with_holes(60) }) {
+  for (const Flat_mesh& m :
+       { grid(1500, 2, wavy), grid(700, 3, wavy), grid_with_holes(60), with_centers(strip(800)) }) {
     Solver_on_mesh on(m, parameters::coarsest_size(5));
     const Known_system system(edge_matrix(m, Uniform_edge_weights_3()));
     Vector x;
     double d;
     EXPECT_TRUE(on.solver.linear_solver(system.matrix, system.right_side, x, d));
     EXPECT_LT(system.error(x), 1e-6);
+    EXPECT_EQ(on.solver.summary().direct_solutions, 0u);
+  }
+}
+
+// Not even one whose squares a double cannot hold.
+TEST(Multigrid_solver_traits, feels_no_scale)
+{
+  const Flat_mesh m = grid(20, 20, wavy);
+  const Sparse_matrix matrix = edge_matrix(m, Mean_value_edge_weights_3());
+  const auto rows = matrix.rows();
+  for (const auto& [scale_of_matrix, scale_of_solution] :
+       { std::make_pair(1., 1e-170), { 1., 1e170 }, { 1e-200, 1. }, { 1e200, 1. }, { 1e200, 1e-200 } }) {
+    SCOPED_TRACE(std::to_string(std::log10(scale_of_matrix)) + " " + std::to_string(std::log10(scale_of_solution)));
+    Sparse_matrix scaled(matrix.row_dimension());
+    for (Index i = 0; i < rows->number_of_rows(); ++i)
+      for (Index k = rows->first[i]; k < rows->first[i + 1]; ++k)
+        scaled.set_coef(i, rows->columns[k], scale_of_matrix * rows->values[k], true);
+    Known_system system(std::move(scaled));
+    for (int i = 0; i < matrix.row_dimension(); ++i)
+      system.right_side[i] *= scale_of_solution;
+    Solver_on_mesh on(m);
+    Vector x;
+    double d;
+    EXPECT_TRUE(on.solver.linear_solver(system.matrix, system.right_side, x, d));
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] /= scale_of_solution;
+    EXPECT_LT(system.error(x), 1e-8);
     EXPECT_EQ(on.solver.summary().direct_solutions, 0u);
   }
 }

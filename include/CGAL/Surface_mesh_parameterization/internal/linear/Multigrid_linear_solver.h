@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Scalar_multigrid.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -62,7 +63,7 @@ public:
   Linear_solver_result solve(const std::vector<const double*>& right_sides, const std::vector<double*>& solutions,
                              const Linear_solver_options& options) override
   {
-    const Side_by_side b{ right_sides };
+    const Side_by_side b{ right_sides, scales_of(right_sides) };
     Vector x;
     m_system.set_to_fixed_unknowns(b, x);
     Vector r(x.size());
@@ -79,7 +80,7 @@ public:
     if (result.is_solved)
       for (std::size_t i = 0; i < x.size(); ++i)
         for (std::size_t c = 0; c < solutions.size(); ++c)
-          solutions[c][i] = x[i][int(c)];
+          solutions[c][i] = x[i][int(c)] / b.scales[int(c)];
     return result;
   }
 
@@ -88,20 +89,38 @@ private:
   typedef Values<double, columns>          Value;
   typedef Value_vector<double, columns>    Vector;
 
-  // Right sides as one vector of their values. What there is less than columns is 0.
+  // Right sides, each times its scale, as one vector of their values. What there is less than columns is 0.
   struct Side_by_side
   {
     const std::vector<const double*>& right_sides;
+    Value scales;
 
     Value operator[](Index i) const
     {
       Value values = Value::zero();
       for (int c = 0; c < columns; ++c)
         if (std::size_t(c) < right_sides.size())
-          values[c] = right_sides[c][i];
+          values[c] = scales[c] * right_sides[c][i];
       return values;
     }
   };
+
+  // The powers of two that bring the right sides to about size 1, in rows of unit diagonal: so no square of a residual
+  // over- or underflows.
+  Value scales_of(const std::vector<const double*>& right_sides) const
+  {
+    constexpr int greatest_exponent = 1000;
+    Value result = Value::all(1);
+    for (std::size_t c = 0; c < right_sides.size(); ++c) {
+      int exponent = -greatest_exponent;
+      for (Index i = 0; i < m_system.size(); ++i)
+        if (const double b = right_sides[c][i]; std::isfinite(b) && b != 0)
+          exponent = (std::max)(exponent, std::ilogb(b) + std::ilogb(m_system.inverse_diagonal(i)));
+      if (exponent > -greatest_exponent)
+        result[int(c)] = std::ldexp(1., -(std::min)(exponent, greatest_exponent));
+    }
+    return result;
+  }
 
   // The system as the Krylov methods see it.
   class Iteration

@@ -67,6 +67,10 @@ public:
       const std::size_t coarse = fine > options.groups_per_grid ? fine - options.groups_per_grid : 0;
       m_transfers.emplace_back(Pruned_prolongation(hierarchy, coarse, fine, Loops(), pruning), *fine_unknowns,
                                tied_vertices);
+      if (m_transfers.back().coarse_unknowns().empty()) {     // the values of all coarse vertices are known
+        m_transfers.pop_back();
+        break;
+      }
       m_grids.emplace_back(m_transfers.back().template galerkin_product<Real>(m_grids.back()), enlargement);
       fine_unknowns = &m_transfers.back().coarse_unknowns();
       fine = coarse;
