@@ -13,11 +13,12 @@ if [ "$SLURM_ARRAY_TASK_MIN" != 0 ] || [ "$SLURM_ARRAY_TASK_MAX" != $((SLURM_ARR
   echo "slurm_array.sh: the tasks must be all from 0 to a number, as by sbatch --array=0-99" >&2
   exit 1
 fi
-awk -v tasks="$SLURM_ARRAY_TASK_COUNT" -v task="$SLURM_ARRAY_TASK_ID" 'NR % tasks == task' "$list" |
+awk -v tasks="$SLURM_ARRAY_TASK_COUNT" -v task="$SLURM_ARRAY_TASK_ID" 'NR % tasks == task' <"$list" |
   while IFS= read -r mesh; do
-    name=${mesh%.*}
+    name=$mesh
+    [[ ${mesh##*/} != *.* ]] || name=${mesh%.*}
     [ -e "$name.json" ] ||
-      "${PROGRAM:-hierarchical_parameterization}" "$mesh" --quiet --threads 1 --output "$name.uv.ply" \
-        --report "$name.json" "$@" </dev/null
+      "${PROGRAM:-hierarchical_parameterization}" --quiet --threads 1 --output="$name.uv.ply" \
+        --report="$name.json" "$@" -- "$mesh" </dev/null
   done
 exit 0

@@ -33,27 +33,46 @@ for i in $(seq $charts); do cat "slurm/chart $i.json"; done >slurm/list.report
 report_is_whole slurm
 
 # As Spark pipes the lines of a list.
-xargs -d '\n' -I CHART "$PROGRAM" CHART --quiet --threads 1 --output CHART.obj --report - <slurm/list >piped 2>/dev/null
+xargs -d '\n' -I CHART "$PROGRAM" --quiet --threads 1 --output=CHART.obj --report - -- CHART <slurm/list >piped 2>/dev/null
 [ "$(wc -l <piped)" -eq $charts ] || fail "$(wc -l <piped) lines instead of $charts through xargs"
 [ "$(ls slurm/*.obj.obj | wc -l)" -eq $((charts - 1)) ] || fail "xargs left $(ls slurm)"
 
 if command -v parallel >/dev/null; then
   make_charts charts
-  bash "$scripts/with_parallel.sh" charts/list 2>/dev/null
-  [ $? -eq 1 ] || fail "not one mesh failed"
+  with_parallel() { (cd "$1" && shift && bash "$scripts/with_parallel.sh" "$@" 2>/dev/null); }
+  with_parallel . charts/list && fail "one mesh has no map, but the status is 0"
   report_is_whole charts
   for i in 1 8; do cmp -s "charts/chart $i.uv.ply" "slurm/chart $i.uv.ply" || fail "the maps of chart $i differ"; done
 
-  # What the log of an interrupted run lacks is done, and nothing else.
-  sed -i '/chart 3.obj/d; /chart 7.obj/d' charts/list.log
-  rm charts/*.uv.ply
-  bash "$scripts/with_parallel.sh" charts/list 2>/dev/null
+  # What has no report is done, and nothing else.
+  rm charts/*.uv.ply "charts/chart 3.json" "charts/chart 7.json"
+  with_parallel . charts/list
   [ "$(ls charts/*.uv.ply | tr '\n' ' ')" = "charts/chart 3.uv.ply charts/chart 7.uv.ply " ] || fail "a second run wrote $(ls charts/*.uv.ply)"
 
-  # Nothing of another run is taken for a result.
-  rm charts/list.log
-  PROGRAM=false bash "$scripts/with_parallel.sh" charts/list 2>/dev/null
-  [ -z "$(ls charts/*.json 2>/dev/null)" ] || fail "reports of another run are left: $(ls charts/*.json)"
+  # No map of another run stands beside a report that tells of none.
+  cp "charts/chart 5.obj" "charts/chart 3.obj"
+  rm "charts/chart 3.json"
+  with_parallel . charts/list
+  [ -e "charts/chart 3.uv.ply" ] && fail "the map of another run is left"
+
+  # Names as they come; a program and options with blanks.
+  mkdir names 'names/a.b' 'my program'
+  ln -s "$PROGRAM" 'my program/lay out'
+  names=('-dash.obj' 'a.b/x.obj' "it's.obj" 'two  blanks.obj' '$HOME.obj')
+  for name in "${names[@]}"; do make_tube 1 >"names/$name"; done
+  printf '%s\n' "${names[@]}" a.b/no_suffix >names/list
+  make_tube 1 >names/a.b/no_suffix
+  PROGRAM="$PWD/my program/lay out" with_parallel names list --picture '{.} map.svg' && fail "a name without a suffix was read"
+  [ "$(grep -c '"error":null' names/list.report)" -eq 5 ] || fail "not a map for each name: $(cat names/list.report)"
+  grep -q '"input":"a.b/no_suffix","status\|no_suffix.*"status":"unreadable"' names/list.report || fail "no report of no_suffix"
+  [ -e 'names/two  blanks map.svg' ] || fail "options with blanks are torn: $(ls names)"
+
+  # A program that is not there, and two meshes with one name, are told.
+  rm charts/*.json
+  PROGRAM=false with_parallel . charts/list && fail "a run without reports has the status 0"
+  [ -s charts/list.report ] && fail "reports of no run: $(cat charts/list.report)"
+  printf 'x.off\nx.obj\n' >twins
+  with_parallel . twins && fail "two meshes wrote the same files"
 else
   echo "GNU parallel is not there; its script was not run"
 fi
