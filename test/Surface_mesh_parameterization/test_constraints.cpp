@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_progress.h>
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/number_utils.h>
@@ -333,6 +334,7 @@ TYPED_TEST(Held_vertices, at_no_place_are_an_error)
   m.is_held[v] = true;
   m.uvmap[v] = Kernel_point(0, std::numeric_limits<double>::infinity());
   EXPECT_EQ(m.run<TypeParam>(), ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(error_message(m.summary.error), "a given place is not finite (vertex 17)");
   EXPECT_EQ(m.summary.error.place, Parameterization_error::VERTEX);
   EXPECT_EQ(m.summary.error.index, std::size_t(v));
   m.is_held[v] = false;
@@ -341,6 +343,7 @@ TYPED_TEST(Held_vertices, at_no_place_are_an_error)
   for (const double weight : { -1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() }) {
     m.weight[v] = weight;
     EXPECT_EQ(m.run<TypeParam>(), ERROR_WRONG_PARAMETER);
+    EXPECT_NE(error_message(m.summary.error).find("weight"), std::string::npos);
     EXPECT_EQ(m.summary.error.index, std::size_t(v));
   }
 }

@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -255,6 +256,7 @@ TEST(Holes, a_seam_mesh_cannot_be_filled)
                               get(CGAL::dynamic_vertex_property_t<Kernel::Point_2>(), seam_mesh)),
             ERROR_WRONG_PARAMETER);
   EXPECT_EQ(summary.error.code, ERROR_WRONG_PARAMETER);
+  EXPECT_NE(error_message(summary.error).find("holes"), std::string::npos);
 }
 
 TEST(Holes, what_is_no_surface_has_the_error_that_it_has_without_filling)

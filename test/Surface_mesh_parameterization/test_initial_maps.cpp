@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -245,12 +246,15 @@ TEST(Initial_map_that_cannot_be_read, is_an_error)
 {
   Mesh mesh = make<Mesh>(grid(5, 4, wavy));
   std::size_t writes = 0;
+  Parameterization_summary summary;
   const auto run = [&](bool is_continued) {
-    return parameterize(
-        mesh, Hierarchical_parameterizer_3<MIPS_parameterizer_3<Mesh>>(parameters::initial_map(is_continued)),
-        longest_border(mesh), Write_only_map{ &writes });
+    return parameterize(mesh,
+                        Hierarchical_parameterizer_3<MIPS_parameterizer_3<Mesh>>(
+                            parameters::initial_map(is_continued).summary(std::ref(summary))),
+                        longest_border(mesh), Write_only_map{ &writes });
   };
   EXPECT_EQ(run(true), ERROR_WRONG_PARAMETER);
+  EXPECT_NE(error_message(summary.error).find("uvmap cannot be read"), std::string::npos);
   EXPECT_EQ(writes, 0u);
   EXPECT_EQ(run(false), OK);
   EXPECT_EQ(writes, mesh.number_of_vertices());

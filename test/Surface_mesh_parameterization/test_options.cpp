@@ -160,9 +160,10 @@ TYPED_TEST(Tolerance, is_at_least_zero)
     EXPECT_EQ(parameterize(flat.mesh, TypeParam(np::tolerance(tolerance)), test_meshes::longest_border(flat.mesh),
                            flat.uvmap),
               expected);
-    hierarchical.parameterize(
-        Hierarchical_parameterizer_3<TypeParam>(TypeParam(np::tolerance(tolerance)), np::coarsest_size(20)));
+    hierarchical.parameterize(Hierarchical_parameterizer_3<TypeParam>(
+        TypeParam(np::tolerance(tolerance)), np::coarsest_size(20).summary(std::ref(hierarchical.summary))));
     EXPECT_EQ(hierarchical.code, expected);
+    EXPECT_EQ(error_message(hierarchical.summary.error).find("tolerance") != std::string::npos, expected != OK);
     EXPECT_EQ(flat.uv() == before, expected != OK);
     EXPECT_EQ(hierarchical.uv() == before, expected != OK);
   }

@@ -92,14 +92,15 @@ private:
     if (is_empty(mesh))
       m_error.code = ERROR_EMPTY_MESH;
     else if (bhd == Graph_traits::null_halfedge() || !is_border(bhd, mesh) || is_border(opposite(bhd, mesh), mesh))
-      m_error.code = ERROR_WRONG_PARAMETER;
+      m_error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0,
+                  "the surface has no border, or the halfedge is not on one" };
     else if (read_component(mesh, bhd) && is_disk_with_holes(mesh, loops))
       internal::normalize(m_surface);
   }
 
-  bool fail(Error_code code, Parameterization_error::Place place, std::size_t index)
+  bool fail(Error_code code, Parameterization_error::Place place, std::size_t index, const char* cause = nullptr)
   {
-    m_error = { code, place, index };
+    m_error = { code, place, index, cause };
     return false;
   }
 
@@ -176,7 +177,8 @@ private:
       const auto& p = get(point_map, v);
       const internal::Point_3 q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
       if (!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
-        return fail(ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, internal::position_in(vertices(mesh), v));
+        return fail(ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, internal::position_in(vertices(mesh), v),
+                    "a coordinate is not a finite number");
       m_surface.points.push_back(q);
     }
     return true;

@@ -38,23 +38,16 @@ inline std::string error_message(const Parameterization_error& error)
                 "the outer border, or not in the component";
       break;
     case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM:
-      message = "a linear system could not be solved, or the parameterizer did not use the solver that it was given";
+      message = "a linear system could not be solved";
       break;
     case ERROR_NO_1_TO_1_MAPPING:
       message = is_at_vertex ? "a constrained vertex could not be brought to its place without a flip"
                              : "no map without flips was found";
-      if (error.place == Parameterization_error::FACE)
-        message += ", or the places of constrained vertices leave a triangle no room";
       break;
-    case ERROR_WRONG_PARAMETER:
-      message = is_at_vertex ? "a coordinate or a weight is not a finite number, or a weight is negative"
-                             : "the surface has no border or the halfedge is not on one, a place on the border of the "
-                               "map is not finite, the map is too large for a double, the holes of such a mesh cannot "
-                               "be filled, uvmap cannot be read but a run starts from it or holds vertices there, "
-                               "the margin is not from 0 to 0.1, least_used_part is not from 0 to 1, or lambda or "
-                               "the tolerance is negative";
-      break;
+    case ERROR_WRONG_PARAMETER: message = "a parameter is wrong; a summary tells which"; break;
   }
+  if (error.cause)
+    message = error.cause;
   if (error.place != Parameterization_error::NOWHERE)
     message += (is_at_vertex ? " (vertex " : " (face ") + std::to_string(error.index) + ")";
   return message;

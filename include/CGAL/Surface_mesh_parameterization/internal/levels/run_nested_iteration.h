@@ -130,6 +130,12 @@ std::vector<Point_2> read_map_if_readable(Mesh_component<TriangleMesh>& componen
   return uv;
 }
 
+inline Parameterization_error unreadable_map()
+{
+  return { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0,
+           "uvmap cannot be read, but the run starts from it or holds vertices there" };
+}
+
 // Does what add_places() does, or returns `ERROR_WRONG_PARAMETER` if the map can only be written.
 template <class TriangleMesh, class VertexUVMap>
 Parameterization_error add_places_if_readable(const Place_constraints<TriangleMesh>& constraints,
@@ -141,7 +147,7 @@ Parameterization_error add_places_if_readable(const Place_constraints<TriangleMe
   if constexpr (Readable_uv_map_check<VertexUVMap, TriangleMesh>::value)
     return add_places(constraints, mesh, uvmap, is_start, component, is_mirrored);
   else
-    return { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0 };
+    return unreadable_map();
 }
 
 // Runs a model of RefinableParameterizer_3 coarse to fine on the component of a mesh, and writes to the property maps
@@ -159,7 +165,7 @@ Error_code run_nested_iteration(Method method, const Nested_iteration_options& o
   Mesh_component<TriangleMesh> component(mesh, bhd, typename Method::Concurrency_tag());
   summary.error = component.error();
   if (summary.error.code == OK)
-    summary.error.code = place_border(method, mesh, bhd, component);
+    summary.error = place_border(method, mesh, bhd, component);
   bool is_mirrored = false;
   if (summary.error.code == OK)
     summary.error = add_places_if_readable(constraints, mesh, uvmap, bool(options.make_starting_map), component,
@@ -177,8 +183,10 @@ Error_code run_nested_iteration(Method method, const Nested_iteration_options& o
   std::vector<Point_2> uv;
   if (options.make_starting_map) {
     uv = read_map_if_readable(component, uvmap);
-    if (uv.empty())
-      return summary.error.code = ERROR_WRONG_PARAMETER;
+    if (uv.empty()) {
+      summary.error = unreadable_map();
+      return summary.error.code;
+    }
     if (is_mirrored)
       mirror(uv);
     if (!options.make_starting_map(component.surface(), uv))
@@ -188,8 +196,12 @@ Error_code run_nested_iteration(Method method, const Nested_iteration_options& o
   Error_code status = attempts.run(std::move(component.surface()), timer, uv);
   if (is_mirrored)
     mirror(uv);
-  if (status == OK)
+  if (status == OK) {
     status = summary.error.code = write_map(component, component.surface().scale_exponent, uv, uvmap, vpmap);
+    if (status != OK)
+      summary.error.cause = "the map is too large for doubles";
+  } else if (status == ERROR_WRONG_PARAMETER)
+    summary.error.cause = "the method refuses one of its options, as a lambda or tolerance that is negative or no number";
   else if (summary.error.place == Parameterization_error::VERTEX)
     summary.error.index = position_in(vertices(mesh), component.vertices_of_component()[summary.error.index]);
   return status;

@@ -154,8 +154,12 @@ Parameterization_error add_places(const Place_constraints<TriangleMesh>& constra
     const bool is_fixed = constraints.is_constrained && constraints.is_constrained(v);
     const double weight = constraints.weight && !is_fixed ? constraints.weight(v) : 0;
     const double stiffness = 2 * std::ldexp(weight, -2 * surface.scale_exponent);
-    if (!(weight >= 0 && std::isfinite(stiffness)) || ((is_fixed || weight > 0) && !is_finite(uv[i])))
-      return { ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, position_in(vertices(mesh), v) };
+    const char* const cause = !(weight >= 0 && std::isfinite(stiffness))
+                                  ? "a weight is negative, or too large, or not a number"
+                              : (is_fixed || weight > 0) && !is_finite(uv[i]) ? "a given place is not finite"
+                                                                              : nullptr;
+    if (cause)
+      return { ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, position_in(vertices(mesh), v), cause };
     if (is_fixed)
       surface.fixed_vertices.push_back({ Index(i), uv[i] });
     else if (weight > 0)
@@ -168,7 +172,8 @@ Parameterization_error add_places(const Place_constraints<TriangleMesh>& constra
   const std::size_t f = first_contradiction(surface);
   if (f < surface.triangles.size())
     return { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::FACE,
-             position_in(faces(mesh), component.faces_of_component()[f]) };
+             position_in(faces(mesh), component.faces_of_component()[f]),
+             "the places of constrained vertices leave a triangle no room" };
   return Parameterization_error();
 }
 

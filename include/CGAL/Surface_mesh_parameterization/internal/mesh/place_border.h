@@ -61,17 +61,16 @@ template <class Method>
 constexpr bool places_border = is_detected<concept_checks::Place_border, Method, typename Method::Triangle_mesh>;
 
 // Lets a method that has a place_border() fix vertices of the component, in the user's units.
-// Returns the method's error, or `ERROR_WRONG_PARAMETER` for a place that is not finite.
+// Returns the method's error, or `ERROR_WRONG_PARAMETER` for a place that is not finite, and which.
 template <class Method, class TriangleMesh>
-Error_code place_border(Method& method, const TriangleMesh& mesh,
-                        typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
-                        Mesh_component<TriangleMesh>& component)
+Parameterization_error place_border(Method& method, const TriangleMesh& mesh,
+                                    typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
+                                    Mesh_component<TriangleMesh>& component)
 {
   if constexpr (places_border<Method>) {
     const Border_maps<TriangleMesh> maps(mesh, component);
-    const Error_code status = method.place_border(mesh, bhd, maps.place, maps.index, maps.is_placed);
-    if (status != OK)
-      return status;
+    if (const Error_code status = method.place_border(mesh, bhd, maps.place, maps.index, maps.is_placed); status != OK)
+      return { status, Parameterization_error::NOWHERE, 0 };
 
     Triangulated_surface_3& surface = component.surface();
     for (std::size_t i = 0; i < surface.points.size(); ++i) {
@@ -82,11 +81,12 @@ Error_code place_border(Method& method, const TriangleMesh& mesh,
       const Point_2 scaled(std::ldexp(CGAL::to_double(place.x()), surface.scale_exponent),
                            std::ldexp(CGAL::to_double(place.y()), surface.scale_exponent));
       if (!is_finite(scaled))
-        return ERROR_WRONG_PARAMETER;
+        return { ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, position_in(vertices(mesh), v),
+                 "the border parameterizer gave a vertex a place that is not finite" };
       surface.fixed_vertices.push_back({ Index(i), scaled });
     }
   }
-  return OK;
+  return Parameterization_error();
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -80,7 +80,7 @@ private:
       if (this->optional_steps().fill_holes)
         filled = this->optional_steps().fill_holes(mesh, bhd);
       if (!filled || (this->has_arguments() && !filled->has_same_descriptors()))
-        return this->fail(ERROR_WRONG_PARAMETER);
+        return this->fail(ERROR_WRONG_PARAMETER, "the holes of such a mesh cannot be filled, see fill_holes");
     }
     return parameterize_surface(filled ? filled->mesh() : mesh, filled ? filled->border() : bhd, filled.get(), uvmap,
                                 vpmap, std::forward<Others>(others)...);
@@ -166,7 +166,7 @@ private:
     const Error_code code = run.parameterize(
         session, uv, [&] { return run_parameterizer(this->make_parameterizer()); }, Use::copies_solution);
     if (code == OK && session->summary().setups == 0)
-      return this->fail(ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);      // another solver made the map
+      return this->fail(ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, "the parameterizer did not use the solver that it was given");
     return code;
   }
 };

@@ -74,11 +74,11 @@ protected:
   bool has_arguments() const { return m_has_arguments; }
 
   // Ends a run before it started.
-  Error_code fail(Error_code code) const
+  Error_code fail(Error_code code, const char* cause = nullptr) const
   {
     if (m_options.summary) {
       *m_options.summary = Parameterization_summary();
-      m_options.summary->error.code = code;
+      m_options.summary->error = { code, Parameterization_error::NOWHERE, 0, cause };
     }
     return code;
   }
