@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/cut_to_disk.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/pack_charts.h>
@@ -36,6 +37,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -137,6 +139,13 @@ TEST(Cut_to_disk, names_what_it_cannot_read)
   EXPECT_EQ(summary.error.code, ERROR_WRONG_PARAMETER);
   EXPECT_EQ(summary.error.index, 2u);
 
+  Surface ball(sphere(5, 8));
+  for (const double bound : { 3.9, (std::numeric_limits<double>::quiet_NaN)() }) {
+    const Cut_summary refused = cut_to_disk(ball.mesh, ball.seams, parameters::distortion_bound(bound));
+    EXPECT_EQ(refused.error.code, ERROR_WRONG_PARAMETER);
+    EXPECT_NE(error_message(refused.error).find("distortion_bound"), std::string::npos);
+  }
+
   Surface square(two_ears());
   CGAL::Euler::join_face(*std::find_if(square.mesh.halfedges().begin(), square.mesh.halfedges().end(), [&](auto h) {
     return !square.mesh.is_border(square.mesh.edge(h));
@@ -236,6 +245,27 @@ TEST(Atlas, opens_seams_of_one_edge)
     }
     EXPECT_EQ(surface.charts()[0].size(), sphere(9, 12).triangles.size());
   }
+}
+
+// Seams of one edge each that do not meet part nothing, nor does what opens them.
+TEST(Atlas, stays_whole_with_scattered_seams)
+{
+  Surface surface(sphere(20, 30));
+  Random random(4);
+  std::set<Surface_mesh::Vertex_index> ends;
+  for (const auto e : surface.mesh.edges()) {
+    const auto v = surface.mesh.vertex(e, 0), w = surface.mesh.vertex(e, 1);
+    if (random(0, 1) < 0.5 && !ends.count(v) && !ends.count(w)) {
+      surface.seams[e] = true;
+      ends.insert({ v, w });
+    }
+  }
+  ASSERT_GT(ends.size(), surface.mesh.number_of_vertices() / 2);
+  const Atlas_summary summary =
+      atlas_parameterization(surface.mesh, surface.uv, parameters::edge_is_constrained_map(surface.seams));
+  EXPECT_TRUE(summary.is_ok());
+  EXPECT_EQ(summary.charts.size(), 1u);
+  expect_one_to_one(surface);
 }
 
 // A method that some charts do not suit.

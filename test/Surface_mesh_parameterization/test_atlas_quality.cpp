@@ -16,8 +16,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <locale>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -190,6 +192,38 @@ TEST(Atlas_quality, of_one_chart_is_that_of_its_vertices)
   }
 }
 
+// A comma for the point, and points between groups of three digits.
+struct Foreign_numbers : std::numpunct<char>
+{
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(Write_SVG, is_the_same_in_every_stream)
+{
+  Two_charts charts({ 2, 0, 1 });
+  std::ostringstream drawing, other_drawing;
+  IO::write_SVG(drawing, charts.mesh, charts.mesh.faces(), charts.uv);
+  other_drawing.imbue(std::locale(std::locale::classic(), new Foreign_numbers));
+  other_drawing.precision(2);
+  IO::write_SVG(other_drawing, charts.mesh, charts.mesh.faces(), charts.uv);
+  EXPECT_EQ(drawing.str(), other_drawing.str());
+}
+
+TEST(Write_SVG, leaves_out_what_has_no_place)
+{
+  Two_charts charts({ 2, 0, 1 });
+  const std::vector<Surface_mesh::Face_index> none, first(charts.mesh.faces().begin(), charts.mesh.faces().begin() + 1);
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  std::ostringstream drawing_of_none, drawing_of_lost;
+  IO::write_SVG(drawing_of_none, charts.mesh, none, charts.uv);
+  EXPECT_EQ(drawing_of_none.str().find("inf"), std::string::npos);
+  charts.uv[charts.mesh.halfedge(first[0])] = Kernel::Point_2(nowhere, 0);
+  IO::write_SVG(drawing_of_lost, charts.mesh, first, charts.uv);
+  EXPECT_EQ(drawing_of_lost.str(), drawing_of_none.str());
+}
+
 TEST(Atlas_quality, measures_the_faces_that_are_asked_for)
 {
   Two_charts charts({ 0.5, 0.5, 2 });
@@ -199,6 +233,19 @@ TEST(Atlas_quality, measures_the_faces_that_are_asked_for)
   const double nowhere = std::numeric_limits<double>::quiet_NaN();
   charts.uv[charts.mesh.halfedge(first[3])] = Kernel::Point_2(nowhere, nowhere);
   EXPECT_EQ(atlas_quality(charts.mesh, first, charts.uv).flips, 1u);
+}
+
+TEST(Atlas_quality, praises_no_mesh_that_cannot_be_measured)
+{
+  Two_charts charts({ 2, 0, 1 });
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  const auto isolated = charts.mesh.add_vertex(Kernel::Point_3(nowhere, 0, 0));
+  EXPECT_EQ(atlas_quality(charts.mesh, charts.uv).flips, 0u);
+  charts.mesh.remove_vertex(isolated);
+  charts.mesh.point(*charts.mesh.vertices().begin()) = Kernel::Point_3(nowhere, 0, 0);
+  const Parameterization_quality quality = atlas_quality(charts.mesh, charts.uv);
+  EXPECT_EQ(quality.flips, charts.mesh.number_of_faces());
+  EXPECT_TRUE(std::isinf(quality.mips));
 }
 
 } // namespace test_atlas_quality

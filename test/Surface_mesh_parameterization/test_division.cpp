@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/best_chord.h>
@@ -297,8 +298,10 @@ TEST(Division, refuses_parts_that_are_none)
 {
   Surface surface(legs());
   for (const double part : { -0.1, 1.1, std::numeric_limits<double>::quiet_NaN() }) {
-    EXPECT_EQ(atlas_parameterization(surface.mesh, surface.uv, parameters::least_used_part(part)).error.code,
-              ERROR_WRONG_PARAMETER);
+    const Atlas_summary summary =
+        atlas_parameterization(surface.mesh, surface.uv, parameters::least_used_part(part));
+    EXPECT_EQ(summary.error.code, ERROR_WRONG_PARAMETER);
+    EXPECT_NE(error_message(summary.error).find("least_used_part"), std::string::npos);
     for (const Kernel::Point_2& p : surface.corners())
       EXPECT_EQ(p, untouched);
   }

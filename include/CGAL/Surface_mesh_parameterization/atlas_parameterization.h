@@ -180,7 +180,9 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
     const double least_used_part =
         parameters::choose_parameter(parameters::get_parameter(np, internal_np::least_used_part), 0.);
     if (!pack_options.is_valid() || !(least_used_part >= 0 && least_used_part <= 1)) {
-      result.error.code = ERROR_WRONG_PARAMETER;
+      result.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0,
+                       pack_options.is_valid() ? "least_used_part is not from 0 to 1"
+                                               : "the margin is not from 0 to 0.1" };
       return result;
     }
     internal::read_and_cut(mesh, seams, np, loops, atlas.mesh, result.cut);

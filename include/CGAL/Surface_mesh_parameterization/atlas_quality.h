@@ -25,6 +25,7 @@
 
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -51,12 +52,10 @@ inline Mapped_triangle mapped_triangle(const Atlas& atlas, Index f)
 inline std::size_t number_of_overlapping_pairs(const Atlas& atlas, const std::vector<Index>& faces, bool all_positive)
 {
   if (all_positive) {
-    std::vector<Index> chart_of_face(atlas.mesh.number_of_faces(), no_index), chart_of_edge;
+    const std::vector<std::size_t> chart_of_face = internal::chart_of_face(atlas);
+    std::vector<Index> chart_of_edge;
     std::vector<Border_edge> edges;
     Index number_of_charts = 0;
-    for (const std::vector<Index>& chart : atlas.charts)
-      for (const Index f : chart)
-        chart_of_face[f] = Index(&chart - atlas.charts.data());
     std::vector<Index> number_of(atlas.charts.size(), no_index);      // of the charts with measured faces
     for (const Index f : faces)
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
@@ -92,6 +91,18 @@ inline Parameterization_quality quality(const Atlas& atlas, const std::vector<In
   Parameterization_quality result = sums.quality();
   result.overlaps = number_of_overlapping_pairs(atlas, finite_faces, result.flips == 0 && !result.is_mirrored);
   return result;
+}
+
+// That of so many faces whose places are not known.
+inline Parameterization_quality quality_of_no_map(std::size_t number_of_faces)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Point_2 p(nan, nan);
+  const Mapped_triangle nowhere({}, { p, p, p });
+  Quality_sums sums{ Unit_scale() };
+  for (std::size_t i = 0; i < number_of_faces; ++i)
+    sums.add(nowhere);
+  return sums.quality();
 }
 
 // Reads a mesh, and the places of some of its faces. Returns the numbers of these faces; none if the mesh cannot be
@@ -132,7 +143,8 @@ std::vector<Index> read_map(const TriangleMesh& mesh, const FaceRange& face_rang
 /// measures the map of some faces that has a place for every corner, as `atlas_parameterization()` makes it: over all
 /// charts. Overlaps are those within charts and between them.
 ///
-/// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map
+/// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; of one that is not
+///        triangulated, or whose coordinates are not all finite, every face counts as flipped
 /// \param face_range the faces to measure, at least one
 /// \param uvmap a readable property map from halfedges to points of the plane: the place of the corner to which a
 ///        halfedge leads in its face
@@ -145,8 +157,8 @@ Parameterization_quality atlas_quality(const TriangleMesh& mesh, const FaceRange
   if constexpr (Check::value) {
     internal::Atlas atlas;
     const std::vector<internal::Index> measured = internal::read_map(mesh, face_range, uvmap, atlas);
-    if (!measured.empty())
-      result = internal::quality(atlas, measured);
+    result = measured.empty() ? internal::quality_of_no_map(std::distance(std::begin(face_range), std::end(face_range)))
+                              : internal::quality(atlas, measured);
   } else
     Check::tell();
   return result;

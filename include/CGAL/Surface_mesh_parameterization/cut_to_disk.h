@@ -49,11 +49,15 @@ template <class TriangleMesh, class EdgeSeamMap, class NamedParameters>
 std::vector<bool> read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const NamedParameters& np,
                                const Loops& loops, Corner_mesh& corners, Cut_summary& summary)
 {
-  summary.error = read_corner_mesh(mesh, seams, corners);
+  const Cut_options options = cut_options_of(np);
+  if (options.is_valid())
+    summary.error = read_corner_mesh(mesh, seams, corners);
+  else
+    summary.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, "distortion_bound is less than 4" };
   if (!summary.is_ok())
     return {};
   const std::vector<Index> old_opposite = corners.opposite;
-  for (const Component_cut& c : cut_mesh(corners, cut_options_of(np), loops))
+  for (const Component_cut& c : cut_mesh(corners, options, loops))
     summary.components.push_back({ c.faces, c.genus, c.borders, c.branches, c.distortion });
   std::vector<bool> is_seam(corners.number_of_halfedges(), false);
   for (Index h = 0; h < corners.number_of_halfedges(); ++h) {
@@ -100,8 +104,8 @@ std::vector<bool> read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, cons
 /// - `join_borders`: whether the components become disks without holes; default `false`: every border that needs no cut
 ///   stays as it is
 ///
-/// \return what was done. Its error is `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, or `ERROR_WRONG_PARAMETER`
-///         if a coordinate is not finite; then no edge became a seam
+/// \return what was done. Its error is `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, or `ERROR_WRONG_PARAMETER` if a
+///         coordinate is not finite, or `distortion_bound` is less than 4 or no number; then no edge became a seam
 template <class TriangleMesh, class EdgeSeamMap, class NamedParameters = parameters::Default_named_parameters>
 Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeSeamMap seams,
                         const NamedParameters& np = parameters::default_values())

@@ -97,7 +97,7 @@ public:
       return q;
     }
     const double scale = m_image_area / m_area;
-    q.mips_excess = q.mips - MIPS_energy_2::minimum * double(m_triangles);
+    q.mips_excess = (std::max)(0., q.mips - MIPS_energy_2::minimum * double(m_triangles));      // rounding
     q.symmetric_dirichlet = 2 * std::sqrt(m_dirichlet) * std::sqrt(m_inverse_dirichlet) / m_area;
     q.l2_stretch = std::sqrt(scale * 0.5 * m_inverse_dirichlet / m_area);
     q.linf_stretch *= std::sqrt(scale);

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Text_writer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
 
@@ -19,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -43,12 +43,13 @@ public:
   }
 
   // The map, and to its right a bar that tells the colors.
-  void write(std::ostream& os) const
+  void write(Text_writer& os) const
   {
     constexpr double size = 1000;
-    const double extent = (std::max)(m_box.xmax() - m_box.xmin(), m_box.ymax() - m_box.ymin());
+    const double width = (std::max)(0., m_box.xmax() - m_box.xmin()),     // of no triangle: that from infinity back
+                 height_of_box = (std::max)(0., m_box.ymax() - m_box.ymin()), extent = (std::max)(width, height_of_box);
     const double scale = extent > 0 ? size / extent : 1;
-    const double map_width = scale * (m_box.xmax() - m_box.xmin()), map_height = scale * (m_box.ymax() - m_box.ymin());
+    const double map_width = scale * width, map_height = scale * height_of_box;
     const double height = (std::max)(map_height, bar_height + 2 * bar_room);
     os << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << rounded(map_width + bar_space + 2 * margin)
        << ' ' << rounded(height + 2 * margin) << "\" stroke=\"#222\" stroke-width=\"0.4\" stroke-linejoin=\"round\">\n";
@@ -63,7 +64,7 @@ private:
   // Of the bar: its size, the space between its right end and the map, the room above and below for texts.
   static constexpr double bar_width = 18, bar_height = 260, bar_space = 110, bar_room = 30;
 
-  void write_triangles(std::ostream& os, double scale, double top) const
+  void write_triangles(Text_writer& os, double scale, double top) const
   {
     for (std::size_t i = 0; i < number_of_colors; ++i) {
       if (m_triangles[i].empty())
@@ -83,7 +84,7 @@ private:
   }
 
   // From the least distortion at the foot to 2 and more at the head, with numbers to the left.
-  static void write_bar(std::ostream& os, double left, double top)
+  static void write_bar(Text_writer& os, double left, double top)
   {
     constexpr double step = bar_height / double(number_of_colors);
     os << "<g stroke=\"none\" shape-rendering=\"crispEdges\">\n";
@@ -114,12 +115,11 @@ private:
     };
     const std::size_t segment = position < 0.5 ? 0 : 1;
     const double fraction = 2 * position - double(segment);
-    std::ostringstream text;
-    text << "rgb(";
+    std::string text = "rgb(";
     for (int i = 0; i < 3; ++i)
-      text << (i ? "," : "") << std::lround((1 - fraction) * stops[segment][i] + fraction * stops[segment + 1][i]);
-    text << ')';
-    return text.str();
+      text += (i ? "," : "") +
+              std::to_string(std::lround((1 - fraction) * stops[segment][i] + fraction * stops[segment + 1][i]));
+    return text + ')';
   }
 
   std::array<std::vector<std::array<Point_2, 3>>, number_of_colors> m_triangles;
@@ -158,7 +158,7 @@ namespace IO {
 ///
 /// \param os the stream; its state tells whether writing succeeded
 /// \param mesh a triangle mesh, a model of `FaceGraph` with an internal vertex point map
-/// \param face_range the faces to draw; their map must be positive
+/// \param face_range the faces to draw; their map must be positive. Those with a place that is not finite are left out
 /// \param uvmap a readable property map from vertices to points of the plane, or from halfedges: then it has the place
 ///        of the corner to which a halfedge leads in its face, as `atlas_parameterization()` makes it
 template <class TriangleMesh, class FaceRange, class UVMap>
@@ -171,9 +171,12 @@ void write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face
     internal::Triangle_drawing drawing;
     for (const auto f : face_range) {
       const internal::Mapped_triangle t = internal::mapped_triangle(f, mesh, uvmap);
-      drawing.add(t.uv, internal::Map_invariants(t).angle_distortion());
+      if (t.is_finite())
+        drawing.add(t.uv, internal::Map_invariants(t).angle_distortion());
     }
-    drawing.write(os);
+    internal::Text_writer writer(os);
+    drawing.write(writer);
+    writer.flush();
   } else
     Check::tell();
 }

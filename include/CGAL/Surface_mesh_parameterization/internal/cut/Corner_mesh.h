@@ -68,6 +68,9 @@ Corner_mesh component_of(const Corner_mesh& mesh, const std::vector<Index>& face
 // The borders as cycles of halfedges, with the surface to their left.
 std::vector<std::vector<Index>> borders(const Corner_mesh& mesh);
 
+// The vertices of each face.
+std::vector<Index_triangle> triangles_of(const Corner_mesh& mesh);
+
 // A connected mesh as hierarchies take it; its longest border is the outer one.
 Triangulated_surface_3 surface_of(const Corner_mesh& mesh);
 

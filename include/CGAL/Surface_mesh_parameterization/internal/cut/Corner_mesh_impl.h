@@ -130,12 +130,20 @@ std::vector<std::vector<Index>> borders(const Corner_mesh& mesh)
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::vector<Index_triangle> triangles_of(const Corner_mesh& mesh)
+{
+  std::vector<Index_triangle> result;
+  for (Index h = 0; h < mesh.number_of_halfedges(); h += 3)
+    result.push_back({ mesh.vertex[h], mesh.vertex[h + 1], mesh.vertex[h + 2] });
+  return result;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Triangulated_surface_3 surface_of(const Corner_mesh& mesh)
 {
   Triangulated_surface_3 surface;
   surface.points = mesh.points;
-  for (Index h = 0; h < mesh.number_of_halfedges(); h += 3)
-    surface.triangles.push_back({ mesh.vertex[h], mesh.vertex[h + 1], mesh.vertex[h + 2] });
+  surface.triangles = triangles_of(mesh);
   double greatest_length = -1;
   for (const std::vector<Index>& border : borders(mesh))
     if (const double other_length = length(mesh, border); other_length > greatest_length) {

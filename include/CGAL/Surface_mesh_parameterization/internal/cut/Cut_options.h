@@ -4,6 +4,8 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_OPTIONS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_OPTIONS_H
 
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+
 #include <cstddef>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -16,6 +18,8 @@ struct Cut_options
   std::size_t most_branches = 50;           // paths to extremities
   std::size_t most_failures = 8;            // branches that gain too little, before all are taken
   std::size_t sample_size = 2000;           // vertices of the coarse level on which extremities are found
+
+  bool is_valid() const { return distortion_bound >= Symmetric_Dirichlet_energy_2::minimum; }
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -111,7 +111,7 @@ std::vector<Index> handle_cut(const Corner_mesh& mesh)
     Shortest_paths paths(mesh);
     paths.add_sources({ root });
     std::vector<Index> loops = system_of_loops(mesh, paths);
-    if (const double other_length = length(mesh, loops); !(other_length >= least_length)) {
+    if (const double other_length = length(mesh, loops); i == 0 || other_length < least_length) {
       least_length = other_length;
       best.swap(loops);
     }

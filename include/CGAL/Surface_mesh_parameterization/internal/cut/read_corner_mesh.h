@@ -50,11 +50,7 @@ Parameterization_error read_corner_mesh(const TriangleMesh& mesh, EdgeSeamMap is
   for (const auto v : vertices(mesh)) {
     const auto& p = get(point_map, v);
     corners.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    const Point_3& q = corners.points.back();
-    const Index i = Index(corners.points.size() - 1);
-    if (!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
-      return { ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, i };
-    put(index_of, v, i);
+    put(index_of, v, Index(corners.points.size() - 1));
   }
 
   const auto halfedge_index_of = get(CGAL::dynamic_halfedge_property_t<Index>(), mesh);
@@ -62,6 +58,9 @@ Parameterization_error read_corner_mesh(const TriangleMesh& mesh, EdgeSeamMap is
     corners.vertex.push_back(get(index_of, target(h, mesh)));
     put(halfedge_index_of, h, i);
   });
+  for (const Index v : corners.vertex)
+    if (const Point_3& p = corners.points[v]; !std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+      return { ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, v, "a coordinate is not a finite number" };
   for_each_corner(mesh, [&](auto h, Index) {
     const auto o = opposite(h, mesh);
     corners.opposite.push_back(CGAL::is_border(o, mesh) || get(is_seam, edge(h, mesh)) ? no_index

@@ -40,13 +40,22 @@ inline std::vector<Index> long_path(const Corner_mesh& mesh)
 }
 
 // Cuts one more edge at each border of two edges, whose ends are the same: what knows triangles by their vertices takes
-// such a border for an edge.
+// such a border for an edge. Not at one that another one's edge has met: cuts that close up would part the surface.
 inline void open_short_borders(Corner_mesh& mesh)
 {
+  const std::vector<std::vector<Index>> all_borders = borders(mesh);
+  boost::disjoint_sets_with_storage<> joined(mesh.number_of_vertices());
+  for (const std::vector<Index>& border : all_borders)
+    for (const Index h : border)
+      joined.union_set(mesh.source(h), mesh.target(h));
   std::vector<Index> seam;
-  for (const std::vector<Index>& border : borders(mesh))
-    if (border.size() == 2)
-      seam.push_back(Corner_mesh::next(border[0]));
+  for (const std::vector<Index>& border : all_borders) {
+    const Index h = Corner_mesh::next(border[0]);
+    if (border.size() != 2 || joined.find_set(mesh.source(h)) == joined.find_set(mesh.target(h)))
+      continue;
+    joined.union_set(mesh.source(h), mesh.target(h));
+    seam.push_back(h);
+  }
   sever(mesh, seam);
 }
 

@@ -26,7 +26,8 @@ Nested_iteration_attempts::Nested_iteration_attempts(Refinable_method& method, c
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::Real_timer& timer, std::vector<Point_2>& uv)
+Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::Real_timer& timer,
+                                          std::vector<Point_2>& uv)
 {
   constexpr double part_of_hierarchy = 0.05;      // of the time, more or less
   m_start.swap(uv);
@@ -40,14 +41,17 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
     Level::Uv uv_by_rank;
     uv_by_rank.reserve(hierarchy.number_of_vertices());
     Nested_iteration attempt(m_method, m_options, m_visitor, m_progress, m_summary);
-    const Error_code status = m_summary.error.code = attempt.run(hierarchy, std::exchange(m_start, {}), uv_by_rank);
+    Error_code status = attempt.run(hierarchy, std::exchange(m_start, {}), uv_by_rank);
+    if (status == OK && !m_progress.finish())
+      status = ERROR_STOPPED;
+    m_summary.error.code = status;
     m_summary.seconds_parameterize = seconds_parameterize = timer.time() - seconds_hierarchy;
     m_summary.converged = m_summary.converged && status == OK;
     if (status == OK) {
       uv.resize(uv_by_rank.size());
       for (Index rank = 0; rank < uv.size(); ++rank)
         uv[hierarchy.input_vertex(rank)] = uv_by_rank[rank];
-      return m_progress.finish() ? OK : ERROR_STOPPED;
+      return OK;
     }
     if (status != ERROR_NO_1_TO_1_MAPPING ||
         !(find_start_at_scale_of_places(hierarchy) || (!attempt.is_finished() && can_try_another_way(hierarchy))))

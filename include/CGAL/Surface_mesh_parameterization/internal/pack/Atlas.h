@@ -26,6 +26,9 @@ struct Atlas
 // The vertices of the faces of a chart, in increasing order, which is that of component_of().
 std::vector<Index> vertices_of(const Corner_mesh& mesh, const std::vector<Index>& faces);
 
+// The number of each face's chart.
+std::vector<std::size_t> chart_of_face(const Atlas& atlas);
+
 // Scales the map of a chart to the chart's area in space.
 void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv);
 

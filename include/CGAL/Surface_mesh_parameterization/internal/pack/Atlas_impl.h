@@ -18,7 +18,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -31,6 +33,16 @@ std::vector<Index> vertices_of(const Corner_mesh& mesh, const std::vector<Index>
       if (vertices.empty() || mesh.vertex[h] > vertices.back())
         vertices.push_back(mesh.vertex[h]);
   return vertices;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::vector<std::size_t> chart_of_face(const Atlas& atlas)
+{
+  std::vector<std::size_t> result(atlas.mesh.number_of_faces());
+  for (std::size_t i = 0; i < atlas.charts.size(); ++i)
+    for (const Index f : atlas.charts[i])
+      result[f] = i;
+  return result;
 }
 
 inline std::vector<Point_2> scaled_places(std::vector<Point_2> points, double scale)
@@ -66,10 +78,7 @@ std::vector<Point_2> map_of(const Atlas& atlas, const std::vector<Index>& faces)
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Chart chart_of(const Corner_mesh& mesh, std::vector<Point_2> uv)
 {
-  Chart chart{ std::move(uv), {} };
-  for (Index h = 0; h < mesh.number_of_halfedges(); h += 3)
-    chart.triangles.push_back({ mesh.vertex[h], mesh.vertex[h + 1], mesh.vertex[h + 2] });
-  return chart;
+  return { std::move(uv), triangles_of(mesh) };
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

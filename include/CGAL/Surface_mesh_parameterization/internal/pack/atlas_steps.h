@@ -39,16 +39,6 @@ inline bool make_chart_mesh(const Corner_mesh& chart, Chart_mesh& mesh)
   return true;
 }
 
-// The number of each face's chart.
-inline std::vector<std::size_t> chart_of_face(const Atlas& atlas)
-{
-  std::vector<std::size_t> result(atlas.mesh.number_of_faces());
-  for (std::size_t i = 0; i < atlas.charts.size(); ++i)
-    for (const Index f : atlas.charts[i])
-      result[f] = i;
-  return result;
-}
-
 // The face of a chart at which an error lies, as a face of the mesh.
 inline Parameterization_error error_in_mesh(const Parameterization_error& error, const Corner_mesh& chart,
                                             const std::vector<Index>& faces)
@@ -107,7 +97,9 @@ inline void pack(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& o
   for (std::size_t i = 0; i < has_map.size(); ++i)
     if (had_map[i] && !has_map[i]) {
       Parameterization_error& error = result.charts[i].summary.error;
-      error = { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::FACE, atlas.charts[i].front() };
+      error = { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::FACE, atlas.charts[i].front(),
+                packing.side == 0 ? "the charts have no area, or squares of their sizes over- or underflow"
+                                  : "rounding leaves the triangles of a chart no room" };
       if (result.is_ok())
         result.error = error;
     }

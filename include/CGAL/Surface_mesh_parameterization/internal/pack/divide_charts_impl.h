@@ -225,10 +225,7 @@ Division divide_charts(Atlas& atlas, const std::vector<bool>& has_map, const Pac
   result.divisions = divider.divisions();
   result.seam = divider.seam();
 
-  std::vector<std::size_t> old_chart_of_face(atlas.mesh.number_of_faces());
-  for (std::size_t i = 0; i < atlas.charts.size(); ++i)
-    for (const Index f : atlas.charts[i])
-      old_chart_of_face[f] = i;
+  const std::vector<std::size_t> old_chart_of_face = chart_of_face(atlas);
   const std::vector<Point_2> corners = corners_of(atlas, divider.parts());
   for (const Index h : result.seam)
     atlas.mesh.sever(h);
