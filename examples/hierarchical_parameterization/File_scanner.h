@@ -103,6 +103,9 @@ public:
     return true;
   }
 
+  // Whether there are zeros among the next n bytes.
+  bool has_zeros(std::size_t n) const { return std::memchr(m_at, 0, (std::min)(n, remaining())) != nullptr; }
+
   bool skip_bytes(std::size_t n)
   {
     if (remaining() < n)
@@ -122,10 +125,18 @@ public:
 
   [[noreturn]] void fail(const std::string& message) const
   {
-    throw Input_error{ "line " + std::to_string(1 + std::count(m_begin, m_at, '\n')) + ": " + message };
+    throw Input_error{ "line " + std::to_string(1 + number_of_line_ends()) + ": " + message };
   }
 
 private:
+  std::size_t number_of_line_ends() const
+  {
+    std::size_t result = 0;
+    for (const char* c = m_begin; c != m_at; ++c)
+      result += *c == '\n' || (*c == '\r' && c[1] != '\n');
+    return result;
+  }
+
   // A number ends where the line or the word does, or at the slash between the indices of an OBJ file.
   bool accept(const char* end)
   {

@@ -9,6 +9,7 @@
 #include "File_scanner.h"
 #include "Polygon_soup.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -26,6 +27,9 @@ public:
     read_keyword();
     read_counts();
     Polygon_soup soup;
+    constexpr std::size_t least_bytes = 6;      // of a vertex or triangle: counts that are not true take no memory
+    soup.points.reserve((std::min)(m_number_of_vertices, m_file.remaining() / least_bytes));
+    soup.polygons.reserve((std::min)(m_number_of_faces, m_file.remaining() / least_bytes));
     for (std::size_t v = 0; v < m_number_of_vertices; ++v)
       soup.points.push_back(read_vertex(v));
     for (std::size_t f = 0; f < m_number_of_faces; ++f)

@@ -38,7 +38,9 @@ void check_corners(const Polygon_soup& soup, bool may_have_polygons)
     sorted = soup.polygons[f];
     if (sorted.size() < 3 || (sorted.size() > 3 && !may_have_polygons))
       throw Input_error{ face_text(f) + " has " + std::to_string(sorted.size()) + " corners instead of three" +
-                             (sorted.size() < 3 ? "" : "; --triangulate cuts such faces into triangles"),
+                             (sorted.size() < 3 || sorted.size() > most_corners_to_triangulate
+                                  ? ""
+                                  : "; --triangulate cuts such faces into triangles"),
                          SMP::ERROR_NON_TRIANGULAR_MESH };
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());

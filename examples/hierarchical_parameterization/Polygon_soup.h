@@ -28,6 +28,8 @@ struct Polygon_soup
 inline std::string face_text(std::size_t f) { return "face " + std::to_string(f); }
 inline std::string vertex_text(std::size_t v) { return "vertex " + std::to_string(v); }
 
+constexpr std::size_t most_corners_to_triangulate = 500;      // the time goes with the third power
+
 // Each of these throws an Input_error.
 void check_indices(const Polygon_soup& soup);
 void check_coordinates(const Polygon_soup& soup);

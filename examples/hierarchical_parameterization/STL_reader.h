@@ -9,6 +9,7 @@
 #include "File_scanner.h"
 #include "Polygon_soup.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -39,7 +40,7 @@ private:
   static constexpr std::size_t header_size = 80, triangle_size = 50;
 
   // Binary files may begin with "solid" too, but a text never has exactly the size that its bytes 80 to 83 would ask
-  // for.
+  // for, nor zeros: the number of triangles begins or ends with one, but for very many.
   bool is_binary() const
   {
     File_scanner file = m_file;
@@ -49,7 +50,14 @@ private:
       return true;
     file = m_file;
     file.skip_spaces();
-    return file.word() != "solid";
+    return !is_keyword(file.word(), "solid") || m_file.has_zeros(header_size + 4);
+  }
+
+  // Keywords have lower case, but some programs write them otherwise.
+  static bool is_keyword(std::string_view word, std::string_view keyword)
+  {
+    return word.size() == keyword.size() &&
+           std::equal(word.begin(), word.end(), keyword.begin(), [](char a, char b) { return (a | 0x20) == b; });
   }
 
   void read_binary()
@@ -76,13 +84,23 @@ private:
     bool is_open = true;
     for (m_file.skip_spaces(); is_open || !m_file.is_at_end(); m_file.skip_spaces()) {
       const std::string_view keyword = m_file.word();
-      if (keyword == "facet")
+      if (is_keyword(keyword, "facet"))
         read_facet();
-      else if (keyword == "solid" || keyword == "endsolid") {
-        is_open = keyword == "solid";
-        m_file.skip_line();
+      else if (is_keyword(keyword, "solid") || is_keyword(keyword, "endsolid")) {
+        is_open = is_keyword(keyword, "solid");
+        skip_name();
       } else
         m_file.fail("'facet' or 'endsolid' expected");
+    }
+  }
+
+  // To the end of the line, or to the first facet if it stands in that line.
+  void skip_name()
+  {
+    for (File_scanner ahead = m_file; !ahead.word().empty(); m_file = ahead) {
+      File_scanner facet = m_file;
+      if (is_keyword(facet.word(), "facet") && is_keyword(facet.word(), "normal"))
+        return;
     }
   }
 
@@ -107,7 +125,7 @@ private:
   void expect(std::string_view keyword)
   {
     m_file.skip_spaces();
-    if (m_file.word() != keyword)
+    if (!is_keyword(m_file.word(), keyword))
       m_file.fail("'" + std::string(keyword) + "' of " + face_text(m_soup.polygons.size()) + " expected");
   }
 

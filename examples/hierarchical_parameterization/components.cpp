@@ -46,26 +46,29 @@ std::vector<Component> find_components(const Mesh& mesh)
   const auto number_at = [&](Mesh::Halfedge_index h) {
     return number[mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h)];
   };
+  std::vector<std::size_t> border_sizes(components.size(), 0);
   std::vector<bool> is_visited(mesh.number_of_halfedges(), false);
   for (const Mesh::Halfedge_index start : mesh.halfedges()) {
     if (!mesh.is_border(start) || is_visited[start])
       continue;
-    ++components[number_at(start)].number_of_borders;
-    for (const Mesh::Halfedge_index h : mesh.halfedges_around_face(start))
+    const std::size_t i = number_at(start);
+    ++components[i].number_of_borders;
+    for (const Mesh::Halfedge_index h : mesh.halfedges_around_face(start)) {
       is_visited[h] = true;
+      ++border_sizes[i];
+    }
   }
 
-  std::vector<std::ptrdiff_t> characteristic;
-  for (const Component& c : components)
-    characteristic.push_back(std::ptrdiff_t(c.faces.size()));
+  // 2 V - 2 E + 2 F: a triangle has three halfedges of 2 E, and the border the others.
+  std::vector<std::ptrdiff_t> doubled_characteristic;
+  for (std::size_t i = 0; i < components.size(); ++i)
+    doubled_characteristic.push_back(-std::ptrdiff_t(components[i].faces.size() + border_sizes[i]));
   for (const Mesh::Vertex_index v : mesh.vertices())
     if (!mesh.is_isolated(v))
-      ++characteristic[number_at(mesh.halfedge(v))];
-  for (const Mesh::Edge_index e : mesh.edges())
-    --characteristic[number_at(mesh.halfedge(e))];
+      doubled_characteristic[number_at(mesh.halfedge(v))] += 2;
   for (std::size_t i = 0; i < components.size(); ++i)
     components[i].number_of_handles =
-        std::size_t(2 - characteristic[i] - std::ptrdiff_t(components[i].number_of_borders)) / 2;
+        std::size_t(2 - doubled_characteristic[i] / 2 - std::ptrdiff_t(components[i].number_of_borders)) / 2;
   return components;
 }
 

@@ -51,6 +51,15 @@ std::string atlas_text(const SMP::Atlas_summary& atlas)
   return text;
 }
 
+std::string replaced_maps_text(const Run_record& run)
+{
+  if (!run.atlas)
+    return "the map";
+  const std::vector<SMP::Atlas_summary::Chart>& charts = run.atlas->charts;
+  const auto replaced = std::count_if(charts.begin(), charts.end(), [](const auto& c) { return c.summary.is_replaced; });
+  return "the maps of " + std::to_string(replaced) + " of " + std::to_string(charts.size()) + " charts";
+}
+
 void print_summary(const Input& input, const Options& options, const Run_record& run)
 {
   const std::string name = one_line(input.name);
@@ -62,16 +71,17 @@ void print_summary(const Input& input, const Options& options, const Run_record&
                                         "orientation\n"
                                       : "coincide with those of others; --stitch joins them\n");
   if (run.summary.is_replaced)
-    std::cerr << name << ": the map of " << options.method->name
-              << " had flips whose repair would leave little of it; a method without flips made this one\n";
+    std::cerr << name << ": " << replaced_maps_text(run) << " of " << options.method->name
+              << " had flips whose repair would leave little of it; a method without flips made "
+              << (run.atlas ? "others\n" : "this one\n");
   const std::string levels = run.summary.levels.empty() || run.atlas
                                  ? ""
                                  : std::to_string(run.summary.levels.size()) +
                                        (run.summary.levels.size() == 1 ? " level, " : " levels, ");
   std::fprintf(is_standard_output_taken(options) ? stderr : stdout,
-               "%s: %zu triangles, %s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %zu "
+               "%s: %zu triangle%s, %s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %zu "
                "overlapping pairs, %.3f s\n",
-               name.c_str(), input.faces.size(), (run.atlas ? atlas_text(*run.atlas) : levels).c_str(),
+               name.c_str(), input.faces.size(), input.faces.size() == 1 ? "" : "s", (run.atlas ? atlas_text(*run.atlas) : levels).c_str(),
                run.summary.converged ? "converged" : "not converged", run.quality->mips, run.quality->mips_excess,
                run.quality->symmetric_dirichlet, run.quality->flips, run.quality->overlaps, run.seconds_of_map());
 }
@@ -108,7 +118,12 @@ void run_input(const std::string& file, const Options& options, Input& input, Ru
   lay_out(input, options, run);
 
   const double seconds_before_writing = timer.time();
-  write_files(options, input);
+  try {
+    write_files(options, input);
+  } catch (...) {
+    run.quality.reset();      // of no map that is there
+    throw;
+  }
   run.seconds_write = timer.time() - seconds_before_writing;
   if (!options.quiet)
     print_summary(input, options, run);

@@ -11,6 +11,7 @@
 
 #include "../Surface_mesh_parameterization/face_mesh.h"
 #include "Polygon_soup.h"
+#include "File_scanner.h"
 #include "components.h"
 #include "has_suffix.h"
 #include "stitch.h"
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -35,10 +37,11 @@
 
 namespace {
 
-// Everything that a stream holds.
-std::string read_content(std::istream& in)
+// Everything that a stream holds, which may be about so many bytes.
+std::string read_content(std::istream& in, std::size_t expected_size = 0)
 {
   std::string content;
+  content.reserve(expected_size);
   char block[1 << 16];
   while (in.read(block, sizeof block), in.gcount() > 0)
     content.append(block, std::size_t(in.gcount()));
@@ -46,6 +49,9 @@ std::string read_content(std::istream& in)
     throw Input_error{ "cannot be read" };
   if (content.empty())
     throw Input_error{ "is empty", SMP::ERROR_EMPTY_MESH };
+  constexpr char byte_order_mark[] = "\xef\xbb\xbf";
+  if (content.compare(0, 3, byte_order_mark) == 0)
+    content.erase(0, 3);
   return content;
 }
 
@@ -63,7 +69,9 @@ std::string read_content(const std::string& file)
   std::ifstream in(file, std::ios::binary);
   if (!in.is_open())
     throw Input_error{ "cannot be opened" };
-  return read_content(in);
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(file, error);      // a pipe has none
+  return read_content(in, error ? 0 : std::size_t(size));
 }
 
 namespace {
@@ -71,7 +79,9 @@ namespace {
 // The ending that a file with that content would have.
 std::string guess_suffix(const std::string& content)
 {
-  const std::string first_word = content.substr(0, content.find_first_of(" \t\r\n"));
+  File_scanner scanner(content);
+  scanner.skip_comments();
+  const std::string first_word(scanner.word());
   if (first_word == "ply")
     return ".ply";
   if (has_suffix(first_word, "off"))      // COFF, NOFF, ...
@@ -104,7 +114,6 @@ bool is_triangulation(const std::vector<CGAL::Triple<int, int, int>>& triangles,
 // corner of a face lies on another edge or corner of it.
 void triangulate(Polygon_soup& soup)
 {
-  constexpr std::size_t most_corners = 500;          // the time goes with the third power
   std::vector<Polygon_soup::Polygon> result;
   for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
     const Polygon_soup::Polygon& polygon = soup.polygons[f];
@@ -112,8 +121,8 @@ void triangulate(Polygon_soup& soup)
       result.push_back(polygon);
       continue;
     }
-    if (polygon.size() > most_corners)
-      throw Input_error{ face_text(f) + " has more than " + std::to_string(most_corners) + " corners",
+    if (polygon.size() > most_corners_to_triangulate)
+      throw Input_error{ face_text(f) + " has more than " + std::to_string(most_corners_to_triangulate) + " corners",
                          SMP::ERROR_NON_TRIANGULAR_MESH };
     std::vector<Kernel::Point_3> corners;
     for (const std::size_t v : polygon)
@@ -122,8 +131,11 @@ void triangulate(Polygon_soup& soup)
     CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
         corners, std::back_inserter(triangles),
         CGAL::parameters::use_delaunay_triangulation(false).use_2d_constrained_delaunay_triangulation(false));
-    if (!is_triangulation(triangles, int(polygon.size())))
-      throw Input_error{ face_text(f) + " cannot be triangulated", SMP::ERROR_NON_TRIANGULAR_MESH };
+    if (!is_triangulation(triangles, int(polygon.size()))) {      // it has no area, or points that coincide
+      triangles.clear();
+      for (int i = 1; i + 1 < int(polygon.size()); ++i)
+        triangles.emplace_back(0, i, i + 1);
+    }
     for (const CGAL::Triple<int, int, int>& t : triangles) {
       result.emplace_back();
       for (const int corner : { t.first, t.second, t.third })

@@ -59,7 +59,8 @@ void lay_out_chart(Input& input, const Options& options, Run_record& run)
     read_start(options.start, input);
   if (!options.hold.empty())
     read_held_vertices(options.hold, input);
-  run.summary = options.method->run(input, options);
+  const bool is_shipped = options.flat && options.method->run_shipped;
+  run.summary = (is_shipped ? options.method->run_shipped : options.method->run)(input, options);
   if (!run.summary.is_ok())
     throw error_of(run.summary, options);
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(input.mesh, input.faces, input.uvmap);
@@ -96,13 +97,15 @@ SMP::Atlas_summary run_atlas(Input& input, const Options& options)
   return atlas;
 }
 
-// Of all charts that have a map: the levels and the linear solver are those of the chart with the most triangles.
+// Of all charts that have a map: the levels and the linear solver are those of the chart with the most triangles, and
+// the map is replaced if that of any chart is.
 SMP::Parameterization_summary summary_of(const SMP::Atlas_summary& atlas)
 {
   SMP::Parameterization_summary result;
   std::size_t most_faces = 0;
   double seconds_hierarchy = 0, seconds_parameterize = 0;
-  bool converged = true;
+  std::size_t flips = 0, moved_vertices = 0;
+  bool converged = true, is_replaced = false;
   for (const SMP::Atlas_summary::Chart& chart : atlas.charts) {
     if (!chart.summary.is_ok())
       continue;
@@ -112,11 +115,17 @@ SMP::Parameterization_summary summary_of(const SMP::Atlas_summary& atlas)
     }
     seconds_hierarchy += chart.summary.seconds_hierarchy;
     seconds_parameterize += chart.summary.seconds_parameterize;
+    flips += chart.summary.flips;
+    moved_vertices += chart.summary.moved_vertices;
     converged = converged && chart.summary.converged;
+    is_replaced = is_replaced || chart.summary.is_replaced;
   }
   result.seconds_hierarchy = seconds_hierarchy;
   result.seconds_parameterize = seconds_parameterize;
+  result.flips = flips;
+  result.moved_vertices = moved_vertices;
   result.converged = converged;
+  result.is_replaced = is_replaced;
   return result;
 }
 
@@ -175,8 +184,8 @@ void check_complete(const Input& input, const Options& options, const Run_record
   const auto failed = charts_without_map(*run.atlas);
   if (!failed.empty()) {
     const Method_error first = error_of(failed.front()->summary, options);
-    throw Method_error{ count_text(failed.size(), run.atlas->charts.size(), "charts") + " have no map: " +
-                            first.message + (message.empty() ? "" : "; ") + message,
+    throw Method_error{ count_text(failed.size(), run.atlas->charts.size(), "charts") + " have no map, first that of face " +
+                            std::to_string(failed.front()->summary.error.index) + ": " + first.message + (message.empty() ? "" : "; ") + message,
                         first.code };
   }
   if (!message.empty())

@@ -5,6 +5,8 @@
 
 #include "methods.h"
 
+#include "run_shipped.h"
+
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 
 #include <algorithm>
@@ -30,18 +32,18 @@ const std::vector<Method>& methods()
     { "shape-preserving", "the same, by Floater's weights", run_shape_preserving, run_shape_preserving_atlas, false,
       1e-8, linear_steps, one },
     { "barycentric", "CGAL's Tutte map, border on a circle", run_barycentric, run_barycentric_atlas, false, 1e-10,
-      linear_steps, one, false },
+      linear_steps, one, false, false, run_shipped_barycentric },
     { "mean-value", "CGAL's mean value coordinates, border on a circle", run_mean_value, run_mean_value_atlas, false,
-      1e-10, linear_steps, one, false },
+      1e-10, linear_steps, one, false, false, run_shipped_mean_value },
     { "conformal", "CGAL's discrete conformal map, border on a circle", run_conformal, run_conformal_atlas, false, 1e-10,
-      linear_steps, one, false },
+      linear_steps, one, false, false, run_shipped_conformal },
     { "authalic", "CGAL's discrete authalic map, border on a circle", run_authalic, run_authalic_atlas, false, 1e-10,
-      linear_steps, one, false },
+      linear_steps, one, false, false, run_shipped_authalic },
     { "iterative-authalic", "CGAL's iterative authalic map, border on a circle", run_iterative_authalic,
-      run_iterative_authalic_atlas, false, 1e-10, linear_steps, one, false },
+      run_iterative_authalic_atlas, false, 1e-10, linear_steps, one, false, false, run_shipped_iterative_authalic },
     { "lscm", "CGAL's least squares conformal map, free border", run_lscm, run_lscm_atlas, false, 1e-10, linear_steps,
-      one, false },
-    { "arap", "as rigid as possible, free border", run_arap, run_arap_atlas, false, 1e-6, newton_steps, area, true, true }
+      one, false, false, run_shipped_lscm },
+    { "arap", "as rigid as possible, free border", run_arap, run_arap_atlas, false, 1e-6, newton_steps, area, true, true, run_shipped_arap }
   };
   return all;
 }

@@ -41,7 +41,7 @@ struct Method_options
   SMP::Flip_policy flip_policy;
 };
 
-// Fills in the map of the input. May throw a Usage_error.
+// Fills in the map of the input.
 typedef SMP::Parameterization_summary Run_method(Input&, const Method_options&);
 
 // Cuts a whole mesh, lays out its charts, and packs them. Runs of one chart only, and what they need, are no matter
@@ -60,6 +60,7 @@ struct Method
   SMP::Triangle_weight triangle_weight;
   bool has_levels = true;                     // whether every level is parameterized
   bool improves_map = false;                  // whether a run may start from a map, and hold vertices
+  Run_method* run_shipped = nullptr;          // with --flat, if that is not run()
 };
 
 const std::vector<Method>& methods();

@@ -124,7 +124,7 @@ void print_help(const po::options_description& described)
                "  hierarchical_parameterization --method symmetric-dirichlet statue.stl --output statue.glb\n"
                "  hierarchical_parameterization --method symmetric-dirichlet --globally-injective scan.ply --output "
                "map.ply\n"
-               "  find charts -name '*.off' | xargs -P 8 -n 100 hierarchical_parameterization --quiet --threads 1 "
+               "  find charts -name '*.off' -print0 | xargs -0 -P 8 -n 100 hierarchical_parameterization --quiet --threads 1 "
                "--report -\n\n"
                "Methods:\n  "
             << list_of_methods("\n  ",
@@ -220,6 +220,8 @@ void check_options(const Options& options)
     throw Usage_error{ "--start: the levels below the finest, which --levels writes, have no maps then" };
   if (!(options.least_used_part >= 0 && options.least_used_part <= 1))
     throw Usage_error{ "--least-used-part: a number from 0 to 1 expected" };
+  if (options.flat && options.fills_holes && options.method->run_shipped)
+    throw Usage_error{ "--fill-holes: not with --flat, which runs " + options.method->name + " as CGAL ships it" };
   if (options.threads < 0)
     throw Usage_error{ "the number of threads must not be negative" };
   if (!options.levels.empty() && !options.method->has_levels)

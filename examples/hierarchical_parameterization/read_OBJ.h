@@ -87,9 +87,34 @@ inline void check_OBJ_indices(const Polygon_soup& soup)
                            std::to_string(soup.points.size()) + ", counted from 1" };
 }
 
-// Reads the `v` and `f` lines of Wavefront OBJ, and `vt` if `has_uv`; what else a line may say is skipped.
-inline Polygon_soup read_OBJ(File_scanner& file, bool has_uv = false)
+// The content, with the lines joined that a backslash continues. Empty lines come after them instead, so that the
+// others keep their numbers.
+inline std::string with_joined_lines(const std::string& content)
 {
+  std::string result;
+  std::size_t joined = 0;
+  for (std::size_t i = 0; i < content.size(); ++i) {
+    const bool is_continued = content[i] == '\\' && i + 1 < content.size() && File_scanner::is_line_end(content[i + 1]);
+    if (is_continued) {
+      result += ' ';
+      i += content[i + 1] == '\r' && i + 2 < content.size() && content[i + 2] == '\n' ? 2 : 1;
+      ++joined;
+      continue;
+    }
+    result += content[i];
+    if (content[i] == '\n' || (content[i] == '\r' && content[i + 1] != '\n')) {
+      result.append(joined, '\n');
+      joined = 0;
+    }
+  }
+  return result;
+}
+
+// Reads the `v` and `f` lines of Wavefront OBJ, and `vt` if `has_uv`; what else a line may say is skipped.
+inline Polygon_soup read_OBJ(const std::string& content, bool has_uv = false)
+{
+  const std::string joined = content.find('\\') == std::string::npos ? std::string() : with_joined_lines(content);
+  File_scanner file(joined.empty() ? content : joined);
   Polygon_soup soup;
   OBJ_map map;
   for (file.skip_comments(); !file.is_at_end(); file.skip_line(), file.skip_comments()) {

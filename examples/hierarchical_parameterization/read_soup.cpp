@@ -21,10 +21,10 @@ Polygon_soup read_soup(const std::string& name, const std::string& content, bool
   if (has_suffix(name, ".off"))
     return OFF_reader(scanner).read();
   if (has_suffix(name, ".obj"))
-    return read_OBJ(scanner, has_uv);
+    return read_OBJ(content, has_uv);
   if (has_suffix(name, ".ply"))
     return PLY_reader(scanner, has_uv).read();
   if (has_suffix(name, ".stl"))
     return STL_reader(scanner).read();
-  throw Input_error{ "is not named .off, .obj, .ply or .stl" };
+  throw Input_error{ has_uv ? "is not named .ply or .obj" : "is not named .off, .obj, .ply or .stl" };
 }

@@ -6,7 +6,6 @@
 #include "Level_visitor.h"
 #include "input.h"
 #include "methods.h"
-#include "run_shipped.h"
 
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Chordal_edge_weights_3.h>
@@ -94,8 +93,6 @@ SMP::Parameterization_summary run_symmetric_dirichlet(Input& input, const Method
 
 SMP::Parameterization_summary run_arap(Input& input, const Method_options& options)
 {
-  if (options.flat)
-    return run_shipped_arap(input, options);
   SMP::Parameterization_summary summary;
   const SMP::As_rigid_as_possible_parameterizer_3<Mesh> method(
     CGAL::parameters::tolerance(options.tolerance).flip_policy(options.flip_policy).fill_holes(options.fills_holes)

@@ -5,6 +5,7 @@
 
 #include "run_shipped.h"
 
+#include "Confinement.h"
 #include "input.h"
 
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
@@ -30,8 +31,6 @@ namespace {
 template <class Parameterizer>
 SMP::Parameterization_summary run_shipped(Input& input, const Method_options& options)
 {
-  if (options.fills_holes)
-    throw Usage_error{ "--flat runs this method as CGAL ships it, which does not fill holes" };
   SMP::Parameterization_summary summary;
   CGAL::Real_timer timer;
   timer.start();
@@ -83,6 +82,7 @@ SMP::Parameterization_summary run_shipped_authalic(Input& input, const Method_op
 
 SMP::Parameterization_summary run_shipped_iterative_authalic(Input& input, const Method_options& options)
 {
+  const Confinement confinement;      // see run_iterative_authalic()
   return run_shipped<SMP::Iterative_authalic_parameterizer_3<Mesh>>(input, options);
 }
 

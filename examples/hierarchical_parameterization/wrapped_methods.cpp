@@ -7,7 +7,6 @@
 #include "Level_visitor.h"
 #include "input.h"
 #include "methods.h"
-#include "run_shipped.h"
 
 #include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Discrete_authalic_parameterizer_3.h>
@@ -21,12 +20,10 @@
 
 namespace {
 
-// Runs one of CGAL's parameterizers hierarchically; flat, as it is shipped.
+// Runs one of CGAL's parameterizers hierarchically.
 template <class Parameterizer>
-SMP::Parameterization_summary run_wrapped(Input& input, const Method_options& options, Run_method* run_shipped)
+SMP::Parameterization_summary run_wrapped(Input& input, const Method_options& options)
 {
-  if (options.flat)
-    return run_shipped(input, options);
   SMP::Parameterization_summary summary;
   const SMP::Hierarchical_parameterizer_3<Parameterizer> hierarchical(
     CGAL::parameters::tolerance(options.tolerance).flip_policy(options.flip_policy).fill_holes(options.fills_holes)
@@ -40,32 +37,32 @@ SMP::Parameterization_summary run_wrapped(Input& input, const Method_options& op
 
 SMP::Parameterization_summary run_barycentric(Input& input, const Method_options& options)
 {
-  return run_wrapped<SMP::Barycentric_mapping_parameterizer_3<Mesh>>(input, options, run_shipped_barycentric);
+  return run_wrapped<SMP::Barycentric_mapping_parameterizer_3<Mesh>>(input, options);
 }
 
 SMP::Parameterization_summary run_mean_value(Input& input, const Method_options& options)
 {
-  return run_wrapped<SMP::Mean_value_coordinates_parameterizer_3<Mesh>>(input, options, run_shipped_mean_value);
+  return run_wrapped<SMP::Mean_value_coordinates_parameterizer_3<Mesh>>(input, options);
 }
 
 SMP::Parameterization_summary run_conformal(Input& input, const Method_options& options)
 {
-  return run_wrapped<SMP::Discrete_conformal_map_parameterizer_3<Mesh>>(input, options, run_shipped_conformal);
+  return run_wrapped<SMP::Discrete_conformal_map_parameterizer_3<Mesh>>(input, options);
 }
 
 SMP::Parameterization_summary run_authalic(Input& input, const Method_options& options)
 {
-  return run_wrapped<SMP::Discrete_authalic_parameterizer_3<Mesh>>(input, options, run_shipped_authalic);
+  return run_wrapped<SMP::Discrete_authalic_parameterizer_3<Mesh>>(input, options);
 }
 
 // In CGAL 5 this parameterizer prints its progress, and writes a file into the current folder in every iteration.
 SMP::Parameterization_summary run_iterative_authalic(Input& input, const Method_options& options)
 {
   const Confinement confinement;
-  return run_wrapped<SMP::Iterative_authalic_parameterizer_3<Mesh>>(input, options, run_shipped_iterative_authalic);
+  return run_wrapped<SMP::Iterative_authalic_parameterizer_3<Mesh>>(input, options);
 }
 
 SMP::Parameterization_summary run_lscm(Input& input, const Method_options& options)
 {
-  return run_wrapped<SMP::LSCM_parameterizer_3<Mesh>>(input, options, run_shipped_lscm);
+  return run_wrapped<SMP::LSCM_parameterizer_3<Mesh>>(input, options);
 }

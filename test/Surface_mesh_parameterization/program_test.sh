@@ -40,6 +40,8 @@ for format in obj ply; do
   "$program" - --output piped.obj <face.$format >/dev/null || fail "the standard input was not read as $format"
   cmp -s face.obj piped.obj || fail "$format from the standard input gives another map"
 done
+printf '# a comment\n\nOFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' | "$program" - --quiet ||
+  fail "a file that begins with a comment was not read from the standard input"
 "$program" --version | grep -q '^hierarchical_parameterization [0-9.]* with CGAL [0-9]' || fail "--version tells no version"
 
 expect 0 --flat --report report.json

@@ -363,7 +363,7 @@ TEST(Program_parts, without_a_map_are_told_and_left_out)
   const Mesh tube_and_patch = joined(tube(3, 5), shifted(patch(), 20));
   const Runs runs(tube_and_patch);
   EXPECT_EQ(runs.run("in.off --method lscm --flips fail --output map.obj --report report.json"), failed);
-  EXPECT_EQ(runs.error().find("in.off: 1 of 2 charts have no map: the map has "), 0u) << runs.error();
+  EXPECT_EQ(runs.error().find("in.off: 1 of 2 charts have no map, first that of face 0: the map has "), 0u) << runs.error();
   EXPECT_NE(runs.error().find("; --flips repair or keep\n"), std::string::npos) << runs.error();
   const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
   EXPECT_EQ(mapped_faces(map),
