@@ -145,6 +145,32 @@ TEST(Overlapping_pairs, of_some_faces)
   EXPECT_EQ(parameterization_quality(ring.mesh, half, ring.uvmap).overlaps, 0u);
 }
 
+// A chart with a jagged border, and a small triangle a little inside the middle of one of its edges, or outside.
+TEST(Charts, overlap_where_one_lies_in_another)
+{
+  constexpr Index n = 300;
+  Random random(6);
+  std::vector<Point_2> star;
+  for (Index i = 0; i < n; ++i) {
+    const double angle = 2 * CGAL_PI * i / n, radius = random(1, 2);
+    star.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  std::vector<Border_edge> edges;
+  for (Index i = 0; i < n; ++i)
+    edges.push_back({ i, (i + 1) % n });
+  edges.insert(edges.end(), { { n, n + 1 }, { n + 1, n + 2 }, { n + 2, n } });
+  std::vector<Index> chart_of(n, 0);
+  chart_of.insert(chart_of.end(), 3, 1);
+  for (Index i = 0; i < n; ++i)
+    for (const double factor : { 0.999, 1.001 }) {
+      const Point_2 middle = CGAL::midpoint(star[i], star[(i + 1) % n]), p(factor * middle.x(), factor * middle.y());
+      std::vector<Point_2> uv = star;
+      for (const Vector_2& v : { Vector_2(0, 0), Vector_2(1e-6, 0), Vector_2(0, 1e-6) })
+        uv.push_back(p + v);
+      EXPECT_EQ(are_charts_one_to_one(edges, chart_of, uv), factor > 1) << i;
+    }
+}
+
 // ---- a barrier between borders ----
 
 struct Barrier_on_ring

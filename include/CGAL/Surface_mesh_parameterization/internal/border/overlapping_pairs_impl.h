@@ -6,12 +6,17 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/border/box_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 
 #include <CGAL/Bbox_2.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -95,19 +100,60 @@ inline bool follow_curves(const std::vector<Border_edge>& edges, const std::vect
   return true;
 }
 
-// How often closed curves wind around a point that lies on none of them.
-inline int winding_number(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv, const Point_2& p)
+// How often closed curves wind around points that lie on none of them. Their edges are sorted into strips of equal
+// height: a chart with a long border may have many others in its holes.
+class Winding_numbers
 {
-  int result = 0;
-  for (const Border_edge& e : edges) {
-    const Point_2 &a = uv[e.source], &b = uv[e.target];
-    if (a.y() <= p.y() && p.y() < b.y())
-      result += is_left_turn(a, b, p);
-    else if (b.y() <= p.y() && p.y() < a.y())
-      result -= is_left_turn(b, a, p);
+public:
+  Winding_numbers(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv) : m_uv(uv)
+  {
+    constexpr double most_strips_of_edge = 3;     // on average
+    double height_of_edges = 0, highest = uv[edges.front().source].y();
+    m_lowest = highest;
+    for (const Border_edge& e : edges) {
+      height_of_edges += std::abs(uv[e.target].y() - uv[e.source].y());
+      m_lowest = (std::min)(m_lowest, uv[e.source].y());
+      highest = (std::max)(highest, uv[e.source].y());
+    }
+    const double height = highest - m_lowest, n = double(edges.size()),
+                 strips = (std::min)(std::sqrt(n), most_strips_of_edge * n * height / height_of_edges);
+    m_number_of_strips = strips >= 1 ? Index(strips) : 1;
+    m_strips_per_length = height > 0 ? double(m_number_of_strips) / height : 0;
+    m_strips = Compressed_lists<Border_edge>(m_number_of_strips, [&](const auto& add) {
+      for (const Border_edge& e : edges) {
+        const Index first = strip(uv[e.source].y()), last = strip(uv[e.target].y());
+        for (Index i = (std::min)(first, last); i <= (std::max)(first, last); ++i)
+          add(i, e);
+      }
+    });
   }
-  return result;
-}
+
+  int operator()(const Point_2& p) const
+  {
+    int result = 0;
+    for (const Border_edge& e : m_strips[strip(p.y())]) {
+      const Point_2 &a = m_uv[e.source], &b = m_uv[e.target];
+      if (a.y() <= p.y() && p.y() < b.y())
+        result += is_left_turn(a, b, p);
+      else if (b.y() <= p.y() && p.y() < a.y())
+        result -= is_left_turn(b, a, p);
+    }
+    return result;
+  }
+
+private:
+  // Grows with y, and so the strips from one end of an edge to the other hold what lies between them.
+  Index strip(double y) const
+  {
+    const double position = (y - m_lowest) * m_strips_per_length;
+    return position < double(m_number_of_strips) ? Index((std::max)(0., position)) : m_number_of_strips - 1;
+  }
+
+  const std::vector<Point_2>& m_uv;
+  double m_lowest, m_strips_per_length;
+  Index m_number_of_strips;
+  Compressed_lists<Border_edge> m_strips;
+};
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool are_charts_one_to_one(const std::vector<Border_edge>& edges, const std::vector<Index>& chart_of,
@@ -135,9 +181,14 @@ bool are_charts_one_to_one(const std::vector<Border_edge>& edges, const std::vec
   // The borders do not meet: a chart that overlaps another one lies in it as a whole, or the other way round.
   if (std::find(outermost.begin(), outermost.end(), no_index) != outermost.end())
     return false;
+  std::vector<std::optional<Winding_numbers>> winding_numbers(number_of_charts);
   const auto is_in = [&](std::size_t i, std::size_t j) {
     const Point_2& p = uv[outermost[i]];
-    return do_overlap(p.bbox(), boxes[j]) && winding_number(edges_of[j], uv, p) != 0;
+    if (!do_overlap(p.bbox(), boxes[j]))
+      return false;
+    if (!winding_numbers[j])
+      winding_numbers[j].emplace(edges_of[j], uv);
+    return (*winding_numbers[j])(p) != 0;
   };
   bool result = true;
   for_each_pair_of_boxes(boxes, [&](std::size_t i, std::size_t j) { result = result && !is_in(i, j) && !is_in(j, i); });
