@@ -184,8 +184,9 @@ void check_complete(const Input& input, const Options& options, const Run_record
   const auto failed = charts_without_map(*run.atlas);
   if (!failed.empty()) {
     const Method_error first = error_of(failed.front()->summary, options);
-    throw Method_error{ count_text(failed.size(), run.atlas->charts.size(), "charts") + " have no map, first that of face " +
-                            std::to_string(failed.front()->summary.error.index) + ": " + first.message + (message.empty() ? "" : "; ") + message,
+    throw Method_error{ count_text(failed.size(), run.atlas->charts.size(), "charts") +
+                            " have no map, first that of face " + std::to_string(failed.front()->summary.error.index) +
+                            ": " + first.message + (message.empty() ? "" : "; ") + message,
                         first.code };
   }
   if (!message.empty())

@@ -43,7 +43,8 @@ const std::vector<Method>& methods()
       run_iterative_authalic_atlas, false, 1e-10, linear_steps, one, false, false, run_shipped_iterative_authalic },
     { "lscm", "CGAL's least squares conformal map, free border", run_lscm, run_lscm_atlas, false, 1e-10, linear_steps,
       one, false, false, run_shipped_lscm },
-    { "arap", "as rigid as possible, free border", run_arap, run_arap_atlas, false, 1e-6, newton_steps, area, true, true, run_shipped_arap }
+    { "arap", "as rigid as possible, free border", run_arap, run_arap_atlas, false, 1e-6, newton_steps, area, true,
+      true, run_shipped_arap }
   };
   return all;
 }

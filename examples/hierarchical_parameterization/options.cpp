@@ -124,8 +124,8 @@ void print_help(const po::options_description& described)
                "  hierarchical_parameterization --method symmetric-dirichlet statue.stl --output statue.glb\n"
                "  hierarchical_parameterization --method symmetric-dirichlet --globally-injective scan.ply --output "
                "map.ply\n"
-               "  find charts -name '*.off' -print0 | xargs -0 -P 8 -n 100 hierarchical_parameterization --quiet --threads 1 "
-               "--report -\n\n"
+               "  find charts -name '*.off' -print0 | xargs -0 -P 8 -n 100 hierarchical_parameterization --quiet "
+               "--threads 1 --report -\n\n"
                "Methods:\n  "
             << list_of_methods("\n  ",
                                [](const Method& m) {
