@@ -7,7 +7,6 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
-#include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
@@ -16,16 +15,15 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/flat_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/solve_and_copy.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -35,7 +33,6 @@
 #include <memory>
 #include <numeric>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -114,9 +111,7 @@ public:
     return result;
   }
 
-  // Calls `parameterize()`, which makes a parameterizer whose solver is that of the session and writes its map to `uv`.
-  // Where the session gives marks of the unknowns for a solution, a parameterizer that just copies it has done its
-  // work, and the numbers replace the marks; any other one is called once more.
+  // Makes a map by `parameterize()`, see solve_and_copy().
   template <class Point, class Function>
   Error_code parameterize(const std::shared_ptr<Multigrid_session>& session, std::vector<Point>& uv,
                           const Function& parameterize, bool copies_solution = false)
@@ -209,19 +204,6 @@ private:
     return std::all_of(points.begin(), points.end(), [&](const Point_3& p) { return p == points.front(); });
   }
 
-  template <class Point, class Function>
-  static Error_code solve_and_copy(const std::shared_ptr<Multigrid_session>& session, std::vector<Point>& uv,
-                                   const Function& parameterize, bool copies_solution)
-  {
-    const Multigrid_solver_traits::Scope scope{ Multigrid_solver_traits(session) };
-    Error_code code = parameterize();
-    if (session->has_given_marks()) {
-      const bool are_clear = session->read_marks(flat_map(uv));
-      code = code == OK && are_clear && copies_solution ? replace_marks(*session, uv) : parameterize();
-    }
-    return code == OK && !session->finish() ? ERROR_CANNOT_SOLVE_LINEAR_SYSTEM : code;
-  }
-
   template <class Point>
   Error_code close(Error_code code, const std::vector<Point>& uv)
   {
@@ -269,21 +251,6 @@ private:
     summary().seconds_hierarchy += timer.time();
     if (!m_interpolation)
       summary().error.code = ERROR_STOPPED;
-  }
-
-  template <class Point>
-  static Error_code replace_marks(Multigrid_session& session, std::vector<Point>& uv)
-  {
-    std::vector<double> solution;
-    if (!session.solve_marked(solution))
-      return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-    const auto replace = [&solution](const auto& coordinate) {
-      const Index i = Mesh_unknowns::marked_unknown(CGAL::to_double(coordinate), solution.size());
-      return i == no_index ? coordinate : std::decay_t<decltype(coordinate)>(solution[i]);
-    };
-    for (Point& p : uv)
-      p = Point(replace(p.x()), replace(p.y()));
-    return OK;
   }
 
   const Wrapped_options& m_options;
