@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An energy of one's own: the distortion of angles plus that of areas, minimized coarse to fine without a flip, and
-// compared with MIPS, which minds angles only.
+// An energy of one's own with a parameter: distortion of angles and of areas, each with a weight, minimized coarse to
+// fine without a flip.
 
 #include "face_mesh.h"
 
@@ -11,7 +11,8 @@
 #include <CGAL/Surface_mesh/IO/OFF.h>
 
 #include <CGAL/Surface_mesh_parameterization/Distortion_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
 #include <iostream>
@@ -23,44 +24,46 @@ typedef CGAL::Surface_mesh<Kernel::Point_3>     Mesh;
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
 //! [energy]
-// s1/s2 + s2/s1 + d + 1/d with the singular values s1, s2 of a triangle's map and d = s1 s2. As f = s1^2 + s2^2 it is
-// f/d + d + 1/d.
+// (1 - w) (s1/s2 + s2/s1) + w (d + 1/d) with the singular values s1, s2 of a triangle's map and d = s1 s2. As
+// f = s1^2 + s2^2, the first part is f/d.
 struct Angles_and_areas_energy_2
 {
-  static constexpr double minimum = 4;                    // of an isometry: f = 2, d = 1
+  double weight_of_areas = 0.5;
+
+  static constexpr double minimum = 2;                    // of an isometry: f = 2, d = 1
   static constexpr bool is_scale_invariant = false;
   static constexpr bool is_flip_free = true;              // grows beyond all bounds as d goes to 0
 
   const Angles_and_areas_energy_2& of_area(double) const { return *this; }
 
-  static double value(double f, double d) { return f / d + d + 1 / d; }
+  double value(double f, double d) const { return (1 - weight_of_areas) * f / d + weight_of_areas * (d + 1 / d); }
 
-  static SMP::Distortion_derivatives_2 derivatives(double f, double d)
+  SMP::Distortion_derivatives_2 derivatives(double f, double d) const
   {
-    const double d2 = d * d, d3 = d2 * d;
-    return { value(f, d), 1 / d, 1 - (f + 1) / d2,        // the value, its derivatives by f and by d,
-             0, -1 / d2, 2 * (f + 1) / d3 };              // and the second ones: ff, fd, dd
+    const double w = weight_of_areas, d2 = d * d, d3 = d2 * d;
+    return { value(f, d), (1 - w) / d, w - ((1 - w) * f + w) / d2,      // the value, its derivatives by f and by d,
+             0, -(1 - w) / d2, 2 * ((1 - w) * f + w) / d3 };            // and the second ones: ff, fd, dd
   }
 };
 
-template <class TriangleMesh>
-using Angles_and_areas_parameterizer_3 = SMP::Distortion_parameterizer_3<TriangleMesh, Angles_and_areas_energy_2>;
+typedef SMP::Distortion_parameterizer_3<Mesh, Angles_and_areas_energy_2>      Method;
 //! [energy]
 
-template <template <class...> class Method>
-bool run(const std::string& name, Mesh& mesh)
+bool run(const Angles_and_areas_energy_2& energy, Mesh& mesh)
 {
   const auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
-  const auto result =
-      SMP::hierarchical_parameterization<Method>(mesh, uvmap,
-                                                 CGAL::parameters::triangle_weight(SMP::Triangle_weight::AREA));
-  if (!result.is_ok()) {
-    std::cerr << SMP::error_message(result.error) << '\n';
+  //! [run]
+  const Method method(energy, CGAL::parameters::triangle_weight(SMP::Triangle_weight::AREA));
+  SMP::Hierarchical_parameterizer_3<Method> parameterizer(method);
+  const SMP::Error_code status = parameterizer.parameterize(mesh, uvmap);
+  //! [run]
+  if (status != SMP::OK) {
+    std::cerr << SMP::error_message(status) << '\n';
     return false;
   }
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(mesh, uvmap);
-  std::cout << name << ": " << quality.flips << " flips, distortion of angles " << quality.angle << ", of areas "
-            << quality.area << '\n';
+  std::cout << "weight of areas " << energy.weight_of_areas << ": " << quality.flips << " flips, distortion of angles "
+            << quality.angle << ", of areas " << quality.area << '\n';
   return true;
 }
 
@@ -73,8 +76,8 @@ int main(int argc, char** argv)
   }
   if (argc == 1)
     make_face(mesh);
-  return run<SMP::MIPS_parameterizer_3>("angles", mesh) &&
-                 run<Angles_and_areas_parameterizer_3>("angles and areas", mesh)
-             ? 0
-             : 1;
+  for (const double weight : { 0.1, 0.5, 0.9 })
+    if (!run({ weight }, mesh))
+      return 1;
+  return 0;
 }

@@ -10,8 +10,8 @@
 /// kind is defined for positive `d` and goes to infinity as `d` goes to 0 with `f` fixed: it keeps triangles positive.
 /// The other kind is defined for every `d`, and maps may have flips.
 ///
-/// Models are `DefaultConstructible` and `CopyConstructible`. The functions are `static` where an energy has no
-/// parameters.
+/// Models are `DefaultConstructible` and `CopyConstructible`. An energy with parameters of its own is passed to the
+/// constructor of `Distortion_parameterizer_3` as an object; the functions of one without may be `static`.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::As_rigid_as_possible_energy_2`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::MIPS_energy_2`
@@ -28,7 +28,7 @@ public:
   /// whether the energy keeps triangles positive
   static constexpr bool is_flip_free;
 
-  /// the energy of a triangle with the given area in space; returns itself if the energy does not depend on the area
+  /// the energy of a triangle with the given area in space, in the square of the mesh's units; returns itself if the energy does not depend on the area
   DistortionEnergy_2 of_area(double area) const;
 
   /// the energy

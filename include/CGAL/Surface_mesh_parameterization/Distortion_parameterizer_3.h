@@ -90,19 +90,22 @@ public:
     : Distortion_parameterizer_3(Refinement_options(), np)
   { }
 
+  /// minimizes an energy that has parameters of its own.
+  ///
+  /// \param energy the energy
+  /// \param np as above
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Distortion_parameterizer_3(const Energy_& energy,
+                                      const NamedParameters& np = parameters::default_values())
+    : Distortion_parameterizer_3(energy, Refinement_options(), np)
+  { }
+
   /// \param defaults the options that `np` does not set
   /// \param np as above
   template <class NamedParameters>
   Distortion_parameterizer_3(const Refinement_options& defaults, const NamedParameters& np)
-    : Base(np), m_options(defaults)
-  {
-    internal::Energy_check<Energy_>::tell();
-    static_assert(Energy::is_flip_free, "Energy does not keep triangles positive: Distortion_parameterizer_3 needs "
-                                        "is_flip_free to be true");
-    internal::assert_names<Option_names>(np);
-    m_options.set(np);
-    m_must_be_injective = m_options.is_globally_injective;
-  }
+    : Distortion_parameterizer_3(Energy(), defaults, np)
+  { }
 
   /// the map of less energy among Tutte's, scaled to the surface's area, and the unfolded level, if that is a map.
   /// \return `OK`, or if the unfolded level is no map: `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING`
@@ -111,7 +114,7 @@ public:
   {
     if (!m_options.are_valid())
       return ERROR_WRONG_PARAMETER;
-    const internal::Level_energy_of<Energy> energy(level, m_options.triangle_weight);
+    const internal::Level_energy_of<Energy> energy = level_energy(level, m_energy);
     return internal::choose_first_map(energy, m_options, uv);
   }
 
@@ -125,11 +128,11 @@ public:
       return ERROR_WRONG_PARAMETER;
     if constexpr (Energy::is_scale_invariant)
       if (m_bounds_scale) {
-        const Error_code status = minimize<internal::Scale_bounded_energy_2<Energy>>(level, uv, summary);
+        const Error_code status = minimize(internal::Scale_bounded_energy_2<Energy>{ m_energy }, level, uv, summary);
         summary.converged = false;
         return status;
       }
-    return minimize<Energy>(level, uv, summary);
+    return minimize(m_energy, level, uv, summary);
   }
 
   /// bounds the scale of the map from now on. The energy of the result is then slightly above the minimum.
@@ -145,10 +148,29 @@ public:
   }
 
 private:
-  template <class E>
-  Error_code minimize(const Level& level, Level::Uv& uv, Level_summary& summary) const
+  template <class NamedParameters>
+  Distortion_parameterizer_3(const Energy& energy, const Refinement_options& defaults, const NamedParameters& np)
+    : Base(np), m_energy(energy), m_options(defaults)
   {
-    const internal::Level_energy_of<E> energy(level, m_options.triangle_weight);
+    internal::Energy_check<Energy_>::tell();
+    static_assert(Energy::is_flip_free, "Energy does not keep triangles positive: Distortion_parameterizer_3 needs "
+                                        "is_flip_free to be true");
+    internal::assert_names<Option_names>(np);
+    m_options.set(np);
+    m_must_be_injective = m_options.is_globally_injective;
+  }
+
+  // The energy of a level whose triangles have the energy `e`, which is told areas in the user's units.
+  template <class E>
+  internal::Level_energy_of<E> level_energy(const Level& level, const E& e) const
+  {
+    return internal::Level_energy_of<E>(level, m_options.triangle_weight, e, std::ldexp(1., 2 * level.scale_exponent()));
+  }
+
+  template <class E>
+  Error_code minimize(const E& triangle_energy, const Level& level, Level::Uv& uv, Level_summary& summary) const
+  {
+    const internal::Level_energy_of<E> energy = level_energy(level, triangle_energy);
     if constexpr (!internal::is_finite_energy<E>)
       if (is_out_of_reach(energy, uv) && lower_distortion(level, uv) == ERROR_STOPPED)
         return ERROR_STOPPED;
@@ -173,10 +195,11 @@ private:
   Error_code lower_distortion(const Level& level, Level::Uv& uv) const
   {
     Level_summary unused;
-    const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, m_options.triangle_weight);
+    const auto energy = level_energy(level, Symmetric_Dirichlet_energy_2());
     return internal::minimize_flip_free(energy, false, uv, m_options, unused);
   }
 
+  Energy m_energy;
   Refinement_options m_options;
   bool m_must_be_injective = false;
   bool m_bounds_scale = false;

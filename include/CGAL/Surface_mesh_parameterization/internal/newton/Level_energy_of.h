@@ -26,13 +26,15 @@ class Level_energy_of final
   : public Level_energy
 {
 public:
-  Level_energy_of(const Level& level, Triangle_weight weight, const Energy& energy = Energy())
-    : Level_energy(level, weight, Energy::minimum, Energy::is_flip_free, Energy::is_scale_invariant), m_energy(energy)
+  // `unit_of_area` is that in which the energy is told areas, in the unit of the level.
+  Level_energy_of(const Level& level, Triangle_weight weight, const Energy& energy = Energy(), double unit_of_area = 1)
+    : Level_energy(level, weight, Energy::minimum, Energy::is_flip_free, Energy::is_scale_invariant), m_energy(energy),
+      m_unit_of_area(unit_of_area)
   { }
 
   void gather(Index v, const Level::Uv& uv, Star<Energy>& star) const
   {
-    star.gather(level().rings(), uv, v, level().rest_corners(v), triangle_weight(), m_energy);
+    star.gather(level().rings(), uv, v, level().rest_corners(v), triangle_weight(), m_energy, m_unit_of_area);
   }
 
   std::unique_ptr<Vertex_relaxer> make_vertex_relaxer() const override { return std::make_unique<Relaxer>(*this); }
@@ -57,7 +59,10 @@ private:
   };
 
   // The energy of the triangle of a corner.
-  Energy triangle_energy(const Rest_corner& c) const { return m_energy.of_area(1 / c.inverse_area); }
+  Energy triangle_energy(const Rest_corner& c) const
+  {
+    return m_energy.of_area(1 / (m_unit_of_area * c.inverse_area));
+  }
 
   double sum(Index begin, Index end, const Level::Uv& uv) const override
   {
@@ -120,6 +125,7 @@ private:
   }
 
   Energy m_energy;
+  double m_unit_of_area;
 };
 
 #ifdef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE

@@ -56,11 +56,11 @@ struct Jacobian_hessian
 
   // Each part of the energy has the Hessian that suits it.
   template <class Energy>
-  static Jacobian_hessian of(const Scale_bounded_energy_2<Energy>&, double zx, double zy, double wx, double wy,
+  static Jacobian_hessian of(const Scale_bounded_energy_2<Energy>& sum, double zx, double zy, double wx, double wy,
                              double determinant, double indefinite_part)
   {
     typedef Scale_bounded_energy_2<Energy>   Sum;
-    Jacobian_hessian result = of(Energy(), zx, zy, wx, wy, determinant, indefinite_part);
+    Jacobian_hessian result = of(sum.energy, zx, zy, wx, wy, determinant, indefinite_part);
     const Jacobian_hessian bound = of(typename Sum::Bound(), zx, zy, wx, wy, determinant, indefinite_part);
     for (int i = 0; i < 4; ++i) {
       result.gradient[i] += Sum::part * bound.gradient[i];

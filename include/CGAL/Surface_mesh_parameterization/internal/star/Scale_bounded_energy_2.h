@@ -24,16 +24,18 @@ struct Scale_bounded_energy_2
   static constexpr bool is_scale_invariant = false;
   static constexpr bool is_flip_free = Energy::is_flip_free;
 
-  const Scale_bounded_energy_2& of_area(double) const { return *this; }
+  Energy energy;
 
-  static double value(double frobenius, double determinant)
+  Scale_bounded_energy_2 of_area(double area) const { return { energy.of_area(area) }; }
+
+  double value(double frobenius, double determinant) const
   {
-    return Energy::value(frobenius, determinant) + part * Bound::value(frobenius, determinant);
+    return energy.value(frobenius, determinant) + part * Bound::value(frobenius, determinant);
   }
 
-  static Distortion_derivatives_2 derivatives(double frobenius, double determinant)
+  Distortion_derivatives_2 derivatives(double frobenius, double determinant) const
   {
-    const Distortion_derivatives_2 e = Energy::derivatives(frobenius, determinant),
+    const Distortion_derivatives_2 e = energy.derivatives(frobenius, determinant),
                                    b = Bound::derivatives(frobenius, determinant);
     return { e.value + part * b.value, e.f + part * b.f,   e.d + part * b.d,
              e.ff + part * b.ff,       e.fd + part * b.fd, e.dd + part * b.dd };

@@ -30,10 +30,11 @@ public:
     double value, gradient[2], hessian[3];    // hessian: xx, xy, yy
   };
 
-  // Gathers the star of v. `corners` are the rest shapes of its triangles, in the order of its ring.
+  // Gathers the star of v. `corners` are the rest shapes of its triangles, in the order of its ring; `unit_of_area` is
+  // that of the energy, in the unit of theirs.
   template <class Corners>
   void gather(const One_rings& rings, const std::vector<Point_2>& uv, Index v, const Corners& corners,
-              Triangle_weight weight, const Energy& energy = Energy())
+              Triangle_weight weight, const Energy& energy = Energy(), double unit_of_area = 1)
   {
     const One_rings::Ring ring = rings[v];
     m_triangles.resize(rings.number_of_triangles(v));
@@ -44,7 +45,7 @@ public:
       const Vector_2 ab = b - a;
       const Rest_corner c = corners[i];
       const double determinant_scale = 0.5 * c.inverse_area;
-      m_triangles[i] = { energy.of_area(1 / c.inverse_area),
+      m_triangles[i] = { energy.of_area(1 / (unit_of_area * c.inverse_area)),
                          a,
                          ab,
                          c.foot * ab,
