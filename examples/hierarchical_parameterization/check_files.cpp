@@ -9,12 +9,14 @@
 #include "Level_visitor.h"
 #include "errors.h"
 #include "has_suffix.h"
+#include "name_for_input.h"
 #include "options.h"
 #include "write_GLB.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -42,9 +44,20 @@ void check_suffix(const std::string& option, const std::string& name, const std:
   }
 }
 
-std::vector<std::pair<std::string, std::string>> options_with_names(const Options& options)
+typedef std::vector<std::pair<std::string, std::string>>   Options_and_names;
+
+// Those that are given and whose names depend on the input, or those whose names do not.
+Options_and_names options_with_names(const Options& options, bool depend_on_input)
 {
-  return { { "--output", options.output }, { "--picture", options.picture }, { "--report", options.report } };
+  Options_and_names result{ { "--output", options.output }, { "--picture", options.picture } };
+  result.erase(std::remove_if(result.begin(), result.end(),
+                              [=](const auto& o) {
+                                return o.second.empty() || depends_on_input(o.second) != depend_on_input;
+                              }),
+               result.end());
+  if (!depend_on_input && !options.report.empty())
+    result.emplace_back("--report", options.report);
+  return result;
 }
 
 std::vector<Named_place> output_places(const Options& options)
@@ -54,9 +67,8 @@ std::vector<Named_place> output_places(const Options& options)
   const auto add = [&](const std::string& option, const std::string& name) {
     outputs.push_back({ option, name, output_place(name) });
   };
-  for (const auto& [option, name] : options_with_names(options))
-    if (!name.empty())
-      add(option, name);
+  for (const auto& [option, name] : options_with_names(options, false))
+    add(option, name);
   for (std::size_t l = 0; l < most_levels && !options.levels.empty(); ++l)
     add("--levels", level_file(options.levels, l));
   if (!options.quiet && !is_standard_output_taken(options))
@@ -68,7 +80,7 @@ std::vector<Named_place> output_places(const Options& options)
 void check_output(const std::string& name)
 {
   const File_place place = output_place(name);
-  if (name.empty() || place.is_special())
+  if (place.is_special())
     return;
   const std::filesystem::path folder = place.path.parent_path();
   std::error_code unused_error;
@@ -79,13 +91,32 @@ void check_output(const std::string& name)
     throw std::runtime_error(name + ": cannot be written (it is a folder)");
 }
 
+// Checks the outputs whose names depend on the input. There may be very many: these are not compared with each other.
+void check_outputs_of_inputs(const Options& options, const std::vector<Named_place>& outputs)
+{
+  std::map<std::filesystem::path, std::string> taken;
+  for (const std::string& input : options.inputs)
+    taken[input_place(input).canonical] = "the input '" + input + "'";
+  for (const Named_place& output : outputs)
+    taken[output.place.canonical] = "that of " + output.option;
+  for (const auto& [option, pattern] : options_with_names(options, true))
+    for (const std::string& input : options.inputs) {
+      const std::string name = name_for_input(pattern, input);
+      const auto& [entry, is_new] =
+          taken.try_emplace(output_place(name).canonical, "that of " + option + " for '" + input + "'");
+      if (!is_new)
+        throw Usage_error{ option + ": the file '" + name + "' of '" + input + "' is " + entry->second };
+      check_output(name);
+    }
+}
+
 } // namespace
 
 bool is_standard_output_taken(const Options& options)
 {
-  const auto names = options_with_names(options);
+  const auto names = options_with_names(options, false);
   return std::any_of(names.begin(), names.end(),
-                     [](const auto& o) { return !o.second.empty() && is_standard_output(o.second); });
+                     [](const auto& o) { return is_standard_output(o.second); });
 }
 
 void check_files(const Options& options)
@@ -109,8 +140,9 @@ void check_files(const Options& options)
     for (auto b = outputs.begin(); b != a; ++b)
       if (is_same_file(a->place, b->place))
         throw Usage_error{ b->option + " and " + a->option + " are the same file '" + b->name + "'" };
-  for (const auto& option_and_name : options_with_names(options))
+  for (const auto& option_and_name : options_with_names(options, false))
     check_output(option_and_name.second);
+  check_outputs_of_inputs(options, outputs);
   std::error_code unused_error;
   const std::filesystem::file_status levels = std::filesystem::status(options.levels, unused_error);
   if (std::filesystem::exists(levels) && !std::filesystem::is_directory(levels))

@@ -3,11 +3,13 @@
 //
 // Parameterizes surfaces from the command line: see --help.
 
+#include "File_place.h"
 #include "Output_files.h"
 #include "check_files.h"
 #include "errors.h"
 #include "input.h"
 #include "lay_out.h"
+#include "name_for_input.h"
 #include "one_line.h"
 #include "options.h"
 #include "report.h"
@@ -97,13 +99,13 @@ void finish_standard_output()
 }
 
 // Both files, or none.
-void write_files(const Options& options, Input& input)
+void write_files(const Options& options, const std::string& file, Input& input)
 {
   Output_files files;
   if (!options.output.empty())
-    write_mesh(files, options.output, input);
+    write_mesh(files, name_for_input(options.output, file), input);
   if (!options.picture.empty())
-    write_picture(files, options.picture, input);
+    write_picture(files, name_for_input(options.picture, file), input);
   files.commit();
 }
 
@@ -121,7 +123,7 @@ void run_input(const std::string& file, const Options& options, Input& input, Ru
 
   const double seconds_before_writing = timer.time();
   try {
-    write_files(options, input);
+    write_files(options, file, input);
   } catch (...) {
     run.quality.reset();      // of no map that is there
     throw;
@@ -195,12 +197,19 @@ int main(int argc, char** argv)
                                                       ? std::size_t(options.threads)
                                                       : tbb::global_control::active_value(most_threads));
 #endif
+    const bool has_report = !options.report.empty(), prints_report = has_report && is_standard_output(options.report);
     std::string report;
+    const auto write_report = [&] { write_file(options.report, [&](std::ostream& out) { out << report; }); };
     int status = WRITTEN;
-    for (const std::string& input : options.inputs)
+    for (const std::string& input : options.inputs) {
       status = (std::max)(status, int(run(input, options, report)));
-    if (!options.report.empty())
-      write_file(options.report, [&](std::ostream& out) { out << report; });
+      if (prints_report) {      // a line at a time, for those who wait for it
+        write_report();
+        report.clear();
+      }
+    }
+    if (has_report && !prints_report)
+      write_report();
     finish_standard_output();
     return status;
   } catch (const Usage_error& error) {

@@ -6,6 +6,7 @@
 #include "options.h"
 
 #include "errors.h"
+#include "name_for_input.h"
 
 #include <CGAL/version.h>
 
@@ -118,12 +119,15 @@ void print_help(const po::options_description& described)
                "into charts, all at one scale, in the unit square.\n"
                "Without INPUT: a built-in face of 1042 vertices. INPUT may be -, the standard input.\n"
                "The file of --output, --picture or --report may be -, the standard output; the summary goes to "
-               "stderr then.\n\n"
+               "stderr then.\n"
+               "In the names of --output and --picture, {.} stands for INPUT without its ending, and {/.} for the same "
+               "without its folder.\n\n"
                "Examples:\n"
                "  hierarchical_parameterization scan.ply --output scan.obj --picture map.svg\n"
                "  hierarchical_parameterization --method symmetric-dirichlet statue.stl --output statue.glb\n"
                "  hierarchical_parameterization --method symmetric-dirichlet --globally-injective scan.ply --output "
                "map.ply\n"
+               "  hierarchical_parameterization charts/*.off --output 'maps/{/.}.ply' --report maps/report.json\n"
                "  find charts -name '*.off' -print0 | xargs -0 -P 8 -n 100 hierarchical_parameterization --quiet "
                "--threads 1 --report -\n\n"
                "Methods:\n  "
@@ -203,6 +207,20 @@ void read_part(const std::string& components, const std::string& cut, Options& o
   options.makes_atlas = options.least_used_part > 0;
 }
 
+void check_several_inputs(const Options& options)
+{
+  if (options.inputs.size() < 2)
+    return;
+  if (!options.start.empty() || !options.hold.empty() || !options.levels.empty())
+    throw Usage_error{ "--start, --hold and --levels take one input" };
+  const std::pair<std::string, std::string> outputs[] = { { "--output", options.output },
+                                                          { "--picture", options.picture } };
+  for (const auto& [option, name] : outputs)
+    if (!name.empty() && !depends_on_input(name))
+      throw Usage_error{ option + ": the files of several inputs need names of their own, as by '{.}.uv.obj' or "
+                         "'maps/{/.}.obj'" };
+}
+
 // What does not go together.
 void check_options(const Options& options)
 {
@@ -226,11 +244,7 @@ void check_options(const Options& options)
     throw Usage_error{ "the number of threads must not be negative" };
   if (!options.levels.empty() && !options.method->has_levels)
     throw Usage_error{ "--levels: " + options.method->name + " parameterizes the finest level only" };
-  const bool has_files_of_one_input =
-    !(options.output.empty() && options.start.empty() && options.hold.empty() && options.picture.empty() &&
-      options.levels.empty());
-  if (options.inputs.size() > 1 && has_files_of_one_input)
-    throw Usage_error{ "--output, --start, --hold, --picture and --levels take one input" };
+  check_several_inputs(options);
   if (std::find(options.inputs.begin(), options.inputs.end(), "") != options.inputs.end())
     throw Usage_error{ "the name of an input is empty" };
 }

@@ -16,7 +16,8 @@ struct Options : Method_options, Input_options
 {
   std::vector<std::string> inputs;
   const Method* method;
-  std::string output, picture, report;
+  std::string output, picture;      // see name_for_input()
+  std::string report;
   int threads;
 };
 

@@ -121,6 +121,32 @@ expect 0 square.obj --output pipe --picture pipe --report pipe
 exec 8>&-
 [ -p pipe ] || fail "a pipe was replaced"
 
+# ---- several inputs ----
+
+in_new_folder several_inputs
+mkdir charts maps
+make_square >charts/a.obj
+make_square >charts/b.c.obj
+wrong charts/a.obj charts/b.c.obj --output maps/map.obj
+wrong charts/a.obj charts/a.obj --output '{.}.uv.obj'
+wrong charts/a.obj charts/b.c.obj --output '{.}.obj'
+wrong charts/a.obj maps/../charts/a.obj --output 'maps/{/.}.obj'
+wrong charts/a.obj --output 'maps/{/.}.obj' --report maps/a.obj
+wrong charts/a.obj --output '{.}.svg'
+make_square >a.obj
+wrong a.obj charts/a.obj --picture 'maps/{/.}.svg'
+rm a.obj
+expect 3 charts/a.obj --output 'nowhere/{/.}.obj'
+expect 0 charts/a.obj charts/b.c.obj --output 'maps/{/.}.obj' --picture '{.}.svg' --report report.json
+leaves_only square.obj charts charts/{a,b.c}.{obj,svg} maps maps/{a,b.c}.obj report.json
+for name in a b.c; do is_mesh maps/$name.obj "{/.}"; is_picture charts/$name.svg "{.}"; done
+[ "$(wc -l <report.json)" -eq 2 ] || fail "the report has not a line for each input"
+rm report.json
+expect 2 charts/a.obj missing.obj charts/b.c.obj --output '{.}.uv.obj' --quiet
+is_mesh charts/b.c.uv.obj "after an input that is missing"
+expect 0 --output '{.}.obj' --report '{.}.json'
+is_report '{.}.json'
+
 # ---- endings ----
 
 in_new_folder endings
