@@ -70,6 +70,8 @@ public:
 private:
   typedef std::uint32_t   Index;                      // a Surface_mesh cannot count further
 
+  static constexpr char way_out[] = "; --orient makes a surface of such faces";
+
   // Of a face at a vertex v: the face has the edges (previous, v) and (v, next).
   struct Corner
   {
@@ -117,10 +119,11 @@ private:
     Polygon_soup::Polygon p = m_soup.polygons[f], q = m_soup.polygons[g];
     std::sort(p.begin(), p.end());
     std::sort(q.begin(), q.end());
-    throw Input_error{ p == q ? face_text(g) + " has the same vertices as " + face_text(f)
-                       : has_opposite || same.second - same.first > 2
-                           ? edge + " has more than two faces, " + face_text(g) + " among them"
-                           : face_text(f) + " and " + face_text(g) + " have different orientations at " + edge,
+    throw Input_error{ (p == q ? face_text(g) + " has the same vertices as " + face_text(f)
+                        : has_opposite || same.second - same.first > 2
+                            ? edge + " has more than two faces, " + face_text(g) + " among them"
+                            : face_text(f) + " and " + face_text(g) + " have different orientations at " + edge) +
+                           way_out,
                        SMP::ERROR_NO_TOPOLOGICAL_DISC };
   }
 
@@ -142,7 +145,8 @@ private:
     for (const Corner* c = neighbor(v, *start); c && c != start; c = neighbor(v, *c))
       ++size;
     if (size != end(v) - begin(v))
-      throw Input_error{ "the faces around " + vertex_text(v) + " form several fans", SMP::ERROR_NO_TOPOLOGICAL_DISC };
+      throw Input_error{ "the faces around " + vertex_text(v) + " form several fans" + way_out,
+                         SMP::ERROR_NO_TOPOLOGICAL_DISC };
   }
 
   // The corner beyond the edge (previous, v), null if that is a border.

@@ -70,9 +70,9 @@ void print_summary(const Input& input, const Options& options, const Run_record&
     std::cerr << name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
   if (input.number_of_pieces > 0)
     std::cerr << name << ": has " << input.number_of_pieces << " components whose borders "
-              << (options.is_stitched ? "still coincide with those of others; --stitch joins two at an edge, of one "
-                                        "orientation\n"
-                                      : "coincide with those of others; --stitch joins them\n");
+              << (options.is_stitched || options.is_oriented
+                      ? "still coincide with those of others; --stitch joins two at an edge, of one orientation\n"
+                      : "coincide with those of others; --stitch joins them\n");
   if (run.summary.is_replaced)
     std::cerr << name << ": " << replaced_maps_text(run) << " of " << options.method->name
               << " had flips whose repair would leave little of it; a method without flips made "

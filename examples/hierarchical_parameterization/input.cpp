@@ -18,6 +18,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/longest_border.h>
 
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/utility.h>
@@ -147,18 +148,21 @@ void triangulate(Polygon_soup& soup)
 
 } // namespace
 
-Mesh make_mesh(Polygon_soup soup, bool is_triangulated)
+Mesh make_mesh(Polygon_soup soup, const Soup_options& options)
 {
   if (soup.polygons.empty())
     throw Input_error{ "has no faces", SMP::ERROR_EMPTY_MESH };
   check_indices(soup);
   check_coordinates(soup);
-  check_corners(soup, is_triangulated);
-  check_manifold(soup);
-  if (is_triangulated) {
+  check_corners(soup, options.is_triangulated);
+  if (!options.is_oriented)
+    check_manifold(soup);
+  if (options.is_triangulated)
     triangulate(soup);
+  if (options.is_oriented)
+    CGAL::Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.polygons);
+  if (options.is_oriented || options.is_triangulated)
     check_manifold(soup);                 // two polygons may have got the same diagonal
-  }
   std::vector<Kernel::Point_3> points;
   for (std::size_t v = 0; v < soup.points.size(); ++v)
     points.push_back(point_of(soup, v));
@@ -167,13 +171,13 @@ Mesh make_mesh(Polygon_soup soup, bool is_triangulated)
   return mesh;
 }
 
-Mesh read_mesh(const std::string& file, bool is_triangulated)
+Mesh read_mesh(const std::string& file, const Soup_options& options)
 {
   if (file == "-") {
     const std::string content = read_content(std::cin);
-    return make_mesh(read_soup(guess_suffix(content), content), is_triangulated);
+    return make_mesh(read_soup(guess_suffix(content), content), options);
   }
-  return make_mesh(read_soup(file, read_content(file)), is_triangulated);
+  return make_mesh(read_soup(file, read_content(file)), options);
 }
 
 Mesh built_in_face()
@@ -239,7 +243,7 @@ void read_input(const std::string& file, const Input_options& options, Input& in
   if (file.empty())
     input.mesh = built_in_face();
   else
-    input.mesh = read_mesh(file, options.is_triangulated);
+    input.mesh = read_mesh(file, options);
   if (options.is_stitched)
     stitch(input.mesh);
   std::vector<Component> components = find_components(input.mesh);

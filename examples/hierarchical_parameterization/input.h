@@ -18,20 +18,24 @@ struct Polygon_soup;
 // All of the named file. Throws an Input_error.
 std::string read_content(const std::string& file);
 
-// Makes the mesh as it is: vertices that coincide stay apart, but in STL. With `is_triangulated`, polygons are
-// cut into triangles.
-Mesh make_mesh(Polygon_soup soup, bool is_triangulated);
+struct Soup_options
+{
+  bool is_triangulated = false;          // polygons are cut into triangles
+  bool is_oriented = false;              // faces are turned, and points doubled where that does not make a surface
+};
+
+// Makes the mesh as it is but for the options: vertices that coincide stay apart, but in STL.
+Mesh make_mesh(Polygon_soup soup, const Soup_options& options);
 
 // The mesh of the named file, or of the standard input for "-". Throws an Input_error.
-Mesh read_mesh(const std::string& file, bool is_triangulated);
+Mesh read_mesh(const std::string& file, const Soup_options& options);
 
 // Without a file: see face_mesh.h.
 Mesh built_in_face();
 
 // What of a file is parameterized.
-struct Input_options
+struct Input_options : Soup_options
 {
-  bool is_triangulated = false;          // polygons are cut into triangles
   bool is_stitched = false;              // borders that coincide are joined
   bool takes_all_components = false;     // or the one with the most faces
   bool cuts = false;                     // components that are closed or have handles

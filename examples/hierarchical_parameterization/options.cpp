@@ -82,6 +82,10 @@ po::options_description describe_options(Options& options, Words& words, Numbers
       "write every level of the hierarchy as OBJ into this folder: level_00.obj, the coarsest one, and so on, with maps "
       "before the repair of flips. Files of an earlier run that had more levels stay there");
   add("triangulate", po::bool_switch(&options.is_triangulated), "cut faces of more than three corners into triangles");
+  add("orient", po::bool_switch(&options.is_oriented),
+      "turn faces so that neighbors have one orientation. Where that cannot be, where more than two faces meet at an "
+      "edge or several fans at a vertex, the surface is cut: points are there several times then, the new ones behind "
+      "those of the input");
   add("flat", po::bool_switch(&options.flat),
       "run the method without the hierarchy; those of CGAL as they are shipped. --tolerance and --iterations are for "
       "mips and symmetric-dirichlet then: a direct solver, or CGAL, takes neither");

@@ -110,7 +110,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     Polygon_soup soup = read_soup(names[data[0] % names.size()], content, true);
     uv = soup.uv;
-    input.mesh = make_mesh(std::move(soup), choice & 1);
+    input.mesh = make_mesh(std::move(soup), { (choice & 1) != 0, (choice & 128) != 0 });
+    if (uv.size() != input.mesh.number_of_vertices())
+      uv.clear();                                // points were doubled
     choose_component(input);
   } catch (const Input_error&) {
     return 0;

@@ -27,6 +27,20 @@ expect 0 face.obj --output again.obj
 cmp -s <(grep '^v ' face.obj) <(grep '^v ' again.obj) || fail "the vertices have changed"
 cmp -s <(grep '^f ' face.obj) <(grep '^f ' again.obj) || fail "the faces have changed"
 
+# With --orient, faces keep their points, whose first places stay as they are; it may turn faces and double points.
+printf '%s\n' 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'v 0 -1 0' 'v 0 0 1' 'v 2 0 1' 'f 1 2 3' 'f 2 1 4' 'f 1 2 5' 'f 2 5 6' >leaves.obj
+# points_of_faces FILE: a line for each face, with its points in the order of their coordinates.
+points_of_faces() {
+  awk '$1 == "v" { point[++n] = $2 " " $3 " " $4 }
+       $1 == "f" { for (i = 2; i <= 4; ++i) { split($i, v, "/"); print f, point[v[1]] }; ++f }' "$1" | sort -n
+}
+expect 2 leaves.obj
+grep -q -e '--orient' stderr || fail "nobody is told of --orient: $(cat stderr)"
+expect 0 leaves.obj --orient --output oriented.obj --report report.json
+is_field flips 0 --orient
+cmp -s <(points_of_faces leaves.obj) <(points_of_faces oriented.obj) || fail "--orient changes points of faces"
+cmp -s <(grep '^v ' leaves.obj) <(grep '^v ' oriented.obj | head -6) || fail "--orient changes the first points"
+
 # The same seed gives the same bytes, another one another hierarchy.
 expect 0 --output twice.obj
 cmp -s face.obj twice.obj || fail "two runs differ"
