@@ -66,8 +66,7 @@ void Sparse_matrix::merge_row(Index i, boost::iterator_range<const Index*> waiti
     }
     return row[place[column]].second;
   };
-  for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k)
-    at(m_rows->columns[k]) = m_rows->values[k];
+  m_rows->for_each_entry(i, [&](Index column, double value) { at(column) = value; });
   for (const Index k : waiting) {
     const Entry& e = m_waiting[k];
     double& value = at(e.column);

@@ -42,6 +42,14 @@ struct Sparse_rows
 
   Index number_of_rows() const { return Index(first.size() - 1); }
 
+  // Calls f(column, value) for the entries of row i.
+  template <class Function>
+  void for_each_entry(Index i, const Function& f) const
+  {
+    for (Index k = first[i]; k < first[i + 1]; ++k)
+      f(columns[k], values[k]);
+  }
+
   // The product of row i and x.
   template <class Vector>
   typename Vector::value_type row_times(Index i, const Vector& x) const

@@ -66,11 +66,12 @@ public:
     Sparse_matrix result(m_unknowns);
     for (Index i = 0; i < m_coordinates; ++i)
       for_each_in_row(i, [&](Index unknown, double weight) {
-        for (Index k = m_rows.first[i]; k < m_rows.first[i + 1]; ++k)
-          if (const Index j = m_rows.columns[k]; j < m_coordinates)
+        m_rows.for_each_entry(i, [&](Index j, double value) {
+          if (j < m_coordinates)
             for_each_in_row(j, [&](Index other, double other_weight) {
-              result.add_coef(unknown, other, -weight * m_rows.values[k] * other_weight);
+              result.add_coef(unknown, other, -weight * value * other_weight);
             });
+        });
       });
     return result;
   }
@@ -81,9 +82,10 @@ public:
     Vector result(m_unknowns, 0.);
     for (Index i = 0; i < m_coordinates; ++i) {
       double value = -m_right_side[i];
-      for (Index k = m_rows.first[i]; k < m_rows.first[i + 1]; ++k)
-        if (const Index j = m_rows.columns[k]; j < m_coordinates)
-          value += m_rows.values[k] * offset(j);
+      m_rows.for_each_entry(i, [&](Index j, double entry) {
+        if (j < m_coordinates)
+          value += entry * offset(j);
+      });
       for_each_in_row(i, [&](Index unknown, double weight) { result[unknown] += weight * value; });
     }
     return result;
@@ -130,11 +132,11 @@ private:
   {
     std::vector<std::pair<Index, Complex>> terms;
     Complex value(m_right_side[row], m_right_side[row + 1]);
-    for (Index k = m_rows.first[row]; k < m_rows.first[row + 1]; ++k) {
+    m_rows.for_each_entry(row, [&](Index column, double entry) {
       // The first row is the real part: a + i b times u + i v has the real part a u - b v.
-      const bool is_second = m_rows.columns[k] % 2 == 1;
-      const Complex coefficient = is_second ? Complex(0, -m_rows.values[k]) : Complex(m_rows.values[k], 0);
-      const Tie t = tie(m_rows.columns[k] / 2);
+      const bool is_second = column % 2 == 1;
+      const Complex coefficient = is_second ? Complex(0, -entry) : Complex(entry, 0);
+      const Tie t = tie(column / 2);
       value -= coefficient * t.offset;
       const auto term =
           std::find_if(terms.begin(), terms.end(), [&t](const auto& other) { return other.first == t.to; });
@@ -142,7 +144,7 @@ private:
         term->second += coefficient * t.factor;
       else if (t.to != no_index)
         terms.push_back({ t.to, coefficient * t.factor });
-    }
+    });
     terms.erase(std::remove_if(terms.begin(), terms.end(),
                                [](const auto& term) { return std::abs(term.second) <= negligible; }),
                 terms.end());

@@ -70,8 +70,7 @@ inline std::vector<Matrix_entry> entries_of(const Sparse_rows<double>& a)
   std::vector<Matrix_entry> entries;
   entries.reserve(a.values.size());
   for (Index i = 0; i < a.number_of_rows(); ++i)
-    for (Index k = a.first[i]; k < a.first[i + 1]; ++k)
-      entries.push_back({ i, a.columns[k], a.values[k] });
+    a.for_each_entry(i, [&](Index column, double value) { entries.push_back({ i, column, value }); });
   return entries;
 }
 

@@ -36,8 +36,7 @@ public:
   template <class Function>
   void for_each_entry(Index i, const Function& f) const
   {
-    for (Index k = m_matrix.first[i]; k < m_matrix.first[i + 1]; ++k)
-      f(m_matrix.columns[k], m_matrix.values[k]);
+    m_matrix.for_each_entry(i, f);
   }
 
   // Row i of A x
@@ -86,10 +85,16 @@ public:
 
 private:
   template <class Vector>
-  typename Vector::value_type lower_times(Index i, const Vector& x) const { return factors_times(m_matrix.first[i], m_first_upper[i], x); }
+  typename Vector::value_type lower_times(Index i, const Vector& x) const
+  {
+    return factors_times(m_matrix.first[i], m_first_upper[i], x);
+  }
 
   template <class Vector>
-  typename Vector::value_type upper_times(Index i, const Vector& x) const { return factors_times(m_first_upper[i], m_matrix.first[i + 1], x); }
+  typename Vector::value_type upper_times(Index i, const Vector& x) const
+  {
+    return factors_times(m_first_upper[i], m_matrix.first[i + 1], x);
+  }
 
   template <class Vector>
   typename Vector::value_type factors_times(Index begin, Index end, const Vector& x) const

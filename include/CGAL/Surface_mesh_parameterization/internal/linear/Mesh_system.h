@@ -65,10 +65,10 @@ public:
     Sparse_row row;
     for (const Index i : m_free) {
       row.clear();
-      for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k)
-        if (const Index column = number[m_rows->columns[k]];
-            column != no_index && std::abs(m_rows->values[k] * m_inverse_diagonal[i]) > negligible)
-          row.push_back({ column, row_scale(i) * m_free_part_scale * m_rows->values[k] });
+      m_rows->for_each_entry(i, [&](Index j, double value) {
+        if (number[j] != no_index && std::abs(value * m_inverse_diagonal[i]) > negligible)
+          row.push_back({ number[j], row_scale(i) * m_free_part_scale * value });
+      });
       if (!keeps_order)
         std::sort(row.begin(), row.end());
       result.append(row);
@@ -130,11 +130,11 @@ public:
     Value errors = Value::zero(), sizes = Value::zero();
     for (Index i = 0; i < size(); ++i) {
       Value error = b[i], size = abs(error);
-      for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k) {
-        const Value term = m_rows->values[k] * x[m_rows->columns[k]];
+      m_rows->for_each_entry(i, [&](Index column, double value) {
+        const Value term = value * x[column];
         error -= term;
         size += abs(term);
-      }
+      });
       error = m_inverse_diagonal[i] * error;
       size = m_inverse_diagonal[i] * size;
       errors += error * error;
@@ -162,11 +162,12 @@ private:
     m_is_fixed.assign(size(), true);
     for (Index i = 0; i < size(); ++i) {
       double inverse = 0;
-      for (Index k = m_rows->first[i]; k < m_rows->first[i + 1]; ++k)
-        if (m_rows->columns[k] == i)
-          inverse = 1 / m_rows->values[k];
-        else if (m_rows->values[k] != 0)
+      m_rows->for_each_entry(i, [&](Index column, double value) {
+        if (column == i)
+          inverse = 1 / value;
+        else if (value != 0)
           m_is_fixed[i] = false;
+      });
       if (std::isfinite(inverse) && inverse != 0)
         m_inverse_diagonal[i] = inverse;
       else

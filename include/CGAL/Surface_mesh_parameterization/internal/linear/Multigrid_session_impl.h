@@ -93,11 +93,12 @@ bool Multigrid_session::suits_multigrid(const Sparse_rows<double>& rows) const
     return true;
   for (Index i = 0; i < rows.number_of_rows(); ++i) {
     double diagonal = 0, sum = 0;
-    for (Index k = rows.first[i]; k < rows.first[i + 1]; ++k)
-      if (rows.columns[k] == i)
-        diagonal = rows.values[k];
+    rows.for_each_entry(i, [&](Index column, double value) {
+      if (column == i)
+        diagonal = value;
       else
-        sum += std::abs(rows.values[k]);
+        sum += std::abs(value);
+    });
     if (sum != 0 && !(sum <= m_options.greatest_row_sum * diagonal))
       return false;
   }

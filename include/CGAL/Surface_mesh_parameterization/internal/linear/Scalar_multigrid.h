@@ -180,11 +180,10 @@ public:
 private:
   static bool has_positive_entries(const Sparse_rows<Real>& matrix)      // beside the diagonal
   {
-    for (Index i = 0; i < matrix.number_of_rows(); ++i)
-      for (Index k = matrix.first[i]; k < matrix.first[i + 1]; ++k)
-        if (matrix.columns[k] != i && matrix.values[k] > 0)
-          return true;
-    return false;
+    bool result = false;
+    for (Index i = 0; i < matrix.number_of_rows() && !result; ++i)
+      matrix.for_each_entry(i, [&](Index column, Real value) { result = result || (column != i && value > 0); });
+    return result;
   }
 
   void factorize_coarsest()

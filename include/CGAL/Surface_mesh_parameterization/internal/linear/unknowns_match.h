@@ -27,10 +27,9 @@ inline bool unknowns_match(const Hierarchy_interpolation& hierarchy, const Spars
     if (unknown.vertex != no_index)
       has_unknown[unknown.vertex] = true;
   const auto has_entry = [&rows](Index row, const auto& is_it) {
-    for (Index k = rows.first[row]; k < rows.first[row + 1]; ++k)
-      if (is_it(rows.columns[k], rows.values[k]))
-        return true;
-    return false;
+    bool result = false;
+    rows.for_each_entry(row, [&](Index column, double value) { result = result || is_it(column, value); });
+    return result;
   };
   const std::size_t levels = hierarchy.number_of_levels();
   const std::size_t coarse_vertices = hierarchy.number_of_vertices(levels < 2 ? 0 : levels - 2);

@@ -46,8 +46,9 @@ public:
   {
     constexpr bool is_new = true;
     for (int i = 0; i < m_size; ++i)
-      for (Index k = rows.first[i]; k < rows.first[i + 1]; ++k)
-        m_matrix.set_coef(i, int(rows.columns[k]), rows.values[k], is_new);
+      rows.for_each_entry(Index(i), [&](Index column, double value) {
+        m_matrix.set_coef(i, int(column), value, is_new);
+      });
   }
 
   void solve(const double* b, double* x, int number_of_right_sides) const override
