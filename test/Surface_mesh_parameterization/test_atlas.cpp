@@ -113,6 +113,18 @@ TEST(Cut_to_disk, bounds_the_distortion_by_branches)
   }
 }
 
+// After the first cut, every vertex that is left lies next to the border.
+TEST(Cut_to_disk, bounds_the_distortion_of_surfaces_of_few_triangles)
+{
+  constexpr double bound = 4.5;
+  for (const Flat_mesh& m : { tetrahedron(), box(1, 1, 1), box(1, 1, 10), box(1, 2, 3) }) {
+    Surface surface(m);
+    const Cut_summary cut = cut_to_disk(surface.mesh, surface.seams, parameters::distortion_bound(bound));
+    EXPECT_LE(cut.components[0].distortion, bound);
+    EXPECT_GT(cut.components[0].branches, 0u);
+  }
+}
+
 TEST(Cut_to_disk, cuts_disks_only_where_it_is_asked_to)
 {
   Surface disk(grid_with_holes(20));

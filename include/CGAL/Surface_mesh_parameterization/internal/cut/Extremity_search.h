@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Shortest_paths.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/seam_paths.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/vertex_order.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
@@ -70,14 +71,19 @@ inline Sample coarsest_level(const Collapse_hierarchy_3& hierarchy)
   return sample;
 }
 
-// By how much Tutte's map shrinks the surface around a vertex, most at the tips of long limbs; -1 at a vertex on a
-// border or next to one.
-inline double shrinkage(const Level& level, const Level::Uv& uv, Index v)
+inline bool is_next_to_border(const Level& level, Index v)
 {
   const Level::Ring ring = level.one_ring(v);
-  const auto is_border = [&](Index w) { return level.rings().is_border(w); };
-  if (is_border(v) || std::any_of(ring.begin(), ring.end(), is_border))
+  return std::any_of(ring.begin(), ring.end(), [&](Index w) { return level.rings().is_border(w); });
+}
+
+// By how much Tutte's map shrinks the surface around a vertex, most at the tips of long limbs; -1 at a vertex on a
+// border.
+inline double shrinkage(const Level& level, const Level::Uv& uv, Index v)
+{
+  if (level.rings().is_border(v))
     return -1;
+  const Level::Ring ring = level.one_ring(v);
   double area = 0, image_area = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
@@ -104,7 +110,7 @@ class Extremity_search
 {
 public:
   Extremity_search(Sample sample, const Cut_options& options)
-    : m_options(options), m_state{ std::move(sample), {}, {}, {}, 0 }
+    : m_options(options), m_state{ std::move(sample), {}, {}, {}, {}, 0 }
   {
     m_state.is_tried.assign(m_state.sample.mesh.number_of_vertices(), false);
     measure(m_state);
@@ -140,6 +146,7 @@ private:
     Sample sample;
     std::vector<bool> is_tried;           // by vertex: whether a branch from about there gained too little
     std::vector<double> shrinkage;        // by vertex
+    std::vector<bool> is_next_to_border;  // by vertex
     std::vector<Point_2> uv;              // by vertex: a map of little distortion; none if it is not known
     double distortion;
   };
@@ -155,32 +162,36 @@ private:
     state.distortion = (std::numeric_limits<double>::infinity)();
     if (compute_Tutte_embedding(level, uv) == ERROR_CANNOT_SOLVE_LINEAR_SYSTEM)
       return;
-    for (Index v = 0; v < n; ++v)
+    state.is_next_to_border.assign(n, false);
+    for (Index v = 0; v < n; ++v) {
       state.shrinkage[hierarchy.input_vertex(v)] = internal::shrinkage(level, uv, v);
+      state.is_next_to_border[hierarchy.input_vertex(v)] = internal::is_next_to_border(level, v);
+    }
 
     const Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, Triangle_weight::AREA);
     if (!state.uv.empty())
-      for (Index v = 0; v < n; ++v)
-        uv[v] = state.uv[hierarchy.input_vertex(v)];
+      uv = by_rank(hierarchy, state.uv);
     else {
       scale_to_area(level, false, uv);
       if (choose_first_map(energy, Refinement_options(), uv) != OK)
         return;
     }
     state.distortion = least_distortion(energy, uv);
-    state.uv.resize(n);
-    for (Index v = 0; v < n; ++v)
-      state.uv[hierarchy.input_vertex(v)] = uv[v];
+    state.uv = in_input_order(hierarchy, uv);
     if (!std::isfinite(state.distortion))
       state.uv.clear();
   }
 
+  // The vertex that is shrunk most. One next to the border only where there is no other, as on a surface of few vertices.
   Index candidate() const
   {
+    const auto is_worse = [this](Index v, Index w) {
+      const bool is_inner_v = !m_state.is_next_to_border[v], is_inner_w = !m_state.is_next_to_border[w];
+      return std::make_pair(is_inner_v, m_state.shrinkage[v]) < std::make_pair(is_inner_w, m_state.shrinkage[w]);
+    };
     Index result = no_index;
     for (Index v = 0; v < m_state.shrinkage.size(); ++v)
-      if (m_state.shrinkage[v] >= 0 && !m_state.is_tried[v] &&
-          (result == no_index || m_state.shrinkage[v] > m_state.shrinkage[result]))
+      if (m_state.shrinkage[v] >= 0 && !m_state.is_tried[v] && (result == no_index || is_worse(result, v)))
         result = v;
     return result;
   }
@@ -188,7 +199,7 @@ private:
   // The sample, cut from a vertex to the border.
   State with_branch(Index tip) const
   {
-    State result{ m_state.sample, {}, {}, {}, 0 };
+    State result{ m_state.sample, {}, {}, {}, {}, 0 };
     Shortest_paths paths(m_state.sample.mesh);
     paths.add_sources(border_places(paths));
     const std::vector<Index> old_vertices = sever(result.sample.mesh, paths.path_to(paths.place(tip)));
