@@ -21,7 +21,8 @@ public:
   /// \return whether the run may go on
   bool hierarchy_built(const CGAL::Surface_mesh_parameterization::Collapse_hierarchy_3& hierarchy);
 
-  /// called after each level's refinement, from the coarsest to the finest.
+  /// called after each level's refinement, from the coarsest to the finest. With `globally_injective`, levels from one
+  /// on, where the borders first met, may come a second time.
   ///
   /// \param level the level
   /// \param uv its map, by rank, in units of `level.point()`

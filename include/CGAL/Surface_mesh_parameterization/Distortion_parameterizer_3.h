@@ -129,6 +129,8 @@ public:
     if constexpr (Energy::is_scale_invariant)
       if (m_bounds_scale) {
         const Error_code status = minimize(internal::Scale_bounded_energy_2<Energy>{ m_energy }, level, uv, summary);
+        const auto energy = level_energy(level, m_energy);
+        summary.energy_end = energy(uv) / energy.unit();
         summary.converged = false;
         return status;
       }

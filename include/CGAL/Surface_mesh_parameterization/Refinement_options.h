@@ -46,8 +46,8 @@ struct Refinement_options
   /// A tolerance that is negative or no number makes a method return `ERROR_WRONG_PARAMETER`
   double tolerance = 1e-6;
 
-  /// named parameter `number_of_iterations`: the most iterations on a level: Newton steps, or sweeps (of as many visits
-  /// as there are vertices)
+  /// named parameter `number_of_iterations`: the most iterations on a level, from each start: Newton steps, or sweeps
+  /// (of as many visits as there are vertices)
   std::size_t number_of_iterations = 200;
 
   /// named parameter `number_of_local_steps`: if it is not 0, every level gets exactly this number of random vertex

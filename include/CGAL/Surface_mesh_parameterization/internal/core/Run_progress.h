@@ -79,6 +79,9 @@ public:
     return tell(of_stage.iterations, of_stage.energy, of_stage.part_done);
   }
 
+  // Ends the run, as the listener may.
+  void stop() { m_is_stopped = true; }
+
   // Tells the same as the last time, within a long iteration.
   bool tell_again() { return tell(m_now.iterations, m_now.energy, 0); }
 

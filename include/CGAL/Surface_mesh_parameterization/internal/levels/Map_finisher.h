@@ -22,7 +22,7 @@ public:
                Parameterization_summary& summary);
 
   // Is told the map of the finest level that the method is about to refine, which may have to be refined another way.
-  void start(const Level::Uv& uv);
+  void remember_start(const Level::Uv& uv);
 
   Error_code finish(const Level& level, Level::Uv& uv);
 

@@ -24,7 +24,7 @@ Map_finisher::Map_finisher(Refinable_method& method, const Nested_iteration_opti
 { }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void Map_finisher::start(const Level::Uv& uv)
+void Map_finisher::remember_start(const Level::Uv& uv)
 {
   if (m_options.flips.policy == Flip_policy::REPAIR && m_method.has_other_way())
     m_map_before = uv;

@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_NESTED_ITERATION_ATTEMPTS_IMPL_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/vertex_order.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_attempts.h>
 
@@ -48,14 +49,16 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
     m_summary.seconds_parameterize = seconds_parameterize = timer.time() - seconds_hierarchy;
     m_summary.converged = m_summary.converged && status == OK;
     if (status == OK) {
-      uv.resize(uv_by_rank.size());
-      for (Index rank = 0; rank < uv.size(); ++rank)
-        uv[hierarchy.input_vertex(rank)] = uv_by_rank[rank];
+      uv = in_input_order(hierarchy, uv_by_rank);
       return OK;
     }
-    if (status != ERROR_NO_1_TO_1_MAPPING ||
-        !(find_start_at_scale_of_places(hierarchy) || (!attempt.is_finished() && can_try_another_way(hierarchy))))
-      return m_progress.is_stopped() ? m_summary.error.code = ERROR_STOPPED : status;
+    const bool has_another_way =
+        status == ERROR_NO_1_TO_1_MAPPING && !m_progress.is_stopped() &&
+        (find_start_at_scale_of_places(hierarchy) || (!attempt.is_finished() && can_try_another_way(hierarchy)));
+    if (m_progress.is_stopped())
+      m_summary.error.code = ERROR_STOPPED;
+    if (!has_another_way || m_progress.is_stopped())
+      return m_summary.error.code;
     surface = input_surface(hierarchy);
   }
 }
@@ -89,11 +92,10 @@ bool Nested_iteration_attempts::find_start_at_scale_of_places(const Collapse_hie
   const Collapse_hierarchy_3 scaled(std::move(surface), m_options.hierarchy, m_method.loops());
   Parameterization_summary summary;
   Level::Uv uv;
-  if (Nested_iteration(m_method, m_options, m_visitor, m_progress, summary).run(scaled, {}, uv) != OK)
+  // A visitor is not told of these levels, whose points and places have no common unit.
+  if (Nested_iteration(m_method, m_options, nullptr, m_progress, summary).run(scaled, {}, uv) != OK)
     return false;
-  m_start.resize(uv.size());
-  for (Index rank = 0; rank < uv.size(); ++rank)
-    m_start[scaled.input_vertex(rank)] = uv[rank];
+  m_start = in_input_order(scaled, uv);
   return true;
 }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/vertex_order.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/starting_map.h>
@@ -31,7 +32,9 @@ Nested_iteration::Nested_iteration(Refinable_method& method, const Nested_iterat
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::run(const Collapse_hierarchy_3& hierarchy, std::vector<Point_2> start, Level::Uv& uv)
 {
-  if (m_progress.is_stopped() || (m_visitor && !m_visitor->hierarchy_built(hierarchy)))
+  if (!m_progress.is_stopped() && m_visitor && !m_visitor->hierarchy_built(hierarchy))
+    m_progress.stop();
+  if (m_progress.is_stopped())
     return ERROR_STOPPED;
 
   Level level(hierarchy, 0, m_method.loops(), &m_progress);
@@ -112,8 +115,7 @@ Error_code Nested_iteration::refine_start(Level& level, std::vector<Point_2> sta
   m_timer_of_level.reset();
   level.go_to(level.hierarchy().number_of_levels() - 1);
   start_stage(level);
-  for (Index rank = 0; rank < level.number_of_vertices(); ++rank)
-    uv.push_back(start[level.hierarchy().input_vertex(rank)]);
+  uv = by_rank(level.hierarchy(), start);
   start = std::vector<Point_2>();
   if (is_free(level) && !bring_to_scale(level, m_must_keep_apart, uv))
     return ERROR_NO_1_TO_1_MAPPING;
@@ -137,7 +139,7 @@ Error_code Nested_iteration::refine(const Level& level, Level::Uv& uv)
   summary.vertices = level.number_of_vertices();
   summary.faces = level.number_of_faces();
   if (level.is_finest())
-    m_finisher.start(uv);
+    m_finisher.remember_start(uv);
   const Error_code status = m_method.refine(level, uv, summary);
   summary.seconds = m_timer_of_level.time();
   if (m_progress.is_stopped() || (status == OK && !level.progressed(summary, 1)))
@@ -148,7 +150,9 @@ Error_code Nested_iteration::refine(const Level& level, Level::Uv& uv)
     m_map_apart = uv;
     m_level_apart = level.index();
   }
-  return !m_visitor || m_visitor->level_parameterized(level, uv, summary) ? OK : ERROR_STOPPED;
+  if (m_visitor && !m_visitor->level_parameterized(level, uv, summary))
+    m_progress.stop();
+  return m_progress.is_stopped() ? ERROR_STOPPED : OK;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -34,7 +34,7 @@ struct Flip_settlement
 {
   Flip_policy policy = Flip_policy::FAIL;
   decltype(&repair_map) repair = nullptr;
-  bool may_give_up = false;       // the repair
+  bool may_give_up = false;       // whether the repair may fail early, since another method can take its place
 };
 
 // As named parameters say, or else a repair of maps that may have flips.

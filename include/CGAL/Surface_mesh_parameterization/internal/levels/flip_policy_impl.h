@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/vertex_order.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Map_repair.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Patch_repair.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
@@ -93,13 +94,10 @@ inline Error_code repair_by_hierarchy(const Triangulated_surface_3& surface, con
                                       std::vector<Point_2>& uv)
 {
   const Collapse_hierarchy_3 hierarchy(surface, options, Loops());
-  std::vector<Point_2> map(uv.size()), repaired;
-  for (Index rank = 0; rank < map.size(); ++rank)
-    map[rank] = uv[hierarchy.input_vertex(rank)];
-  const Error_code status = Map_repair(hierarchy, map).run(repaired);
+  std::vector<Point_2> repaired;
+  const Error_code status = Map_repair(hierarchy, by_rank(hierarchy, uv)).run(repaired);
   if (status == OK)
-    for (Index rank = 0; rank < map.size(); ++rank)
-      uv[hierarchy.input_vertex(rank)] = repaired[rank];
+    uv = in_input_order(hierarchy, repaired);
   return status;
 }
 

@@ -132,6 +132,7 @@ inline Error_code minimize_from(const Level_energy& energy, Level::Uv& uv, const
   const bool borders_must_not_meet = options.is_globally_injective;
   if (!borders_must_not_meet)
     return refine_map(energy, uv, options, summary);
+  summary.energy_start = energy(uv) / energy.unit();
   if (!separate_borders(energy.level(), uv))
     return ERROR_NO_1_TO_1_MAPPING;
   const Level::Uv start = uv;
@@ -214,19 +215,20 @@ inline void start_again(const Level_energy& energy, Level::Uv start, Level::Uv& 
   const double value = energy(uv);
   if (status == OK && !is_small(energy.level()) && !(energy(start) < value))
     return;
-  Level_summary other_summary;
-  const Error_code other_status = minimize_from(energy, start, options, other_summary);
+  const Level_summary before = summary;
+  summary.converged = false;
+  const Error_code other_status = minimize_from(energy, start, options, summary);
+  const bool is_better = other_status == OK && !(status == OK && !(energy(start) < value));
+  summary.energy_start = before.energy_start;
   if (other_status == ERROR_STOPPED)
     status = ERROR_STOPPED;
-  if (other_status != OK || (status == OK && !(energy(start) < value)))
-    return;
-  uv.swap(start);
-  summary.iterations += other_summary.iterations;
-  summary.cycles += other_summary.cycles;
-  summary.vertex_visits += other_summary.vertex_visits;
-  summary.energy_end = other_summary.energy_end;
-  summary.converged = other_summary.converged;
-  status = OK;
+  if (is_better) {
+    uv.swap(start);
+    status = OK;
+  } else {
+    summary.energy_end = before.energy_end;
+    summary.converged = before.converged;
+  }
 }
 
 // What coarse levels decide may be wrong where they have little in common with the surface. So a bad result is compared
@@ -262,8 +264,10 @@ Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, L
   const double value = summary.energy_end * energy.unit();
   if (level.is_finest() && (status != OK || (!is_experiment && is_far_above_minimum(energy, value))))
     start_again_from_first_map(energy, uv, options, summary, status);
-  if (status == OK && scales_to_area)
+  if (status == OK && scales_to_area) {
     scale_to_area(level, options.is_globally_injective, uv);
+    summary.energy_end = energy(uv) / energy.unit();      // rounding may matter in tiny triangles
+  }
   return status;
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Decreases.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
@@ -21,7 +22,6 @@
 #include <limits>
 #include <memory>
 #include <random>
-#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -183,7 +183,7 @@ private:
     Newton_method newton(m_energy, m_barrier.get(), m_options.newton);
     newton.fix_vertices(fixed_vertices(m_level));
     relaxation.set_turn_barrier(newton.turn_barrier());
-    std::vector<double> decreases;      // by the last steps, all of them regular
+    Decreases decreases(m_options.sudden_fall);
     while (!m_is_stopped && iterations() < m_refinement.number_of_iterations && !m_summary.converged) {
       const double negligible =
           m_energy.is_flip_free() ? m_options.negligible_part * m_refinement.tolerance * excess() : 0;
@@ -195,15 +195,16 @@ private:
       ++m_summary.iterations;
       m_summary.cycles += step.cycles;
       const double before_sweep = m_current;
-      if (step.length < m_options.short_step || !is_little(step.decrease, m_options.great_decrease))
+      if (wants_sweep(step, decreases.last()))
         sweep(relaxation);
       const double decrease = step.decrease + step.slack + (before_sweep - m_current);
-      if (is_regular(step))
-        decreases.push_back(decrease);
-      else
-        decreases.clear();
-      m_summary.converged = is_little(decrease, least_decrease) || remainder_of(decreases) <= least_decrease * excess();
+      decreases.add(decrease, is_regular(step));
+      const bool has_arrived = (is_little(decrease, least_decrease) && !decreases.is_sudden()) ||
+                               decreases.remainder() <= least_decrease * excess();
+      m_summary.converged = has_arrived && (has_barrier(newton) || !is_stuck(step, least_decrease));
       tell(part_done(decrease, least_decrease));
+      if (has_arrived)
+        break;
     }
     if (m_summary.converged && asks_for_last_digits() && !has_barrier(newton))
       take_last_steps(newton);
@@ -238,13 +239,20 @@ private:
            step.decrease > m_options.newton.least_part_of_prediction * step.predicted;
   }
 
-  // What the energy will fall yet if the last three decreases are the start of a geometric series.
-  static double remainder_of(const std::vector<double>& decreases)
+  // Whether what holds up a step, or makes it slow, may be in small places. Energies that do not keep triangles positive
+  // converge slowly all over.
+  bool wants_sweep(const Newton_method::Step& step, double last_decrease) const
   {
-    if (decreases.size() < 3)
-      return (std::numeric_limits<double>::infinity)();
-    const double last = decreases.back(), ratio = std::sqrt(last / decreases[decreases.size() - 3]);
-    return ratio < 1 ? last * ratio / (1 - ratio) : (std::numeric_limits<double>::infinity)();
+    const bool is_slow = m_energy.is_flip_free() && last_decrease > 0 &&
+                         step.decrease > m_options.slow_convergence * last_decrease;
+    return is_slow || step.length < m_options.short_step || !is_little(step.decrease, m_options.great_decrease);
+  }
+
+  // Whether no step was possible although there is more to be gained, as far as is known. At a barrier that is no
+  // wonder.
+  bool is_stuck(const Newton_method::Step& step, double least_decrease) const
+  {
+    return step.length == 0 && !(step.predicted + step.missed <= little(least_decrease));
   }
 
   // A part of the excess energy.

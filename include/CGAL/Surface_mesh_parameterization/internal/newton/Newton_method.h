@@ -34,6 +34,7 @@ public:
     double length = 0;            // 1 for the whole step; greater where that did not go far enough
     std::size_t cycles = 0;       // of multigrid
     double slack = 0;             // a bound of what the barrier at the full turn costs
+    double missed = 0;            // what the model could be lowered by at least, where its minimum was not found
   };
 
   // `barrier`, if there is one, keeps the borders apart; its energy is minimized along with the level's.
@@ -156,12 +157,16 @@ private:
   // Computes the moves of a step, and what the model promises. Returns whether they lower the energy.
   bool find_direction(const Level::Uv& uv, Step& result)
   {
-    if (!m_system.assemble(uv, m_contacts))
+    if (!m_system.assemble(uv, m_contacts)) {
+      result.missed = (std::numeric_limits<double>::infinity)();
       return false;
+    }
     result.cycles = m_system.solve(m_accuracy);
     if (m_trial.size() == uv.size())
       m_system.add_previous_step(m_trial, uv);      // from the map before the last step, or the last trial of none
     result.predicted = m_system.predicted_decrease();
+    if (!(result.predicted > 0))
+      result.missed = m_system.decrease_by_relaxation();
     return result.predicted > 0;
   }
 

@@ -138,6 +138,9 @@ public:
   // By how much the last solution lowers the model, as the minimum along its direction.
   double predicted_decrease() const { return 0.5 * m_product_with_right_side; }
 
+  // By how much a step against the gradient would lower the model, about, if there is no solution.
+  double decrease_by_relaxation() const { return 0.5 * inner_product(m_level.loops(), m_residual, m_residual); }
+
   // Where the last solution moves the vertices. It is overwritten by the next one.
   const Block_vectors& moves()
   {

@@ -35,13 +35,13 @@ inline void discrete_exponential_map(const Point_3& v, const std::vector<Point_3
       total += angle;
   }
 
-  const bool is_flat = total > 0;
-  const double scale = !is_flat ? 0 : is_closed ? full_turn / total : (std::min)(1., most_of_a_turn / total);
+  const bool has_angles = total > 0;
+  const double scale = !has_angles ? 0 : is_closed ? full_turn / total : (std::min)(1., most_of_a_turn / total);
   double direction = 0;
   for (Vector_2& w : flat_ring) {
     const double length = w.x(), angle = w.y();
     w = Vector_2(length * std::cos(direction), length * std::sin(direction));
-    direction += is_flat ? scale * angle : (is_closed ? full_turn : CGAL_PI) / double(number_of_angles);
+    direction += has_angles ? scale * angle : (is_closed ? full_turn : CGAL_PI) / double(number_of_angles);
   }
 }
 

@@ -10,7 +10,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Whether an energy is finite wherever triangles are positive. Others may overflow.
+// Whether an energy is finite wherever triangles are positive, unless the scale of the map varies by as much as doubles
+// can. Others may overflow before.
 template <class Energy>
 inline constexpr bool is_finite_energy = false;
 

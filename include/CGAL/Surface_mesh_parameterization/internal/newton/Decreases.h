@@ -1,0 +1,57 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_DECREASES_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_DECREASES_H
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// By how much the steps of an iteration have lowered the energy, and what that tells of the steps to come.
+class Decreases
+{
+public:
+  // A decrease is sudden if it is less than this part of the one before.
+  explicit Decreases(double sudden_fall) : m_sudden_fall(sudden_fall) { }
+
+  // `is_regular`: whether the step tells how the iteration converges.
+  void add(double decrease, bool is_regular)
+  {
+    m_is_sudden = decrease < m_sudden_fall * std::exchange(m_last, decrease);
+    if (is_regular)
+      m_regular.push_back(decrease);
+    else
+      m_regular.clear();
+  }
+
+  // 0 before the first step.
+  double last() const { return m_last; }
+
+  // Whether the last step has suddenly gained nothing, which tells of that step rather than of the map.
+  bool is_sudden() const { return m_is_sudden; }
+
+  // What the energy will fall yet if it goes on as by the last three steps: if each gains at most the same part of what
+  // the one before did. Infinite if they are not regular, or gain more and more.
+  double remainder() const
+  {
+    const std::size_t n = m_regular.size();
+    if (n < 3)
+      return (std::numeric_limits<double>::infinity)();
+    const double ratio = (std::max)(m_regular[n - 1] / m_regular[n - 2], m_regular[n - 2] / m_regular[n - 3]);
+    return ratio < 1 ? m_regular[n - 1] * ratio / (1 - ratio) : (std::numeric_limits<double>::infinity)();
+  }
+
+private:
+  double m_sudden_fall, m_last = 0;
+  bool m_is_sudden = false;
+  std::vector<double> m_regular;      // the last ones, all of them regular
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_DECREASES_H
