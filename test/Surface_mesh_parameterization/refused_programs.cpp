@@ -411,6 +411,14 @@ auto wrong()
 }
 #endif
 
+#ifdef SUMMARY_FOR_CHARTS // the named parameter 'summary' has no effect on charts
+#include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
+auto wrong(Mesh& m, Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv, SMP::Parameterization_summary& summary)
+{
+  return SMP::atlas_parameterization(m, uv, np::default_values(), np::summary(std::ref(summary)));
+}
+#endif
+
 #ifdef OPTION_OF_CGAL // a named parameter of CGAL's has no effect here
 auto wrong(Mesh& m, UV_map uv)
 {

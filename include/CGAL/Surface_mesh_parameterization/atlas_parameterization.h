@@ -152,9 +152,9 @@ typedef Joined_names<Joined_names<Cut_names, Pack_names>,
 ///   divided where a short cut lets boxes around both sides become smaller. Up to 50 cuts are tried, and the best
 ///   division is taken, which need not reach the value; 0.7 is within reach of most surfaces. The map of a part
 ///   remains. More than 200 charts are not divided. Default: 0, no division
-/// \param np_of_charts those of `hierarchical_parameterization()`, for every chart. A `visitor` is told of one chart
-///        after the other, with `CGAL::Parallel_tag` of several at the same time, in their threads; if it stops one,
-///        no other one begins, and there is no atlas
+/// \param np_of_charts those of `hierarchical_parameterization()` except `summary`, for every chart. A `visitor` is
+///        told of one chart after the other, with `CGAL::Parallel_tag` of several at the same time, in their threads;
+///        if it stops one, no other one begins, and there is no atlas
 ///
 /// \return what was done, with the first error
 template <template <class...> class Method = Symmetric_Dirichlet_parameterizer_3, class ConcurrencyTag = Sequential_tag,
@@ -169,6 +169,8 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
                            internal::Halfedge_uv_map_check<HalfedgeUVMap, TriangleMesh>>   Check;
   if constexpr (Check::value) {
     internal::assert_names<internal::Atlas_names>(np);
+    static_assert(parameters::is_default_parameter<Chart_parameters, internal_np::summary_t>::value,
+                  "the named parameter 'summary' has no effect on charts: what is returned has the summary of each");
     typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor   edge_descriptor;
     CGAL::Real_timer timer;
     timer.start();
