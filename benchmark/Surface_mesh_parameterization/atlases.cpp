@@ -128,7 +128,7 @@ void run(int argc, char* argv[])
      "numbers of handles of generated meshes")
     ("least-used-part", po::value<double>()->default_value(0), "divide charts until they cover this part of the square");
   const po::variables_map values =
-      parse(argc, argv, options, "atlases [MESH.off ...] [--components N]... [--handles N]...");
+      parse(argc, argv, options, "atlases [MESH.off ...] [--components N]... [--handles N]... [--least-used-part P]");
   const auto files = values["mesh"].as<std::vector<std::string>>();
 
   const double least_used_part = values["least-used-part"].as<double>();

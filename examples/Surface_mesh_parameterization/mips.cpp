@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -36,7 +37,7 @@ int main(int argc, char** argv)
   SMP::Hierarchical_parameterizer_3<SMP::MIPS_parameterizer_3<Mesh>> mips;
   const SMP::Error_code status = SMP::parameterize(mesh, mips, border, uvmap);
   if (status != SMP::OK) {
-    std::cerr << "could not be parameterized: error " << status << '\n';
+    std::cerr << "could not be parameterized: " << SMP::error_message(status) << '\n';
     return 1;
   }
 

@@ -6,7 +6,10 @@
 // and those with handles. Without INPUT, a face.
 
 #include "Checker_board.h"
+#include "File_place.h"
+#include "errors.h"
 #include "example_utilities.h"
+#include "has_suffix.h"
 #include "write_file.h"
 
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
@@ -40,8 +43,20 @@ void write_files(const std::string& name, const Mesh& mesh, Corner_uv_map uv, co
   write_file(texture.string(), [&](std::ostream& out) { write_TGA(out, board, pixels); });
 }
 
+// The other files are named after this one.
+std::string output_name(const Arguments& arguments)
+{
+  const std::string name = arguments.text("output", "texture_mapping.obj");
+  if (!has_suffix(name, ".obj"))
+    throw Usage_error{ "--output must be named .obj" };
+  if (!arguments.input().empty() && is_same_file(output_place(name), input_place(arguments.input())))
+    throw Usage_error{ "--output: '" + name + "' is the input" };
+  return name;
+}
+
 void run(const Arguments& arguments)
 {
+  const std::string output = output_name(arguments);
   const std::size_t squares = arguments.number<std::size_t>("squares", 40, 1, 1024);
   Mesh mesh = read_mesh_or(arguments, built_in_face);
 
@@ -52,7 +67,7 @@ void run(const Arguments& arguments)
 
   std::printf("%zu charts, %zu seam edges, %.0f %% of the texture used\n", atlas.charts.size(), atlas.cut.seam_edges,
               100 * atlas.used_part);
-  write_files(arguments.text("output", "texture_mapping.obj"), mesh, uv, Checker_board{ squares, squares });
+  write_files(output, mesh, uv, Checker_board{ squares, squares });
 }
 
 } // namespace

@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -33,6 +34,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace {
@@ -63,6 +65,29 @@ std::string replaced_maps_text(const Run_record& run)
   return "the maps of " + std::to_string(replaced) + " of " + std::to_string(charts.size()) + " charts";
 }
 
+// What the repair of flips did; a map that another method made tells it by itself.
+std::string repair_text(const SMP::Parameterization_summary& summary)
+{
+  return summary.moved_vertices == 0 || summary.is_replaced
+             ? ""
+             : std::to_string(summary.flips) + " flips repaired by moving " + std::to_string(summary.moved_vertices) +
+                   " vertices, ";
+}
+
+// Tells what the user may not expect of the map.
+void print_warnings(const Input& input, const Options& options, const Run_record& run)
+{
+  constexpr double great_part = 0.1;
+  const std::string name = one_line(input.name);
+  if (run.summary.is_replaced)
+    std::cerr << name << ": " << replaced_maps_text(run) << " of " << options.method->name
+              << " had flips whose repair would leave little of it; a method without flips made "
+              << (run.atlas ? "others\n" : "this one\n");
+  else if (double(run.summary.moved_vertices) > great_part * double(input.mesh.number_of_vertices()))
+    std::cerr << name << ": to repair the flips of " << options.method->name << ", " << run.summary.moved_vertices
+              << " of " << input.mesh.number_of_vertices() << " vertices were moved: little of its map is left\n";
+}
+
 void print_summary(const Input& input, const Options& options, const Run_record& run)
 {
   const std::string name = one_line(input.name);
@@ -73,19 +98,16 @@ void print_summary(const Input& input, const Options& options, const Run_record&
               << (options.is_stitched || options.is_oriented
                       ? "still coincide with those of others; --stitch joins two at an edge, of one orientation\n"
                       : "coincide with those of others; --stitch joins them\n");
-  if (run.summary.is_replaced)
-    std::cerr << name << ": " << replaced_maps_text(run) << " of " << options.method->name
-              << " had flips whose repair would leave little of it; a method without flips made "
-              << (run.atlas ? "others\n" : "this one\n");
+  print_warnings(input, options, run);
   const std::string levels = run.summary.levels.empty() || run.atlas
                                  ? ""
                                  : std::to_string(run.summary.levels.size()) +
                                        (run.summary.levels.size() == 1 ? " level, " : " levels, ");
   std::fprintf(is_standard_output_taken(options) ? stderr : stdout,
-               "%s: %zu triangle%s, %s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %zu "
+               "%s: %zu triangle%s, %s%s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %zu "
                "overlapping pairs, %.3f s\n",
                name.c_str(), input.faces.size(), input.faces.size() == 1 ? "" : "s",
-               (run.atlas ? atlas_text(*run.atlas) : levels).c_str(),
+               (run.atlas ? atlas_text(*run.atlas) : levels).c_str(), repair_text(run.summary).c_str(),
                run.summary.converged ? "converged" : "not converged", run.quality->mips, run.quality->mips_excess,
                run.quality->symmetric_dirichlet, run.quality->flips, run.quality->overlaps, run.seconds_of_map());
 }
@@ -102,11 +124,23 @@ void finish_standard_output()
 void write_files(const Options& options, const std::string& file, Input& input)
 {
   Output_files files;
+  std::size_t spoilt_triangles = 0;
   if (!options.output.empty())
-    write_mesh(files, name_for_input(options.output, file), input);
+    spoilt_triangles = write_mesh(files, name_for_input(options.output, file), input);
   if (!options.picture.empty())
     write_picture(files, name_for_input(options.picture, file), input);
   files.commit();
+  if (spoilt_triangles > 0 && !options.quiet)
+    std::cerr << one_line(input.name) << ": " << spoilt_triangles
+              << " triangles of the map are not positive in the floats of glTF; OBJ and PLY hold them\n";
+}
+
+void make_folder(const std::string& name)
+{
+  std::error_code error;
+  std::filesystem::create_directories(name, error);
+  if (error)
+    throw std::runtime_error(name + ": cannot be written (" + error.message() + ')');
 }
 
 // Reads, parameterizes, checks and writes one input.
@@ -118,7 +152,7 @@ void run_input(const std::string& file, const Options& options, Input& input, Ru
   run.seconds_read = timer.time();
 
   if (!options.levels.empty())
-    std::filesystem::create_directories(options.levels);
+    make_folder(options.levels);
   lay_out(input, options, run);
 
   const double seconds_before_writing = timer.time();
@@ -193,8 +227,9 @@ int main(int argc, char** argv)
     check_files(options);
 #ifdef CGAL_LINKED_WITH_TBB
     constexpr auto most_threads = tbb::global_control::max_allowed_parallelism;
+    constexpr std::size_t enough_threads = 1024;      // TBB prepares as many as it is told
     const tbb::global_control limit(most_threads, options.threads > 0
-                                                      ? std::size_t(options.threads)
+                                                      ? (std::min)(std::size_t(options.threads), enough_threads)
                                                       : tbb::global_control::active_value(most_threads));
 #endif
     const bool has_report = !options.report.empty(), prints_report = has_report && is_standard_output(options.report);

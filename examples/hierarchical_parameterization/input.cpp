@@ -199,7 +199,8 @@ const Component& largest(const std::vector<Component>& components)
 void take_as_chart(const Component& component, Input& input)
 {
   if (component.number_of_borders == 0)
-    throw Input_error{ "is closed: a chart needs a border; --cut auto makes one, but not for --flat, --levels, --start "
+    throw Input_error{ std::string(input.number_of_components > 1 ? "its largest component " : "") +
+                           "is closed: a chart needs a border; --cut auto makes one, but not for --flat, --levels, --start "
                        "and --hold; or cut it open first, by leaving out a face or by doubling the vertices along a "
                        "path of edges",
                        SMP::ERROR_NO_TOPOLOGICAL_DISC };

@@ -39,7 +39,7 @@ struct Input_options : Soup_options
   bool is_stitched = false;              // borders that coincide are joined
   bool takes_all_components = false;     // or the one with the most faces
   bool cuts = false;                     // components that are closed or have handles
-  bool makes_atlas = false;              // even of one chart
+  bool makes_atlas = false;              // even of one component that needs no cut
 };
 
 // A mesh, and the part of it that is parameterized: as one chart, whose map gives the vertices places, or as an atlas,

@@ -66,16 +66,18 @@ po::options_description describe_options(Options& options, Words& words, Numbers
   add("least-used-part", po::value(&options.least_used_part)->default_value(0),
       "divide charts by short cuts until they cover this part of the unit square, from 0 to 1, or no cut helps; 0.7 is "
       "within reach of most surfaces. Makes an atlas of one component, too");
+  add("atlas", po::bool_switch(&options.makes_atlas),
+      "make an atlas of one component, too: its chart or charts in the unit square");
   add("stitch", po::bool_switch(&options.is_stitched),
       "join borders whose points coincide, as where every face has points of its own. Of points that are joined, the "
       "first one stays; the numbers of those behind it change, also for --hold and --start, which count those of the "
       "output");
   add("start", po::value(&options.start),
       "mips, symmetric-dirichlet, arap: start from the map that this file has for the vertices of INPUT: PLY with u and "
-      "v, or OBJ, as --output writes them");
+      "v, or OBJ, as --output writes them for one chart");
   add("hold", po::value(&options.hold),
       "mips, symmetric-dirichlet, arap: hold vertices at the places that this file has: lines of a vertex, counted from "
-      "0, and its two coordinates");
+      "0, and its two coordinates; lines that are empty or begin with # are none");
   add("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion");
   add("report", po::value(&options.report), "write figures as JSON, one line per input");
   add("levels", po::value(&options.levels),
@@ -198,6 +200,7 @@ void read_part(const std::string& components, const std::string& cut, Options& o
   const std::string option_of_atlas = components == "all"           ? "--components all"
                                       : cut == "auto"               ? "--cut auto"
                                       : options.least_used_part > 0 ? "--least-used-part"
+                                      : options.makes_atlas         ? "--atlas"
                                                                     : "";
   const std::string option_of_one_chart = options.flat              ? "--flat"
                                           : !options.levels.empty() ? "--levels"
@@ -208,7 +211,7 @@ void read_part(const std::string& components, const std::string& cut, Options& o
     throw Usage_error{ option_of_atlas + ": not with " + option_of_one_chart + ", which takes one chart" };
   options.takes_all_components = components.empty() ? option_of_one_chart.empty() : components == "all";
   options.cuts = cut.empty() ? option_of_one_chart.empty() : cut == "auto";
-  options.makes_atlas = options.least_used_part > 0;
+  options.makes_atlas = options.makes_atlas || options.least_used_part > 0;
 }
 
 void check_several_inputs(const Options& options)
@@ -235,6 +238,8 @@ void check_options(const Options& options)
   for (const auto& [option, file] : { std::make_pair("--start", options.start), std::make_pair("--hold", options.hold) }) {
     if (!file.empty() && !options.method->improves_map)
       throw Usage_error{ option + std::string(": ") + options.method->name + " does not improve a map" };
+    if (file == "-")
+      throw Usage_error{ option + std::string(": a file is needed, not the standard input") };
     if (!file.empty() && options.flat)
       throw Usage_error{ option + std::string(": not with --flat") };
   }
@@ -246,6 +251,8 @@ void check_options(const Options& options)
     throw Usage_error{ "--fill-holes: not with --flat, which runs " + options.method->name + " as CGAL ships it" };
   if (options.threads < 0)
     throw Usage_error{ "the number of threads must not be negative" };
+  if (!options.levels.empty() && options.flat)
+    throw Usage_error{ "--levels: not with --flat, which makes no levels" };
   if (!options.levels.empty() && !options.method->has_levels)
     throw Usage_error{ "--levels: " + options.method->name + " parameterizes the finest level only" };
   check_several_inputs(options);

@@ -73,6 +73,21 @@ Primitive unmapped_primitive(const Mesh& mesh, const internal::Corner_places& co
   return result;
 }
 
+// How many triangles have no area, or are turned over, in the floats of texture coordinates, whose y axis points down.
+std::size_t number_of_spoilt_triangles(const Primitive& primitive)
+{
+  const auto coordinate = [&](std::size_t corner, int i) {
+    return double(primitive.texture_coordinates[2 * primitive.indices[corner] + std::size_t(i)]);
+  };
+  std::size_t result = 0;
+  for (std::size_t c = 0; c < primitive.indices.size(); c += 3) {
+    const double ux = coordinate(c + 1, 0) - coordinate(c, 0), uy = coordinate(c + 1, 1) - coordinate(c, 1),
+                 vx = coordinate(c + 2, 0) - coordinate(c, 0), vy = coordinate(c + 2, 1) - coordinate(c, 1);
+    result += !(ux * vy < uy * vx);
+  }
+  return result;
+}
+
 // A model of one mesh, whose primitives lie in one buffer.
 class GLB_writer
 {
@@ -160,21 +175,23 @@ private:
 
 bool can_write_GLB() { return true; }
 
-void write_GLB(std::ostream& out, const Mesh& mesh, const Corner_map& corner_map)
+std::size_t write_GLB(std::ostream& out, const Mesh& mesh, const Corner_map& corner_map)
 {
   const internal::Corner_places corners(mesh, corner_map);
+  const Primitive mapped = mapped_primitive(mesh, corners), unmapped = unmapped_primitive(mesh, corners);
   GLB_writer writer;
-  for (const Primitive& primitive : { mapped_primitive(mesh, corners), unmapped_primitive(mesh, corners) })
-    if (!primitive.indices.empty())
-      writer.add(primitive);
+  for (const Primitive* primitive : { &mapped, &unmapped })
+    if (!primitive->indices.empty())
+      writer.add(*primitive);
   writer.write(out);
+  return number_of_spoilt_triangles(mapped);
 }
 
 #else
 
 bool can_write_GLB() { return false; }
 
-void write_GLB(std::ostream&, const Mesh&, const Corner_map&)
+std::size_t write_GLB(std::ostream&, const Mesh&, const Corner_map&)
 {
   throw std::logic_error("this program was built without glTF");
 }

@@ -108,13 +108,14 @@ void write_PLY(std::ostream& os, const Mesh& mesh, const Corner_map& corner_map)
 
 } // namespace
 
-void write_mesh(Output_files& files, const std::string& name, Input& input)
+std::size_t write_mesh(Output_files& files, const std::string& name, Input& input)
 {
+  std::size_t spoilt_triangles = 0;
   const Mesh& mesh = input.mesh;
   const bool is_PLY = has_suffix(name, ".ply");
   files.write(name, [&](std::ostream& out) {
     if (has_suffix(name, ".glb"))
-      write_GLB(out, mesh, input.is_atlas ? input.corner_map : corner_map_of_chart(input));
+      spoilt_triangles = write_GLB(out, mesh, input.is_atlas ? input.corner_map : corner_map_of_chart(input));
     else if (input.is_atlas && is_PLY)
       write_PLY(out, mesh, input.corner_map);
     else if (input.is_atlas)
@@ -124,6 +125,7 @@ void write_mesh(Output_files& files, const std::string& name, Input& input)
     else
       SMP::IO::write_OBJ(out, mesh, input.uvmap, mapped_vertices(input));
   });
+  return spoilt_triangles;
 }
 
 void write_picture(Output_files& files, const std::string& name, const Input& input)

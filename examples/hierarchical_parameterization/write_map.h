@@ -6,13 +6,15 @@
 #ifndef WRITE_MAP_H
 #define WRITE_MAP_H
 
+#include <cstddef>
 #include <string>
 
 class Output_files;
 struct Input;
 
-// Writes the mesh with its map: as PLY or glTF if the name says so, otherwise as OBJ.
-void write_mesh(Output_files& files, const std::string& name, Input& input);
+// Writes the mesh with its map: as PLY or glTF if the name says so, otherwise as OBJ. Returns how many triangles of the
+// map the rounding to floats has spoilt, in glTF.
+std::size_t write_mesh(Output_files& files, const std::string& name, Input& input);
 
 // Draws the map as SVG.
 void write_picture(Output_files& files, const std::string& name, const Input& input);

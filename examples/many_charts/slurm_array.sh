@@ -7,7 +7,11 @@
 # With other options, remove the reports before.
 #SBATCH --cpus-per-task=1
 #SBATCH --mem-per-cpu=2G
-list=$1
+list=${1-}
+if [ ! -r "$list" ]; then
+  echo "slurm_array.sh: a list of files is needed that can be read: sbatch --array=0-99 slurm_array.sh LIST [OPTION...]" >&2
+  exit 1
+fi
 shift
 if [ "$SLURM_ARRAY_TASK_MIN" != 0 ] || [ "$SLURM_ARRAY_TASK_MAX" != $((SLURM_ARRAY_TASK_COUNT - 1)) ]; then
   echo "slurm_array.sh: the tasks must be all from 0 to a number, as by sbatch --array=0-99" >&2

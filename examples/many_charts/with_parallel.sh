@@ -8,7 +8,11 @@
 #
 # Over ssh, with the program installed on each machine of a file:
 #   export PARALLEL='--sshloginfile machines --transferfile {} --return {.}.uv.ply --return {.}.json --cleanup'
-list=$1
+list=${1-}
+if [ ! -r "$list" ]; then
+  echo "with_parallel.sh: a list of files is needed that can be read: with_parallel.sh LIST [OPTION...]" >&2
+  exit 1
+fi
 shift
 
 # for_each_mesh COMMAND: runs it with the variables mesh, and name, which is the mesh without its suffix.

@@ -71,6 +71,8 @@ if command -v parallel >/dev/null; then
   rm charts/*.json
   PROGRAM=false with_parallel . charts/list && fail "a run without reports has the status 0"
   [ -s charts/list.report ] && fail "reports of no run: $(cat charts/list.report)"
+  with_parallel . missing && fail "a list that is not there has the status 0"
+  [ ! -e missing.report ] || fail "there is a report of no list"
   printf 'x.off\nx.obj\n' >twins
   with_parallel . twins && fail "two meshes wrote the same files"
 else

@@ -105,12 +105,23 @@ expect 0 tube.obj --method lscm --flips keep --report report.json
 [ "$(field flips)" -gt 0 ] || fail "lscm --flips keep has kept no flips"
 expect 0 tube.obj --method lscm --report report.json
 is_field flips 0 "lscm"
+make_tube 60 >long_tube.obj
+expect 0 long_tube.obj --method mean-value
+grep -q ' flips repaired by moving [0-9]* vertices, ' stdout || fail "the repair is not told: $(cat stdout)"
+grep -q 'little of its map is left' stderr || fail "nobody is told that most of the map was moved"
+expect 0 long_tube.obj --method mean-value --quiet
+[ ! -s stderr ] || fail "--quiet tells of a repair: $(cat stderr)"
 expect 0 --method mips --iterations 1 --report report.json
 is_field status '"not_converged"' "mips --iterations 1"
 expect 0 --method uniform --iterations 0 --report report.json
 is_field status '"ok"' "uniform --iterations 0"
 expect 0 --weights area --tolerance 1e-3 --iterations 5 --quiet
 [ ! -s stdout ] && [ ! -s stderr ] || fail "--quiet printed something"
+
+# One chart in the unit square.
+expect 0 --atlas --output atlas.obj --report report.json
+[ "$(field charts)" -eq 1 ] || fail "--atlas made $(field charts) charts of the face"
+awk '$1 == "vt" && !($2 >= 0 && $2 <= 1 && $3 >= 0 && $3 <= 1) { exit 1 }' atlas.obj || fail "--atlas leaves the unit square"
 
 # On a terminal a bar shows how far a run has come; elsewhere there is none.
 on_terminal() { script -qec "$program $*" /dev/null; }
@@ -225,8 +236,14 @@ expect 1 --no-such-option
 expect 1 --method no-such-method
 expect 1 --weights no-such-weights
 expect 1 --method lscm --levels levels
+expect 1 --flat --levels levels_of_a_flat_run
+[ ! -e levels_of_a_flat_run ] || fail "a folder was made for levels that there are not"
+expect 1 --start -
+expect 1 --hold -
+expect 1 --flat --atlas
 expect 1 --tolerance nonsense
 expect 1 --seed -1
+expect 0 --threads 2147483647 --quiet
 expect 1 --seed 4294967296
 expect 0 --seed 4294967295
 expect 1 --iterations -1

@@ -375,7 +375,7 @@ const Row surfaces[] = {
     "3 components whose borders still coincide", "--stitch" },
   { "three_at_an_edge.off", [] { return OFF(three_at_an_edge()); }, good, any, "", "--orient --quiet" },
   { "two_umbrellas.off", [] { return OFF(identified(joined(triangle(), triangle()), 0, 3)); }, good, ok, "",
-    "--orient" },
+    "--orient --quiet" },
   { "hole_that_touches_the_border.off",
     [] { return OFF(cells(4, 4, [](long i, long j) { return (i != 1 || j != 1) && (i != 0 || j != 0); })); }, good, ok,
     "", "--orient" },

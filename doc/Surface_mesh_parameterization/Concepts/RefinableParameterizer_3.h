@@ -14,7 +14,9 @@
 /// Methods are copied. All functions of a run are called on the same copy.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::As_rigid_as_possible_parameterizer_3<TriangleMesh>`
+/// \cgalHasModel `CGAL::Surface_mesh_parameterization::Distortion_parameterizer_3<TriangleMesh, Energy>`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::MIPS_parameterizer_3<TriangleMesh>`
+/// \cgalHasModel `CGAL::Surface_mesh_parameterization::Symmetric_Dirichlet_parameterizer_3<TriangleMesh>`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Edge_energy_parameterizer_3<TriangleMesh, EdgeWeights>`
 class RefinableParameterizer_3
 {
