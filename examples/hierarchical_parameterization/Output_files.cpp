@@ -174,6 +174,16 @@ int open_special(const File_place& place)
 
 } // namespace
 
+void check_permission(const std::string& name)
+{
+  const File_place place = output_place(name);
+  const fs::path folder = place.path.has_parent_path() ? place.path.parent_path() : fs::path(".");
+  const bool is_replacing = ::access(place.path.c_str(), F_OK) == 0;
+  if (!place.is_special() && ((is_replacing && ::access(place.path.c_str(), W_OK) != 0) ||
+                              ::access(folder.c_str(), W_OK | X_OK) != 0))
+    fail(name, errno);
+}
+
 // ---- temporary files ----
 
 // A file beside the place that it is for. It is removed unless it gets there.

@@ -12,6 +12,9 @@
 #include <string>
 #include <vector>
 
+// Throws a std::runtime_error if there is no permission to write a file of that name.
+void check_permission(const std::string& name);
+
 // Files that appear together, each as a whole, or not at all: also if a signal ends the program. Each is written under
 // a name of its own beside its place, and then gets its name. It is written through a symbolic link, and has the mode
 // of the file that it replaces.

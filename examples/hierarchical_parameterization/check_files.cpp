@@ -7,6 +7,7 @@
 
 #include "File_place.h"
 #include "Level_visitor.h"
+#include "Output_files.h"
 #include "errors.h"
 #include "has_suffix.h"
 #include "name_for_input.h"
@@ -89,6 +90,7 @@ void check_output(const std::string& name)
     throw std::runtime_error(name + ": cannot be written ('" + folder.string() + "' is no folder)");
   if (std::filesystem::is_directory(place.path, unused_error))
     throw std::runtime_error(name + ": cannot be written (it is a folder)");
+  check_permission(name);
 }
 
 // Checks the outputs whose names depend on the input. There may be very many: these are not compared with each other.

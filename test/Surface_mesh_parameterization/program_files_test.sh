@@ -82,6 +82,28 @@ chmod 664 new.obj
 has_mode new.obj 664
 has_mode private.json 600
 
+# ---- permissions ----
+
+# Told before the input is read; root may write everything.
+in_new_folder permissions
+mkdir locked
+touch read_only.obj
+chmod 555 locked
+chmod 444 read_only.obj
+chmod 711 "$folder"
+cp "$program" program
+as_nobody() { setpriv --reuid=65534 --regid=65534 --clear-groups "$@"; }
+[ "$(id -u)" -eq 0 ] || as_nobody() { "$@"; }
+if as_nobody ./program --version >/dev/null 2>&1; then
+  for output in locked/new.obj read_only.obj; do
+    as_nobody ./program missing.obj --output $output >stdout 2>stderr
+    [ "$?/$(cat stderr)" = "3/hierarchical_parameterization: $output: cannot be written (Permission denied)" ] ||
+      fail "$output without permission: $(cat stderr)"
+  done
+fi
+chmod 755 locked
+rm program
+
 # ---- one file for two purposes ----
 
 in_new_folder collisions
