@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Decreases.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
@@ -161,6 +162,53 @@ TEST(Level_refiner, weights_matter_on_an_irregular_mesh)
   const Level_energy_of<MIPS_energy_2> one(f.level, Triangle_weight::ONE), by_area(f.level, Triangle_weight::AREA);
   EXPECT_LT(one(maps[0]), one(maps[1]));    // each is best by its own measure
   EXPECT_LT(by_area(maps[1]), by_area(maps[0]));
+}
+
+// ---- what decreases tell ----
+
+TEST(Decreases, foretell_the_rest_of_a_geometric_series)
+{
+  for (const double ratio : { 0.1, 0.5, 0.9 }) {
+    Decreases decreases(1e-5);
+    for (int i = 0; i < 3; ++i)
+      decreases.add(std::pow(ratio, i), true);
+    double rest = 0;
+    for (int i = 3; i < 1000; ++i)
+      rest += std::pow(ratio, i);
+    EXPECT_NEAR(decreases.remainder(), rest, 1e-12 * rest);
+  }
+}
+
+// One that is much smaller than those before makes no series that converges so fast.
+TEST(Decreases, foretell_no_less_than_each_of_them_says)
+{
+  Decreases decreases(1e-5);
+  for (const double decrease : { 3000., 2000., 0.05 })
+    decreases.add(decrease, true);
+  EXPECT_GE(decreases.remainder(), 0.05 * (2. / 3) / (1 - 2. / 3) * (1 - 1e-12));
+}
+
+TEST(Decreases, foretell_nothing_after_steps_that_are_not_regular)
+{
+  Decreases decreases(1e-5);
+  for (const bool is_regular : { true, true, false, true, true })
+    decreases.add(1, is_regular);
+  EXPECT_TRUE(std::isinf(decreases.remainder()));
+  decreases.add(1, true);      // none gains less than the one before
+  EXPECT_TRUE(std::isinf(decreases.remainder()));
+}
+
+TEST(Decreases, are_sudden_once)
+{
+  Decreases decreases(1e-5);
+  decreases.add(1e-9, true);       // the first one
+  EXPECT_FALSE(decreases.is_sudden());
+  decreases.add(1, true);
+  EXPECT_FALSE(decreases.is_sudden());
+  decreases.add(1e-9, true);
+  EXPECT_TRUE(decreases.is_sudden());
+  decreases.add(1e-9, true);
+  EXPECT_FALSE(decreases.is_sudden());
 }
 
 } // namespace test_level_refiner
