@@ -16,7 +16,6 @@
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
 #include <iostream>
-#include <string>
 
 typedef CGAL::Simple_cartesian<double>          Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3>     Mesh;

@@ -135,7 +135,7 @@ inline void check_size(const Mesh& mesh)
 // The input with polygons cut into triangles; without one, what make_default() makes.
 inline Mesh read_mesh_or(const Arguments& arguments, Mesh (*make_default)())
 {
-  Mesh mesh = arguments.input().empty() ? make_default() : read_mesh(arguments.input(), { true });
+  Mesh mesh = arguments.input().empty() ? make_default() : read_mesh(arguments.input(), { true, true });
   check_size(mesh);
   return mesh;
 }

@@ -45,6 +45,17 @@ void check_suffix(const std::string& option, const std::string& name, const std:
   }
 }
 
+void check_format(const std::string& option, const std::string& name)
+{
+  if (option == "--picture")
+    check_suffix(option, name, { ".svg" });
+  else if (option == "--output")
+    check_suffix(option, name, { ".obj", ".ply", ".glb" });
+  if (option == "--output" && has_suffix(name, ".glb") && !can_write_GLB())
+    throw Usage_error{ option + ": '" + name + "' needs TinyGLTF (libtinygltf-dev in Debian), without which this "
+                       "program was built" };
+}
+
 typedef std::vector<std::pair<std::string, std::string>>   Options_and_names;
 
 // Those that are given and whose names depend on the input, or those whose names do not.
@@ -93,19 +104,25 @@ void check_output(const std::string& name)
   check_permission(name);
 }
 
-// Checks the outputs whose names depend on the input. There may be very many: these are not compared with each other.
-void check_outputs_of_inputs(const Options& options, const std::vector<Named_place>& outputs)
+// Checks the outputs whose names depend on the input, by their places alone: there may be very many.
+void check_outputs_of_inputs(const Options& options, const std::vector<std::string>& inputs,
+                             const std::vector<Named_place>& outputs)
 {
   std::map<std::filesystem::path, std::string> taken;
-  for (const std::string& input : options.inputs)
-    taken[input_place(input).canonical] = "the input '" + input + "'";
+  for (const std::string& input : inputs)
+    if (!input.empty())
+      taken[input_place(input).canonical] = "the input '" + input + "'";
   for (const Named_place& output : outputs)
     taken[output.place.canonical] = "that of " + output.option;
   for (const auto& [option, pattern] : options_with_names(options, true))
     for (const std::string& input : options.inputs) {
       const std::string name = name_for_input(pattern, input);
+      const File_place place = output_place(name);
+      check_format(option, name);
+      if (place.is_special())
+        throw Usage_error{ option + ": '" + name + "' of '" + input + "' is no regular file" };
       const auto& [entry, is_new] =
-          taken.try_emplace(output_place(name).canonical, "that of " + option + " for '" + input + "'");
+          taken.try_emplace(place.canonical, "that of " + option + " for '" + input + "'");
       if (!is_new)
         throw Usage_error{ option + ": the file '" + name + "' of '" + input + "' is " + entry->second };
       check_output(name);
@@ -123,11 +140,8 @@ bool is_standard_output_taken(const Options& options)
 
 void check_files(const Options& options)
 {
-  check_suffix("--output", options.output, { ".obj", ".ply", ".glb" });
-  if (has_suffix(options.output, ".glb") && !can_write_GLB())
-    throw Usage_error{ "--output: '" + options.output + "' needs TinyGLTF (libtinygltf-dev in Debian), without which "
-                       "this program was built" };
-  check_suffix("--picture", options.picture, { ".svg" });
+  for (const auto& [option, name] : options_with_names(options, false))
+    check_format(option, name);
 
   const std::vector<Named_place> outputs = output_places(options);
   std::vector<std::string> inputs = options.inputs;
@@ -144,7 +158,7 @@ void check_files(const Options& options)
         throw Usage_error{ b->option + " and " + a->option + " are the same file '" + b->name + "'" };
   for (const auto& option_and_name : options_with_names(options, false))
     check_output(option_and_name.second);
-  check_outputs_of_inputs(options, outputs);
+  check_outputs_of_inputs(options, inputs, outputs);
   std::error_code unused_error;
   const std::filesystem::file_status levels = std::filesystem::status(options.levels, unused_error);
   if (std::filesystem::exists(levels) && !std::filesystem::is_directory(levels))

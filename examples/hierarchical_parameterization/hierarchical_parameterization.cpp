@@ -61,7 +61,7 @@ std::string replaced_maps_text(const Run_record& run)
     return "the map";
   const std::vector<SMP::Atlas_summary::Chart>& charts = run.atlas->charts;
   const auto replaced =
-      std::count_if(charts.begin(), charts.end(), [](const auto& c) { return c.summary.is_replaced; });
+      std::count_if(charts.begin(), charts.end(), [](const auto& c) { return c.summary.is_ok() && c.summary.is_replaced; });
   return "the maps of " + std::to_string(replaced) + " of " + std::to_string(charts.size()) + " charts";
 }
 
@@ -74,6 +74,15 @@ std::string repair_text(const SMP::Parameterization_summary& summary)
                    " vertices, ";
 }
 
+std::size_t number_of_mapped_vertices(const Input& input)
+{
+  std::vector<bool> is_mapped(input.mesh.number_of_vertices(), false);
+  for (const Mesh::Face_index f : input.faces)
+    for (const Mesh::Vertex_index v : input.mesh.vertices_around_face(input.mesh.halfedge(f)))
+      is_mapped[v] = true;
+  return std::size_t(std::count(is_mapped.begin(), is_mapped.end(), true));
+}
+
 // Tells what the user may not expect of the map.
 void print_warnings(const Input& input, const Options& options, const Run_record& run)
 {
@@ -83,9 +92,10 @@ void print_warnings(const Input& input, const Options& options, const Run_record
     std::cerr << name << ": " << replaced_maps_text(run) << " of " << options.method->name
               << " had flips whose repair would leave little of it; a method without flips made "
               << (run.atlas ? "others\n" : "this one\n");
-  else if (double(run.summary.moved_vertices) > great_part * double(input.mesh.number_of_vertices()))
+  else if (const std::size_t vertices = number_of_mapped_vertices(input);
+           double(run.summary.moved_vertices) > great_part * double(vertices))
     std::cerr << name << ": to repair the flips of " << options.method->name << ", " << run.summary.moved_vertices
-              << " of " << input.mesh.number_of_vertices() << " vertices were moved: little of its map is left\n";
+              << " of " << vertices << " vertices were moved: the map is hardly its own\n";
 }
 
 void print_summary(const Input& input, const Options& options, const Run_record& run)
@@ -132,7 +142,8 @@ void write_files(const Options& options, const std::string& file, Input& input)
   files.commit();
   if (spoilt_triangles > 0 && !options.quiet)
     std::cerr << one_line(input.name) << ": " << spoilt_triangles
-              << " triangles of the map are not positive in the floats of glTF; OBJ and PLY hold them\n";
+              << " triangles of the map have no area, or are turned over, in the floats of glTF; OBJ and PLY hold "
+                 "them\n";
 }
 
 void make_folder(const std::string& name)

@@ -162,7 +162,7 @@ Mesh make_mesh(Polygon_soup soup, const Soup_options& options)
   if (options.is_oriented)
     CGAL::Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.polygons);
   if (options.is_oriented || options.is_triangulated)
-    check_manifold(soup);                 // two polygons may have got the same diagonal
+    check_manifold(soup);      // two polygons may have got the same diagonal
   std::vector<Kernel::Point_3> points;
   for (std::size_t v = 0; v < soup.points.size(); ++v)
     points.push_back(point_of(soup, v));
@@ -200,9 +200,9 @@ void take_as_chart(const Component& component, Input& input)
 {
   if (component.number_of_borders == 0)
     throw Input_error{ std::string(input.number_of_components > 1 ? "its largest component " : "") +
-                           "is closed: a chart needs a border; --cut auto makes one, but not for --flat, --levels, --start "
-                       "and --hold; or cut it open first, by leaving out a face or by doubling the vertices along a "
-                       "path of edges",
+                           "is closed: a chart needs a border; --cut auto makes one, but not for --flat, --levels, "
+                           "--start and --hold; or cut it open first, by leaving out a face or by doubling the "
+                           "vertices along a path of edges",
                        SMP::ERROR_NO_TOPOLOGICAL_DISC };
   input.faces = component.faces;
   input.number_of_borders = component.number_of_borders;

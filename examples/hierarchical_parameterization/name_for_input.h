@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 // As for GNU parallel: the input without its ending, and without its folder, too.
 inline constexpr char input_without_ending[] = "{.}", name_without_ending[] = "{/.}";
@@ -22,13 +23,19 @@ inline bool depends_on_input(const std::string& pattern)
 // What a pattern means for an input; without a file: the built-in face.
 inline std::string name_for_input(std::string pattern, const std::string& input)
 {
-  const auto replace = [&pattern](const std::string& part, const std::string& text) {
-    for (std::size_t at = 0; (at = pattern.find(part, at)) != std::string::npos; at += text.size())
-      pattern.replace(at, part.size(), text);
-  };
   const std::filesystem::path path(input.empty() ? "face" : input);
-  replace(name_without_ending, path.stem().string());
-  replace(input_without_ending, (path.parent_path() / path.stem()).string());
+  const std::string name = path.stem().string(), whole = (path.parent_path() / path.stem()).string();
+  const std::pair<std::string, std::string> parts[] = { { name_without_ending, name }, { input_without_ending, whole } };
+  for (std::size_t at = 0; at < pattern.size();) {      // what the input's name has of these stays
+    std::size_t step = 1;
+    for (const auto& [part, text] : parts)
+      if (pattern.compare(at, part.size(), part) == 0) {
+        pattern.replace(at, part.size(), text);
+        step = text.size();
+        break;
+      }
+    at += step;
+  }
   return pattern;
 }
 

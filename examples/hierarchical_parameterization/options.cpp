@@ -85,7 +85,7 @@ po::options_description describe_options(Options& options, Words& words, Numbers
       "before the repair of flips. Files of an earlier run that had more levels stay there");
   add("triangulate", po::bool_switch(&options.is_triangulated), "cut faces of more than three corners into triangles");
   add("orient", po::bool_switch(&options.is_oriented),
-      "turn faces so that neighbors have one orientation. Where that cannot be, where more than two faces meet at an "
+      "turn faces so that neighbors, which share points, have one orientation. Where that cannot be, where more than two faces meet at an "
       "edge or several fans at a vertex, the surface is cut: points are there several times then, the new ones behind "
       "those of the input");
   add("flat", po::bool_switch(&options.flat),

@@ -9,6 +9,8 @@
 
 #ifdef PROGRAM_HAS_GLTF
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Corner_places.h>
 
 #include <tiny_gltf.h>
@@ -73,17 +75,25 @@ Primitive unmapped_primitive(const Mesh& mesh, const internal::Corner_places& co
   return result;
 }
 
-// How many triangles have no area, or are turned over, in the floats of texture coordinates, whose y axis points down.
-std::size_t number_of_spoilt_triangles(const Primitive& primitive)
+// How many triangles with an area have none in the floats of texture coordinates, or are turned over there.
+std::size_t number_of_spoilt_triangles(const Primitive& primitive, const internal::Corner_places& corners)
 {
-  const auto coordinate = [&](std::size_t corner, int i) {
-    return double(primitive.texture_coordinates[2 * primitive.indices[corner] + std::size_t(i)]);
+  const auto in_floats = [&](std::uint32_t place) {
+    return internal::Point_2(primitive.texture_coordinates[2 * place],
+                             -primitive.texture_coordinates[2 * place + 1]);      // whose axis points down
+  };
+  const auto in_doubles = [&](std::uint32_t place) {
+    const auto& uv = corners.places[place].uv;
+    return internal::Point_2(uv.x(), uv.y());
+  };
+  const auto side = [&](std::size_t corner, const auto& point) {
+    const std::uint32_t* const place = &primitive.indices[corner];
+    return internal::exact_orientation(point(place[0]), point(place[1]), point(place[2]));
   };
   std::size_t result = 0;
-  for (std::size_t c = 0; c < primitive.indices.size(); c += 3) {
-    const double ux = coordinate(c + 1, 0) - coordinate(c, 0), uy = coordinate(c + 1, 1) - coordinate(c, 1),
-                 vx = coordinate(c + 2, 0) - coordinate(c, 0), vy = coordinate(c + 2, 1) - coordinate(c, 1);
-    result += !(ux * vy < uy * vx);
+  for (std::size_t corner = 0; corner < primitive.indices.size(); corner += 3) {
+    const CGAL::Orientation before = side(corner, in_doubles);
+    result += before != CGAL::COLLINEAR && side(corner, in_floats) != before;
   }
   return result;
 }
@@ -184,7 +194,7 @@ std::size_t write_GLB(std::ostream& out, const Mesh& mesh, const Corner_map& cor
     if (!primitive->indices.empty())
       writer.add(*primitive);
   writer.write(out);
-  return number_of_spoilt_triangles(mapped);
+  return number_of_spoilt_triangles(mapped, corners);
 }
 
 #else

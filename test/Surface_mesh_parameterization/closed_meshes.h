@@ -66,24 +66,26 @@ inline Flat_mesh tetrahedron()
            { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } };
 }
 
-// Both meshes, the second one scaled and moved.
 // The boundary of a box, each side of two triangles.
 inline Flat_mesh box(double width, double depth, double height)
 {
   Flat_mesh m;
-  for (const double z : { 0., height })
-    for (const auto& [x, y] : { std::make_pair(0., 0.), std::make_pair(width, 0.), std::make_pair(width, depth), std::make_pair(0., depth) })
-      m.points.emplace_back(x, y, z);
+  for (const double z : { 0., height }) {
+    m.points.emplace_back(0, 0, z);
+    m.points.emplace_back(width, 0, z);
+    m.points.emplace_back(width, depth, z);
+    m.points.emplace_back(0, depth, z);
+  }
+  m.triangles = { { 0, 2, 1 }, { 0, 3, 2 }, { 4, 5, 6 }, { 4, 6, 7 } };
   for (Index i = 0; i < 4; ++i) {
     const Index j = (i + 1) % 4;
     m.triangles.push_back({ i, j, j + 4 });
     m.triangles.push_back({ i, j + 4, i + 4 });
   }
-  for (const Index_triangle& t : { Index_triangle{ 0, 2, 1 }, Index_triangle{ 0, 3, 2 }, Index_triangle{ 4, 5, 6 }, Index_triangle{ 4, 6, 7 } })
-    m.triangles.push_back(t);
   return m;
 }
 
+// Both meshes, the second one scaled and moved.
 inline Flat_mesh with_component(Flat_mesh m, const Flat_mesh& other, double scale = 1, double move = 10)
 {
   const Index first = Index(m.points.size());

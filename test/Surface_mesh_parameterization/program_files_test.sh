@@ -155,6 +155,9 @@ wrong charts/a.obj charts/b.c.obj --output '{.}.obj'
 wrong charts/a.obj maps/../charts/a.obj --output 'maps/{/.}.obj'
 wrong charts/a.obj --output 'maps/{/.}.obj' --report maps/a.obj
 wrong charts/a.obj --output '{.}.svg'
+wrong charts/a.obj --output '{.}.ply' --hold charts/a.ply
+wrong charts/a.obj --output '{.}.ply' --start charts/a.ply
+wrong charts/b.c.obj --output 'maps/{/.}'          # which looks like a format
 make_square >a.obj
 wrong a.obj charts/a.obj --picture 'maps/{/.}.svg'
 rm a.obj
@@ -166,6 +169,9 @@ for name in a b.c; do is_mesh maps/$name.obj "{/.}"; is_picture charts/$name.svg
 rm report.json
 expect 2 charts/a.obj missing.obj charts/b.c.obj --output '{.}.uv.obj' --quiet
 is_mesh charts/b.c.uv.obj "after an input that is missing"
+make_square >'charts/a{.}b.obj'
+expect 0 'charts/a{.}b.obj' --output 'maps/{/.}.obj'
+is_mesh 'maps/a{.}b.obj' "braces in the name of an input"
 expect 0 --output '{.}.obj' --report '{.}.json'
 is_report '{.}.json'
 

@@ -75,7 +75,8 @@ Flat_mesh half_collapsed_grid(Index n)
 TEST(Summary, tells_whether_the_run_has_converged)
 {
   constexpr double minimum_of_triangle = 2;
-  for (const unsigned int seed : { 0u, 1u, 3u, 5u, 7u }) {
+  int converged_runs = 0;
+  for (unsigned int seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
     Mapped_mesh mapped(half_collapsed_grid(12));
     const auto run = [&](bool from_map) {
@@ -89,7 +90,9 @@ TEST(Summary, tells_whether_the_run_has_converged)
                  excess = energy - minimum_of_triangle * double(mapped.mesh.number_of_faces());
     ASSERT_EQ(run(true), OK);
     EXPECT_LT(energy - mapped.summary.energy, 0.01 * excess);
+    ++converged_runs;
   }
+  EXPECT_GT(converged_runs, 0);
 }
 
 // Stops at the given hierarchy, and counts what it is told after that.

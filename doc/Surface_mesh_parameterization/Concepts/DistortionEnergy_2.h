@@ -28,7 +28,8 @@ public:
   /// whether the energy keeps triangles positive
   static constexpr bool is_flip_free;
 
-  /// the energy of a triangle with the given area in space, in the square of the mesh's units; returns itself if the energy does not depend on the area
+  /// the energy of a triangle with the given area in space, in the square of the mesh's units: 0 or infinite if squares
+  /// of lengths under- or overflow; returns itself if the energy does not depend on the area
   DistortionEnergy_2 of_area(double area) const;
 
   /// the energy

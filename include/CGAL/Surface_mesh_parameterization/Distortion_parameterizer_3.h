@@ -128,8 +128,10 @@ public:
       return ERROR_WRONG_PARAMETER;
     if constexpr (Energy::is_scale_invariant)
       if (m_bounds_scale) {
-        const Error_code status = minimize(internal::Scale_bounded_energy_2<Energy>{ m_energy }, level, uv, summary);
         const auto energy = level_energy(level, m_energy);
+        const double energy_start = energy(uv) / energy.unit();
+        const Error_code status = minimize(internal::Scale_bounded_energy_2<Energy>{ m_energy }, level, uv, summary);
+        summary.energy_start = energy_start;
         summary.energy_end = energy(uv) / energy.unit();
         summary.converged = false;
         return status;
@@ -166,7 +168,8 @@ private:
   template <class E>
   internal::Level_energy_of<E> level_energy(const Level& level, const E& e) const
   {
-    return internal::Level_energy_of<E>(level, m_options.triangle_weight, e, std::ldexp(1., 2 * level.scale_exponent()));
+    const double unit_of_area = std::ldexp(1., 2 * level.scale_exponent());
+    return internal::Level_energy_of<E>(level, m_options.triangle_weight, e, unit_of_area);
   }
 
   template <class E>

@@ -182,7 +182,8 @@ private:
       state.uv.clear();
   }
 
-  // The vertex that is shrunk most. One next to the border only where there is no other, as on a surface of few vertices.
+  // The vertex that is shrunk most. One next to the border only where there is no other, as on a surface of few
+  // vertices.
   Index candidate() const
   {
     const auto is_worse = [this](Index v, Index w) {

@@ -92,7 +92,7 @@ bool Nested_iteration_attempts::find_start_at_scale_of_places(const Collapse_hie
   const Collapse_hierarchy_3 scaled(std::move(surface), m_options.hierarchy, m_method.loops());
   Parameterization_summary summary;
   Level::Uv uv;
-  // A visitor is not told of these levels, whose points and places have no common unit.
+  // A visitor is not told of the maps of these levels: their points and places have no common unit.
   if (Nested_iteration(m_method, m_options, nullptr, m_progress, summary).run(scaled, {}, uv) != OK)
     return false;
   m_start = in_input_order(scaled, uv);

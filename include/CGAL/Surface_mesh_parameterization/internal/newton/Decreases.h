@@ -5,10 +5,10 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_DECREASES_H
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -24,9 +24,8 @@ public:
   {
     m_is_sudden = decrease < m_sudden_fall * std::exchange(m_last, decrease);
     if (is_regular)
-      m_regular.push_back(decrease);
-    else
-      m_regular.clear();
+      m_regular = { m_regular[1], m_regular[2], decrease };
+    m_number_of_regular = is_regular ? m_number_of_regular + 1 : 0;
   }
 
   // 0 before the first step.
@@ -39,17 +38,16 @@ public:
   // the one before did. Infinite if they are not regular, or gain more and more.
   double remainder() const
   {
-    const std::size_t n = m_regular.size();
-    if (n < 3)
-      return (std::numeric_limits<double>::infinity)();
-    const double ratio = (std::max)(m_regular[n - 1] / m_regular[n - 2], m_regular[n - 2] / m_regular[n - 3]);
-    return ratio < 1 ? m_regular[n - 1] * ratio / (1 - ratio) : (std::numeric_limits<double>::infinity)();
+    const double ratio = (std::max)(m_regular[2] / m_regular[1], m_regular[1] / m_regular[0]);
+    return m_number_of_regular >= m_regular.size() && ratio < 1 ? m_regular[2] * ratio / (1 - ratio)
+                                                                 : (std::numeric_limits<double>::infinity)();
   }
 
 private:
   double m_sudden_fall, m_last = 0;
   bool m_is_sudden = false;
-  std::vector<double> m_regular;      // the last ones, all of them regular
+  std::array<double, 3> m_regular = {};      // the last ones
+  std::size_t m_number_of_regular = 0;       // in a row
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

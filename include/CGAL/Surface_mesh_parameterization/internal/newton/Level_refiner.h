@@ -199,8 +199,8 @@ private:
         sweep(relaxation);
       const double decrease = step.decrease + step.slack + (before_sweep - m_current);
       decreases.add(decrease, is_regular(step));
-      const bool has_arrived = (is_little(decrease, least_decrease) && !decreases.is_sudden()) ||
-                               decreases.remainder() <= least_decrease * excess();
+      const bool has_arrived = !decreases.is_sudden() && (is_little(decrease, least_decrease) ||
+                                                          decreases.remainder() <= least_decrease * excess());
       m_summary.converged = has_arrived && (has_barrier(newton) || !is_stuck(step, least_decrease));
       tell(part_done(decrease, least_decrease));
       if (has_arrived)
@@ -239,8 +239,8 @@ private:
            step.decrease > m_options.newton.least_part_of_prediction * step.predicted;
   }
 
-  // Whether what holds up a step, or makes it slow, may be in small places. Energies that do not keep triangles positive
-  // converge slowly all over.
+  // Whether what holds up a step, or makes it slow, may be in small places. Energies that do not keep triangles
+  // positive converge slowly all over.
   bool wants_sweep(const Newton_method::Step& step, double last_decrease) const
   {
     const bool is_slow = m_energy.is_flip_free() && last_decrease > 0 &&

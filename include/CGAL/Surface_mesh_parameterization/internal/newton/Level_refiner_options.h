@@ -35,7 +35,7 @@ struct Level_refiner_options
   double short_step = 0.3, great_decrease = 0.01, slow_convergence = 0.2;
   double long_step = 0.7;               // shorter steps do not tell how Newton's method converges
   // A step after one that gained so many times as much: another one has to confirm that nothing is left to gain.
-  double sudden_fall = 1e-5;
+  double sudden_fall = 1e-4;
   // On a surface that can be laid in the plane without distortion the excess has no bound from below. Less of it than
   // this part of the energy is not looked at closer.
   double least_excess = 1e-4;
