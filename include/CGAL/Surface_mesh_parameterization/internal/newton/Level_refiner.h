@@ -248,11 +248,11 @@ private:
     return is_slow || step.length < m_options.short_step || !is_little(step.decrease, m_options.great_decrease);
   }
 
-  // Whether no step was possible although there is more to be gained, as far as is known. At a barrier that is no
+  // Whether no direction was found although there is more to be gained, as far as is known. At a barrier that is no
   // wonder.
   bool is_stuck(const Newton_method::Step& step, double least_decrease) const
   {
-    return step.length == 0 && !(step.predicted + step.missed <= little(least_decrease));
+    return step.length == 0 && !(step.missed <= little(least_decrease));
   }
 
   // A part of the excess energy.

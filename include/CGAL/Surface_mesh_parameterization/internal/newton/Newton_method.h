@@ -34,7 +34,7 @@ public:
     double length = 0;            // 1 for the whole step; greater where that did not go far enough
     std::size_t cycles = 0;       // of multigrid
     double slack = 0;             // a bound of what the barrier at the full turn costs
-    double missed = 0;            // what the model could be lowered by at least, where its minimum was not found
+    double missed = 0;            // what the model could be lowered by, about, where its minimum was not found
   };
 
   // `barrier`, if there is one, keeps the borders apart; its energy is minimized along with the level's.
@@ -158,7 +158,7 @@ private:
   bool find_direction(const Level::Uv& uv, Step& result)
   {
     if (!m_system.assemble(uv, m_contacts)) {
-      result.missed = (std::numeric_limits<double>::infinity)();
+      result.missed = m_system.decrease_by_relaxation();
       return false;
     }
     result.cycles = m_system.solve(m_accuracy);

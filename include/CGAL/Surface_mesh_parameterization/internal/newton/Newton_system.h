@@ -88,6 +88,7 @@ public:
       for (int i = 0; i < 3; ++i)
         gradient[c.vertices[i]] += c.first * c.gradients[i];
     for_each_vertex([&](Index v) { m_residual[v] = -matrix.scale[v] * gradient[v]; });
+    m_decrease_by_relaxation = 0.5 * inner_product(m_level.loops(), m_residual, m_residual);
     if (m_needs_setup || !contacts.empty())
       m_multigrid.setup();
     else
@@ -138,8 +139,8 @@ public:
   // By how much the last solution lowers the model, as the minimum along its direction.
   double predicted_decrease() const { return 0.5 * m_product_with_right_side; }
 
-  // By how much a step against the gradient would lower the model, about, if there is no solution.
-  double decrease_by_relaxation() const { return 0.5 * inner_product(m_level.loops(), m_residual, m_residual); }
+  // By how much a step against the gradient would lower the model, about, whether there is a solution or not.
+  double decrease_by_relaxation() const { return m_decrease_by_relaxation; }
 
   // Where the last solution moves the vertices. It is overwritten by the next one.
   const Block_vectors& moves()
@@ -218,6 +219,7 @@ private:
   double m_indefinite_part = 0;
   std::vector<Index> m_fixed;
   Block_vectors m_solution, m_residual, m_direction;      // of the linear system A x = b, in scaled variables
+  double m_decrease_by_relaxation = 0;
   double m_energy_of_solution = 0, m_product_with_right_side = 0;     // x A x, b x
 };
 
