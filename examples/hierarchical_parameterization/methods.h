@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct Method_options
   std::string start;        // a file with a map to start from, or empty
   std::string hold;         // a file with places of vertices, or empty
   double least_used_part;   // of the square of an atlas; 0: charts are not divided
+  std::optional<double> distortion_bound, overlap_bound;      // of an atlas; none: the defaults
   bool flat, quiet, is_globally_injective, fills_holes;
   SMP::Flip_policy flip_policy;
 };

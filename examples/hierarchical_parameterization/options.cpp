@@ -66,6 +66,13 @@ po::options_description describe_options(Options& options, Words& words, Numbers
   add("least-used-part", po::value(&options.least_used_part)->default_value(0),
       "divide charts by short cuts until they cover this part of the unit square, from 0 to 1, or no cut helps; 0.7 is "
       "within reach of most surfaces. Makes an atlas of one component, too");
+  add("distortion-bound", po::value<double>(),
+      "cut surfaces until their mean symmetric Dirichlet energy, 4 without distortion, is within this bound, as far as "
+      "50 branches of the seam lead; inf: only what must be cut. The default is 4.5 for surfaces that must be cut or "
+      "exceed 8. Makes an atlas of one component, too");
+  add("overlap-bound", po::value<double>(),
+      "divide charts whose map would lie over itself with more than this part of its triangles, from 0 to 1; 1: none. "
+      "The default is 0.2. Makes an atlas of one component, too");
   add("atlas", po::bool_switch(&options.makes_atlas),
       "make an atlas of one component, too: its chart or charts in the unit square");
   add("stitch", po::bool_switch(&options.is_stitched),
@@ -85,9 +92,9 @@ po::options_description describe_options(Options& options, Words& words, Numbers
       "before the repair of flips. Files of an earlier run that had more levels stay there");
   add("triangulate", po::bool_switch(&options.is_triangulated), "cut faces of more than three corners into triangles");
   add("orient", po::bool_switch(&options.is_oriented),
-      "turn faces so that neighbors, which share points, have one orientation. Where that cannot be, where more than two faces meet at an "
-      "edge or several fans at a vertex, the surface is cut: points are there several times then, the new ones behind "
-      "those of the input");
+      "turn faces so that neighbors, which share points, have one orientation. Where that cannot be, where more than "
+      "two faces meet at an edge or several fans at a vertex, the surface is cut: points are there several times then, "
+      "the new ones behind those of the input");
   add("flat", po::bool_switch(&options.flat),
       "run the method without the hierarchy; those of CGAL as they are shipped. --tolerance and --iterations are for "
       "mips and symmetric-dirichlet then: a direct solver, or CGAL, takes neither");
@@ -200,6 +207,8 @@ void read_part(const std::string& components, const std::string& cut, Options& o
   const std::string option_of_atlas = components == "all"           ? "--components all"
                                       : cut == "auto"               ? "--cut auto"
                                       : options.least_used_part > 0 ? "--least-used-part"
+                                      : options.distortion_bound    ? "--distortion-bound"
+                                      : options.overlap_bound       ? "--overlap-bound"
                                       : options.makes_atlas         ? "--atlas"
                                                                     : "";
   const std::string option_of_one_chart = options.flat              ? "--flat"
@@ -211,7 +220,14 @@ void read_part(const std::string& components, const std::string& cut, Options& o
     throw Usage_error{ option_of_atlas + ": not with " + option_of_one_chart + ", which takes one chart" };
   options.takes_all_components = components.empty() ? option_of_one_chart.empty() : components == "all";
   options.cuts = cut.empty() ? option_of_one_chart.empty() : cut == "auto";
-  options.makes_atlas = options.makes_atlas || options.least_used_part > 0;
+  options.makes_atlas = options.makes_atlas || options.least_used_part > 0 || options.distortion_bound ||
+                        options.overlap_bound;
+  if (options.cuts)
+    return;
+  if (options.distortion_bound || options.overlap_bound)
+    throw Usage_error{ "--distortion-bound, --overlap-bound: not with --cut none" };
+  options.distortion_bound = std::numeric_limits<double>::infinity();
+  options.overlap_bound = 1;
 }
 
 void check_several_inputs(const Options& options)
@@ -247,6 +263,10 @@ void check_options(const Options& options)
     throw Usage_error{ "--start: the levels below the finest, which --levels writes, have no maps then" };
   if (!(options.least_used_part >= 0 && options.least_used_part <= 1))
     throw Usage_error{ "--least-used-part: a number from 0 to 1 expected" };
+  if (options.distortion_bound && !(*options.distortion_bound >= 4))
+    throw Usage_error{ "--distortion-bound: a number of at least 4 expected" };
+  if (options.overlap_bound && !(*options.overlap_bound >= 0 && *options.overlap_bound <= 1))
+    throw Usage_error{ "--overlap-bound: a number from 0 to 1 expected" };
   if (options.flat && options.fills_holes && options.method->run_shipped)
     throw Usage_error{ "--fill-holes: not with --flat, which runs " + options.method->name + " as CGAL ships it" };
   if (options.threads < 0)
@@ -298,6 +318,10 @@ bool read_options(int argc, char** argv, Options& options)
     options.tolerance = options.method->tolerance;
   if (!values.count("iterations"))
     options.iterations = options.method->iterations;
+  if (values.count("distortion-bound"))
+    options.distortion_bound = values["distortion-bound"].as<double>();
+  if (values.count("overlap-bound"))
+    options.overlap_bound = values["overlap-bound"].as<double>();
   read_part(words.components, words.cut, options);
   check_options(options);
   if (options.inputs.empty())

@@ -20,7 +20,9 @@ SMP::Atlas_summary run_atlas(const Mesh& mesh, Corner_map corner_map, const Meth
 {
   const Chart_visitor visitor(mesh.number_of_faces(), !options.quiet && isatty(STDERR_FILENO));
   return SMP::atlas_parameterization<Method, ConcurrencyTag>(
-      mesh, corner_map, SMP::parameters::least_used_part(options.least_used_part),
+      mesh, corner_map,
+      SMP::parameters::least_used_part(options.least_used_part)
+          .distortion_bound(options.distortion_bound).overlap_bound(options.overlap_bound),
       np.tolerance(options.tolerance).number_of_iterations(options.iterations).fill_holes(options.fills_holes)
           .random_seed(options.seed).visitor(visitor));
 }

@@ -362,7 +362,7 @@ TEST(Program_parts, without_a_map_are_told_and_left_out)
 {
   const Mesh tube_and_patch = joined(tube(3, 5), shifted(patch(), 20));
   const Runs runs(tube_and_patch);
-  EXPECT_EQ(runs.run("in.off --method lscm --flips fail --output map.obj --report report.json"), failed);
+  EXPECT_EQ(runs.run("in.off --method lscm --cut none --flips fail --output map.obj --report report.json"), failed);
   EXPECT_EQ(runs.error().find("in.off: 1 of 2 charts have no map, first that of face 0: the map has "), 0u) << runs.error();
   EXPECT_NE(runs.error().find("; --flips repair or keep\n"), std::string::npos) << runs.error();
   const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
@@ -374,7 +374,7 @@ TEST(Program_parts, without_a_map_are_told_and_left_out)
   // Without any map there is no file.
   runs.write_input("in.off", joined(tube(3, 5), shifted(tube(3, 5), 20)));
   fs::remove(runs.m_folder / "map.obj");
-  EXPECT_EQ(runs.run("in.off --method lscm --flips fail --output map.obj"), failed);
+  EXPECT_EQ(runs.run("in.off --method lscm --cut none --flips fail --output map.obj"), failed);
   EXPECT_FALSE(fs::exists(runs.m_folder / "map.obj"));
 }
 
@@ -508,7 +508,10 @@ TEST(Program_atlas_options, that_need_one_chart_are_refused)
   for (const std::string arguments :
        { "--flat --components all", "--flat --cut auto", "--levels levels --components all", "--levels levels --cut auto",
          "--start in.off --components all", "--start in.off --cut auto", "--components some", "--cut some",
-         "--flat --least-used-part 0.7", "--least-used-part 1.5", "--least-used-part nan" }) {
+         "--flat --least-used-part 0.7", "--least-used-part 1.5", "--least-used-part nan",
+         "--flat --distortion-bound 5", "--cut none --distortion-bound 5", "--distortion-bound 3.9",
+         "--distortion-bound nan", "--start in.off --overlap-bound 0.1", "--cut none --overlap-bound 0.1",
+         "--overlap-bound -0.1", "--overlap-bound 1.1", "--overlap-bound nan" }) {
     EXPECT_EQ(runs.run("missing.off " + arguments), 1) << arguments;
     const std::string error = runs.error();
     EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
@@ -539,6 +542,27 @@ TEST(Program_atlas_options, divide_charts)
   ASSERT_EQ(runs.run("in.off --report report.json --least-used-part 0.1"), good);
   EXPECT_EQ(runs.report().at("atlas").at("divisions"), 0);
   EXPECT_LT(runs.report().at("atlas").at("used_part"), atlas.at("used_part"));
+}
+
+// A tube that is closed at one end is one chart, which is distorted far, unless it is cut.
+TEST(Program_atlas_options, bound_distortion)
+{
+  const Mesh m = tube(16, 4);
+  const Runs runs(m);
+  const auto energy = [&](const std::string& arguments) -> double {
+    EXPECT_EQ(runs.run("in.off --method symmetric-dirichlet --output map.obj --report report.json " + arguments), good);
+    return runs.report().at("quality").at("symmetric_dirichlet");
+  };
+  EXPECT_GT(energy(""), 8);
+  EXPECT_FALSE(runs.report().contains("atlas"));
+  EXPECT_GT(energy("--distortion-bound inf"), 8);
+  for (const std::string arguments : { "--atlas", "--distortion-bound 4.3", "--overlap-bound 1" }) {
+    EXPECT_LT(energy(arguments), 4.6) << arguments;
+    const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
+    expect_same_mesh(map, m);
+    expect_one_to_one(map);
+    EXPECT_GT(runs.report().at("atlas").at("seam_edges"), 0);
+  }
 }
 
 // What needs no cut becomes an atlas, too, in the unit square.

@@ -161,7 +161,7 @@ TYPED_TEST(Relaxation_of, moves_the_vertices_it_is_told_to)
     const std::size_t first = group == 0 ? 0 : f.hierarchy.number_of_vertices(group - 1),
                       last = f.hierarchy.number_of_vertices(group);
     Level::Uv uv = start;
-    relaxation.sweep_group(group, uv);
+    relaxation.sweep_group(group, uv, 1);
     for (std::size_t v = 0; v < uv.size(); ++v)
       EXPECT_EQ(uv[v] != start[v], first <= v && v < last);
   }

@@ -24,7 +24,7 @@ struct Atlas_summary
   {
     std::size_t faces = 0;                  ///< number of triangles
     /// of its map. The index of an error is that of a face of the mesh. Of a part of a chart that was divided it is
-    /// that of the whole chart, with a share of its seconds
+    /// that of the whole chart, with a share of its seconds, unless it was divided as it lay over itself
     Parameterization_summary summary;
   };
 
@@ -32,7 +32,7 @@ struct Atlas_summary
   Cut_summary cut;                      ///< the components, and the seams that were made, also between parts of charts
   std::vector<Chart> charts;            ///< in the order of their first faces
   std::vector<std::size_t> chart_of_face;         ///< number of each face's chart, in the order of `faces(mesh)`
-  std::size_t divisions = 0;            ///< cuts that divided charts, so that they fill the square better
+  std::size_t divisions = 0;            ///< by how many the number of charts grew as charts were divided
   double used_part = 0;                 ///< of the area of the square
   double seconds_cut = 0;               ///< wall-clock time of reading and cutting
   double seconds_parameterize = 0;      ///< wall-clock time of the charts' maps

@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/atlas_steps.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/parameterize_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -31,6 +32,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -39,85 +41,9 @@ namespace CGAL::Surface_mesh_parameterization {
 
 namespace internal {
 
-// With the value `true` for `globally_injective` if the method knows that name and the caller gives no value.
-template <class Method, class NamedParameters>
-auto with_injectivity(const NamedParameters& np)
-{
-  typedef Detected<Option_names_of, Method>   Taken;
-  if constexpr (std::is_same<Taken, void>::value)
-    return np;
-  else if constexpr (has_name<internal_np::globally_injective_t>(Taken()) &&
-                     parameters::is_default_parameter<NamedParameters, internal_np::globally_injective_t>::value)
-    return Named_parameters<bool, internal_np::globally_injective_t, NamedParameters>(true, np);
-  else
-    return np;
-}
-
-// Parameterizes a chart, and scales the map to the chart's area in space.
-template <template <class...> class Method, class NamedParameters>
-Parameterization_summary parameterize_chart(const Corner_mesh& chart, const NamedParameters& np,
-                                            std::vector<Point_2>& uv)
-{
-  Parameterization_summary summary;
-  Chart_mesh mesh;
-  if (!make_chart_mesh(chart, mesh)) {
-    summary.error.code = ERROR_NO_TOPOLOGICAL_DISC;
-    return summary;
-  }
-  const auto uvmap = mesh.add_property_map<Chart_mesh::Vertex_index, Point_2>("v:uv").first;
-  summary = hierarchical_parameterization<Method>(mesh, uvmap, with_injectivity<Method<Chart_mesh>>(np));
-  if (summary.is_ok()) {
-    uv.assign(uvmap.begin(), uvmap.end());
-    scale_to_area_in_space(chart, uv);
-  }
-  return summary;
-}
-
-// Parameterizes all charts, unless a visitor stops the run. Returns which have a map.
-template <template <class...> class Method, class NamedParameters>
-std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, const Loops& loops,
-                                      Atlas_summary& result)
-{
-  const Index number_of_charts = Index(atlas.charts.size());
-  for (const std::vector<Index>& faces : atlas.charts) {
-    result.charts.push_back({ faces.size(), Parameterization_summary() });
-    result.charts.back().summary.error.code = ERROR_STOPPED;      // until it has been laid out
-  }
-  atlas.uv.assign(atlas.mesh.number_of_vertices(), Point_2(0, 0));
-  std::atomic<bool> is_stopped(false);
-  const auto make_scratch = [&] { return std::vector<Index>(atlas.mesh.number_of_vertices(), no_index); };
-  const auto parameterize = [&](Index begin, Index end, std::vector<Index>& scratch) {
-    for (Index i = begin; i < end && !is_stopped; ++i) {
-      const std::vector<Index>& faces = atlas.charts[i];
-      const Corner_mesh chart = component_of(atlas.mesh, faces, scratch);
-      std::vector<Point_2> uv;
-      Parameterization_summary summary = parameterize_chart<Method>(chart, np, uv);
-      if (summary.error.code == ERROR_STOPPED)
-        is_stopped = true;
-      summary.error = error_in_mesh(summary.error, chart, faces);
-      if (summary.is_ok()) {
-        const std::vector<Index> vertices = vertices_of(atlas.mesh, faces);
-        for (std::size_t j = 0; j < vertices.size(); ++j)
-          atlas.uv[vertices[j]] = uv[j];
-      }
-      result.charts[i].summary = std::move(summary);
-    }
-  };
-  loops.for_each_block_with_scratch(0, number_of_charts, make_scratch, parameterize, 1);
-
-  std::vector<bool> has_map;
-  for (const Atlas_summary::Chart& chart : result.charts) {
-    has_map.push_back(chart.summary.is_ok());
-    if (result.is_ok())
-      result.error = chart.summary.error;
-  }
-  if (is_stopped)
-    result.error = { ERROR_STOPPED, Parameterization_error::NOWHERE, 0 };
-  return has_map;
-}
-
 typedef Joined_names<Joined_names<Cut_names, Pack_names>,
-                     Names<internal_np::edge_is_constrained_t, internal_np::least_used_part_t>>   Atlas_names;
+                     Names<internal_np::edge_is_constrained_t, internal_np::least_used_part_t,
+                           internal_np::overlap_bound_t>>   Atlas_names;
 
 } // namespace internal
 
@@ -134,7 +60,11 @@ typedef Joined_names<Joined_names<Cut_names, Pack_names>,
 /// corners at a vertex have several places if the vertex lies on a seam. Halfedges on a border get none.
 ///
 /// A method that knows the named parameter `globally_injective` gets the value `true` unless the caller gives another
-/// one: then no two triangles of the atlas overlap.
+/// one: then no two triangles of the atlas overlap. A chart that would lie over itself far, or whose borders could not
+/// be kept apart, is divided, and its parts are laid out instead, with any method whose map of it has no flips.
+///
+/// Source of the cut that divides a chart: Boykov, Kolmogorov, *An experimental comparison of min-cut/max-flow
+/// algorithms for energy minimization in vision*, 2004.
 ///
 /// \tparam Method a class template of parameterizers, as of `hierarchical_parameterization()`
 /// \tparam ConcurrencyTag `CGAL::Parallel_tag` cuts several components side by side, then lays out several charts, and
@@ -152,11 +82,14 @@ typedef Joined_names<Joined_names<Cut_names, Pack_names>,
 ///   divided where a short cut lets boxes around both sides become smaller. Up to 50 cuts are tried, and the best
 ///   division is taken, which need not reach the value; 0.7 is within reach of most surfaces. The map of a part
 ///   remains. More than 200 charts are not divided. Default: 0, no division
+/// - `overlap_bound`: the part of a chart's triangles, from 0 to 1, that may lie over others, counted by their centroids,
+///   when the method has minimized its energy, or before it keeps borders apart if it can do so. Where more do, the
+///   chart is divided. 1: no chart is divided. A `double` or a `std::optional<double>`. Default: 0.2
 /// \param np_of_charts those of `hierarchical_parameterization()` except `summary`, for every chart. A `visitor` is
 ///        told of one chart after the other, with `CGAL::Parallel_tag` of several at the same time, in their threads;
 ///        if it stops one, no other one begins, and there is no atlas
 ///
-/// \return what was done, with the first error
+/// \return what was done, with the first error. It is `ERROR_WRONG_PARAMETER` where a number is out of its bounds
 template <template <class...> class Method = Symmetric_Dirichlet_parameterizer_3, class ConcurrencyTag = Sequential_tag,
           class TriangleMesh, class HalfedgeUVMap, class NamedParameters = parameters::Default_named_parameters,
           class Chart_parameters = parameters::Default_named_parameters>
@@ -181,10 +114,15 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
     const internal::Pack_options pack_options = internal::pack_options_of(np);
     const double least_used_part =
         parameters::choose_parameter(parameters::get_parameter(np, internal_np::least_used_part), 0.);
-    if (!pack_options.is_valid() || !(least_used_part >= 0 && least_used_part <= 1)) {
-      result.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0,
-                       pack_options.is_valid() ? "least_used_part is not from 0 to 1"
-                                               : "the margin is not from 0 to 0.1" };
+    const std::optional<double> bound = parameters::choose_parameter(
+        parameters::get_parameter(np, internal_np::overlap_bound), std::optional<double>());
+    const double overlap_bound = bound.value_or(0.2);
+    const char* const wrong = !pack_options.is_valid()                             ? "the margin is not from 0 to 0.1"
+                              : !(least_used_part >= 0 && least_used_part <= 1) ? "least_used_part is not from 0 to 1"
+                              : !(overlap_bound >= 0 && overlap_bound <= 1)     ? "overlap_bound is not from 0 to 1"
+                                                                                : nullptr;
+    if (wrong) {
+      result.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, wrong };
       return result;
     }
     internal::read_and_cut(mesh, seams, np, loops, atlas.mesh, result.cut);
@@ -195,7 +133,8 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
     result.chart_of_face = internal::chart_of_face(atlas);
     result.seconds_cut = timer.time();
 
-    std::vector<bool> has_map = internal::parameterize_charts<Method>(atlas, np_of_charts, loops, result);
+    std::vector<bool> has_map = internal::parameterize_charts<Method>(
+        atlas, np_of_charts, internal::cut_options_of(np), overlap_bound, loops, result);
     result.seconds_parameterize = timer.time() - result.seconds_cut;
 
     if (result.error.code == ERROR_STOPPED)

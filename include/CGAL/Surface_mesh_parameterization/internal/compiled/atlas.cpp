@@ -13,4 +13,5 @@
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Grid_packer_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Strip_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/divide_charts_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/overlap_cut_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts_impl.h>

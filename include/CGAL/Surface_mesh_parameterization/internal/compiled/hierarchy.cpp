@@ -5,6 +5,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/box_pairs_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/covered_triangles_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/separate_borders_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops_impl.h>

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_component.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <optional>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -24,10 +25,11 @@ Cut_options cut_options_of(const NamedParameters& np)
   using parameters::choose_parameter;
   using parameters::get_parameter;
   Cut_options options;
-  options.bounds_disks =
-      !parameters::is_default_parameter<NamedParameters, internal_np::distortion_bound_t>::value;
-  options.distortion_bound =
-      choose_parameter(get_parameter(np, internal_np::distortion_bound), options.distortion_bound);
+  const std::optional<double> bound =
+      choose_parameter(get_parameter(np, internal_np::distortion_bound), std::optional<double>());
+  options.measures_all_disks = bound.has_value();
+  if (bound)
+    options.distortion_bound = options.bound_of_disks = *bound;
   options.joins_borders = choose_parameter(get_parameter(np, internal_np::join_borders), options.joins_borders);
   return options;
 }

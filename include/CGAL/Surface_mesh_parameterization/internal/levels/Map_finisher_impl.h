@@ -85,8 +85,10 @@ Error_code Map_finisher::round(const Level& level, Level::Uv& uv)
 {
   if (!m_method.is_flip_free() && m_options.flips.policy == Flip_policy::KEEP)
     return OK;
+  const auto crosses_itself = [&] { return has_crossings(border_edges(level.rings()), uv); };
+  const bool must_stay_apart = m_must_keep_apart && !crosses_itself();
   const bool is_good = round_map(level.rings(), m_options.round, level.scale_exponent(), uv) &&
-                       !(m_must_keep_apart && has_crossings(border_edges(level.rings()), uv));
+                       !(must_stay_apart && crosses_itself());
   return is_good ? OK : ERROR_NO_1_TO_1_MAPPING;
 }
 

@@ -43,6 +43,9 @@ private:
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv);
   Error_code climb(Level& level, Level::Uv& uv);
 
+  // Whether a map lies over itself so far that borders are not to be kept apart.
+  bool overlaps_too_far(const Level& level, const Level::Uv& uv) const;
+
   // Goes on with borders kept apart from the finest level on which they were apart of themselves.
   Error_code climb_with_borders_apart(Level& level, Level::Uv& uv);
 
@@ -58,6 +61,7 @@ private:
   Run_progress& m_progress;
   Parameterization_summary& m_summary;
   bool m_must_hold_places;
+  double m_overlap_bound;
   bool m_must_keep_apart;           // the method, the borders of the result
   Map_finisher m_finisher;
   CGAL::Real_timer m_timer_of_level;

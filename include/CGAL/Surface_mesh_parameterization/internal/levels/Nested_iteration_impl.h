@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/covered_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/vertex_order.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
@@ -23,8 +24,8 @@ Nested_iteration::Nested_iteration(Refinable_method& method, const Nested_iterat
                                    Any_hierarchy_visitor* visitor, Run_progress& progress,
                                    Parameterization_summary& summary)
   : m_method(method), m_visitor(visitor), m_progress(progress), m_summary(summary),
-    m_must_hold_places(options.must_hold_places), m_must_keep_apart(method.keep_borders_apart(true)),
-    m_finisher(method, options, m_must_keep_apart, summary)
+    m_must_hold_places(options.must_hold_places), m_overlap_bound(options.overlap_bound),
+    m_must_keep_apart(method.keep_borders_apart(true)), m_finisher(method, options, m_must_keep_apart, summary)
 {
   m_timer_of_level.start();
 }
@@ -63,7 +64,7 @@ Error_code Nested_iteration::parameterize_level_by_level(Level& level, Level::Uv
   Error_code status = parameterize_coarsest(level, uv);
   if (status == OK)
     status = climb(level, uv);
-  if (status == OK && m_watches_borders && m_map_apart.size() < uv.size())
+  if (status == OK && m_watches_borders && m_map_apart.size() < uv.size() && !overlaps_too_far(level, uv))
     status = climb_with_borders_apart(level, uv);
   return status;
 }
@@ -92,6 +93,12 @@ Error_code Nested_iteration::climb(Level& level, Level::Uv& uv)
       status = refine(level, uv);
   }
   return status;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Nested_iteration::overlaps_too_far(const Level& level, const Level::Uv& uv) const
+{
+  return m_overlap_bound < 1 && covered_part(level.triangles(), uv) > m_overlap_bound;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

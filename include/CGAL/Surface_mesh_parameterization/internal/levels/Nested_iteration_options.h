@@ -19,6 +19,7 @@ struct Nested_iteration_options
   Hierarchy_options hierarchy;                      // a flat run: `coarsest_size` is at least the number of vertices
   bool fills_holes = false;
   bool must_hold_places = false;                    // a result whose fixed vertices are not at their places is none
+  double overlap_bound = 1;         // of a map whose borders are to be kept apart: what more covers is left as it is
   Make_starting_map make_starting_map = nullptr;      // of the user's map; null if the run starts on the coarsest level
   Flip_settlement flips;            // for what methods leave that do not keep triangles positive
   Round_coordinate round = nullptr;       // to the number type of the result; null if that holds doubles
@@ -41,6 +42,7 @@ Nested_iteration_options nested_iteration_options_of(const NamedParameters& np)
   Nested_iteration_options options;
   options.hierarchy = hierarchy_options_of(np);
   options.fills_holes = choose_parameter(get_parameter(np, internal_np::fill_holes), options.fills_holes);
+  options.overlap_bound = choose_parameter(get_parameter(np, internal_np::overlap_bound), options.overlap_bound);
   options.make_starting_map = make_starting_map_of(np);
   options.flips = flip_settlement_of<!is_result_flip_free<Method>>(np);
   return options;

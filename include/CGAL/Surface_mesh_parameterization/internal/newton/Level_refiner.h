@@ -127,8 +127,7 @@ private:
   {
     const Vertex_relaxation relaxation(m_energy, 1, m_barrier.get());
     if (m_level.index() > 0)
-      count(relaxation.sweep_group(m_level.index(), m_uv, (std::numeric_limits<double>::infinity)(),
-                                   m_options.sweeps_of_new_vertices));
+      count(relaxation.sweep_group(m_level.index(), m_uv, m_options.sweeps_of_new_vertices));
   }
 
   void relax_until_convergence()
@@ -179,7 +178,9 @@ private:
 
   void take_newton_steps(Vertex_relaxation& relaxation)
   {
-    const double least_decrease = m_level.is_finest() ? m_refinement.tolerance : m_options.decrease_on_coarse_levels;
+    const double tolerance = m_barrier ? (std::max)(m_refinement.tolerance, m_options.least_decrease_with_barrier)
+                                       : m_refinement.tolerance,
+                 least_decrease = m_level.is_finest() ? tolerance : m_options.decrease_on_coarse_levels;
     Newton_method newton(m_energy, m_barrier.get(), m_options.newton);
     newton.fix_vertices(fixed_vertices(m_level));
     relaxation.set_turn_barrier(newton.turn_barrier());

@@ -36,6 +36,9 @@ struct Level_refiner_options
   double long_step = 0.7;               // shorter steps do not tell how Newton's method converges
   // A step after one that gained so many times as much: another one has to confirm that nothing is left to gain.
   double sudden_fall = 1e-4;
+  // Where borders are kept apart a step has to lower it by more than this part, whatever the tolerance is: they slide
+  // along each other for long in the end, and gain less than what it costs to keep them apart.
+  double least_decrease_with_barrier = 1e-4;
   // On a surface that can be laid in the plane without distortion the excess has no bound from below. Less of it than
   // this part of the energy is not looked at closer.
   double least_excess = 1e-4;

@@ -51,11 +51,54 @@ public:
     return effect;
   }
 
+  // Relaxes the vertices that the level `group` has in addition to the next coarser one, see relax_group().
+  Effect sweep_group(std::size_t group, Level::Uv& uv, int sweeps) const
+  {
+    Effect effect;
+    for (int i = 0; i < sweeps; ++i) {
+      set_reach(uv);
+      add(effect, relax_group(group, uv, infinity, 1));
+    }
+    return effect;
+  }
+
+  // Relaxes vertices that are chosen at random by a generator of 32-bit numbers, as the paper does; returns by how much
+  // the energy fell.
+  template <class RandomGenerator>
+  double random_steps(Level::Uv& uv, std::size_t number_of_steps, RandomGenerator& random) const
+  {
+    const std::unique_ptr<Vertex_relaxer> relaxer = m_energy.make_vertex_relaxer();
+    double decrease = 0;
+    for (std::size_t i = 0; i < number_of_steps; ++i) {
+      if (i % m_level.number_of_vertices() == 0)
+        set_reach(uv);
+      decrease += relax(Index((std::uint64_t(random()) * m_level.number_of_vertices()) >> 32), 1, uv, *relaxer);
+    }
+    return decrease;
+  }
+
+private:
+  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
+
+  static void add(Effect& sum, const Effect& effect)
+  {
+    sum.decrease += effect.decrease;
+    sum.visits += effect.visits;
+    sum.active_vertices.insert(sum.active_vertices.end(), effect.active_vertices.begin(), effect.active_vertices.end());
+  }
+
+  // What the barrier lets border vertices go holds until all of them have moved: a vertex is charged for its way.
+  void set_reach(const Level::Uv& uv) const
+  {
+    if (m_barrier)
+      m_barrier->set_reach(uv);
+  }
+
   // Relaxes the vertices that the level `group` has in addition to the next coarser one. They share no edge, so that
   // only those on the border, where the angles involve two neighbors, have to go one by one. So have all of level 0.
   //
   // Several sweeps go over any group but that of level 0. To a vertex within the surface they are steps in one star.
-  Effect sweep_group(std::size_t group, Level::Uv& uv, double least_decrease = infinity, int sweeps = 1) const
+  Effect relax_group(std::size_t group, Level::Uv& uv, double least_decrease, int sweeps = 1) const
   {
     const Collapse_hierarchy_3& hierarchy = m_level.hierarchy();
     const Index first = group == 0 ? 0 : Index(hierarchy.number_of_vertices(group - 1)),
@@ -80,45 +123,18 @@ public:
           return relax_if(begin, end, false, sweeps, *relaxer);
         },
         add);
-    for (int i = 0; i < sweeps; ++i) {
-      if (m_barrier)
-        m_barrier->set_reach(uv);
+    for (int i = 0; i < sweeps; ++i)
       add(effect, relax_if(first, last, true, 1, *make_relaxer()));
-    }
     effect.visits = std::size_t(sweeps) * (last - first);
     return effect;
-  }
-
-  // Relaxes vertices that are chosen at random by a generator of 32-bit numbers, as the paper does; returns by how much
-  // the energy fell.
-  template <class RandomGenerator>
-  double random_steps(Level::Uv& uv, std::size_t number_of_steps, RandomGenerator& random) const
-  {
-    const std::unique_ptr<Vertex_relaxer> relaxer = m_energy.make_vertex_relaxer();
-    double decrease = 0;
-    for (std::size_t i = 0; i < number_of_steps; ++i) {
-      if (m_barrier && i % m_level.number_of_vertices() == 0)
-        m_barrier->set_reach(uv);
-      decrease += relax(Index((std::uint64_t(random()) * m_level.number_of_vertices()) >> 32), 1, uv, *relaxer);
-    }
-    return decrease;
-  }
-
-private:
-  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
-
-  static void add(Effect& sum, const Effect& effect)
-  {
-    sum.decrease += effect.decrease;
-    sum.visits += effect.visits;
-    sum.active_vertices.insert(sum.active_vertices.end(), effect.active_vertices.begin(), effect.active_vertices.end());
   }
 
   Effect sweep_once(Level::Uv& uv, double least_decrease) const
   {
     Effect effect;
+    set_reach(uv);
     for (std::size_t group = 0; group <= m_level.index(); ++group)
-      add(effect, sweep_group(group, uv, least_decrease));
+      add(effect, relax_group(group, uv, least_decrease));
     return effect;
   }
 

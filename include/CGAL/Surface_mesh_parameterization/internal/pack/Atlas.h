@@ -38,6 +38,9 @@ std::vector<Point_2> map_of(const Atlas& atlas, const std::vector<Index>& faces)
 // The triangles of a chart in the plane.
 Chart chart_of(const Corner_mesh& mesh, std::vector<Point_2> uv);
 
+// Whether all triangles of a chart are positive.
+bool is_positive(const Chart& chart);
+
 // Makes the charts of an atlas from the places of its corners: they end where the two sides of an edge have different
 // places.
 void make_charts(const std::vector<Point_2>& corners, Atlas& atlas);

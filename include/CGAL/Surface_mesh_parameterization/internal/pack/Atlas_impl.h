@@ -104,7 +104,8 @@ void split_charts(const std::vector<Point_2>& corners, Atlas& atlas)
     atlas.uv[mesh.vertex[h]] = corners[h];
 }
 
-inline bool is_positive(const Chart& chart)
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool is_positive(const Chart& chart)
 {
   return std::all_of(chart.triangles.begin(), chart.triangles.end(), [&](const Index_triangle& t) {
     return is_left_turn(chart.points[t[0]], chart.points[t[1]], chart.points[t[2]]);

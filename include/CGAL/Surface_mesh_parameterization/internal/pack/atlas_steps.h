@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_part.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/divide_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
@@ -55,6 +56,80 @@ inline Parameterization_error error_in_mesh(const Parameterization_error& error,
       if (chart.vertex[h] == error.index)
         result.index = faces[h / 3];
   return result;
+}
+
+// A part of a chart with its map, and what the mesh of the part tells for the atlas.
+struct Part_with_map
+{
+  std::vector<Index> faces;                 // of the atlas's mesh
+  std::vector<Index> border;                // halfedges of that
+  std::vector<Point_2> uv;                  // of the part's vertices; none if it has no map
+  Parameterization_summary summary;
+
+  Part_with_map(Chart_part part, Parameterization_summary summary_of_part) : summary(std::move(summary_of_part))
+  {
+    summary.error = error_in_mesh(summary.error, part.mesh, part.faces);
+    for (Index h = 0; h < part.mesh.number_of_halfedges(); ++h)
+      if (part.mesh.is_border(h))
+        border.push_back(part.halfedge_of_atlas(h));
+    faces = std::move(part.faces);
+    if (summary.is_ok())
+      uv = std::move(part.uv);
+  }
+};
+
+typedef std::vector<Part_with_map>   Parts_with_map;
+
+// Severs charts between their parts, of which each chart has at least one.
+inline void sever_parts(const std::vector<Parts_with_map>& parts, Atlas& atlas, Atlas_summary& result)
+{
+  const std::size_t old_number_of_charts = atlas.charts.size();
+  bool is_severed = false;
+  for (const Parts_with_map& parts_of_chart : parts)
+    for (const Part_with_map& part : parts_of_chart)
+      for (const Index h : part.border)
+        if (!atlas.mesh.is_border(h)) {
+          ++result.cut.seam_edges;
+          result.cut.seam_length += length(atlas.mesh, h);
+          atlas.mesh.sever(h);
+          is_severed = true;
+        }
+  if (!is_severed)
+    return;
+  split_vertices(atlas.mesh);
+  atlas.charts = connected_components(atlas.mesh);
+  result.divisions += atlas.charts.size() - old_number_of_charts;
+  result.chart_of_face = chart_of_face(atlas);
+}
+
+// Makes parts of charts the charts of an atlas. Returns which have a map.
+inline std::vector<bool> take_parts(const std::vector<Parts_with_map>& parts, Atlas& atlas, Atlas_summary& result)
+{
+  sever_parts(parts, atlas, result);
+  std::vector<const Part_with_map*> part_of_chart(atlas.charts.size());
+  for (const Parts_with_map& parts_of_chart : parts)
+    for (const Part_with_map& part : parts_of_chart)
+      part_of_chart[result.chart_of_face[part.faces.front()]] = &part;
+
+  atlas.uv.assign(atlas.mesh.number_of_vertices(), Point_2(0, 0));
+  std::vector<bool> has_map;
+  bool is_stopped = false;
+  for (std::size_t i = 0; i < atlas.charts.size(); ++i) {
+    const Part_with_map& part = *part_of_chart[i];
+    if (!part.uv.empty()) {
+      const std::vector<Index> vertices = vertices_of(atlas.mesh, part.faces);
+      for (std::size_t j = 0; j < vertices.size(); ++j)
+        atlas.uv[vertices[j]] = part.uv[j];
+    }
+    has_map.push_back(part.summary.is_ok());
+    result.charts.push_back({ part.faces.size(), part.summary });
+    if (result.is_ok())
+      result.error = part.summary.error;
+    is_stopped = is_stopped || part.summary.error.code == ERROR_STOPPED;
+  }
+  if (is_stopped)
+    result.error = { ERROR_STOPPED, Parameterization_error::NOWHERE, 0 };
+  return has_map;
 }
 
 // Divides the charts that have a map, so that they fill the square better.

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_DIVIDE_CHARTS_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_DIVIDE_CHARTS_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_part.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/best_chord.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/divide_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/path_in_plane.h>
@@ -19,39 +20,13 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// A chart, or a part of one.
-struct Chart_part
+// A chart, or a part of one, and what another cut would do.
+struct Divided_part : Chart_part
 {
-  std::size_t chart;
-  std::vector<Index> faces;                 // of the atlas's mesh, in increasing order
-  Corner_mesh mesh;
-  std::vector<Point_2> uv;
   double box = 0;                           // the area that the least box around it takes
   std::vector<Index> cut;                   // halfedges of the best cut
   double gain = 0;                          // of that cut; 0 if there is none that is worth it
 };
-
-// What the part's cut leaves: both sides, or the whole part if the cut does not divide it.
-inline std::vector<Chart_part> sides_of(const Chart_part& part)
-{
-  Corner_mesh mesh = part.mesh;
-  for (const Index h : part.cut)
-    mesh.sever(h);
-  const std::vector<Index> old_vertices = split_vertices(mesh);
-  std::vector<Index> scratch(mesh.number_of_vertices(), no_index);
-  std::vector<Chart_part> sides;
-  for (const std::vector<Index>& faces : connected_components(mesh)) {
-    Chart_part& side = sides.emplace_back();
-    side.chart = part.chart;
-    side.mesh = component_of(mesh, faces, scratch);
-    for (const Index f : faces)
-      side.faces.push_back(part.faces[f]);
-    for (const Index v : vertices_of(mesh, faces))
-      side.uv.push_back(part.uv[old_vertices[v]]);
-    scale_to_area_in_space(side.mesh, side.uv);
-  }
-  return sides;
-}
 
 class Chart_divider
 {
@@ -64,7 +39,7 @@ public:
     std::vector<Index> scratch(atlas.mesh.number_of_vertices(), no_index);
     for (std::size_t i = 0; i < atlas.charts.size(); ++i)
       if (has_map[i]) {
-        Chart_part& part = m_parts.emplace_back();
+        Divided_part& part = m_parts.emplace_back();
         part.chart = i;
         part.faces = atlas.charts[i];
         part.mesh = component_of(atlas.mesh, part.faces, scratch);
@@ -78,9 +53,9 @@ public:
     double used_part = find_used_part();
     if (used_part >= m_options.least_used_part)
       return;
-    for (Chart_part& part : m_parts)
+    for (Divided_part& part : m_parts)
       find_cut(part);
-    std::vector<Chart_part> best_parts = m_parts;
+    std::vector<Divided_part> best_parts = m_parts;
     std::size_t best_size_of_seam = 0, best_divisions = 0;
     for (std::size_t packings = 1; packings < m_options.most_packings && divide_until_boxes_are_full(); ++packings) {
       const double other = find_used_part();
@@ -98,7 +73,7 @@ public:
     m_divisions = best_divisions;
   }
 
-  const std::vector<Chart_part>& parts() const { return m_parts; }
+  const std::vector<Divided_part>& parts() const { return m_parts; }
   const std::vector<Index>& seam() const { return m_seam; }
   std::size_t divisions() const { return m_divisions; }
 
@@ -106,7 +81,7 @@ private:
   double find_used_part() const
   {
     std::vector<Chart> charts;
-    for (const Chart_part& part : m_parts)
+    for (const Divided_part& part : m_parts)
       charts.push_back(chart_of(part.mesh, part.uv));
     return pack_charts(charts, m_pack_options).used_part;
   }
@@ -114,12 +89,12 @@ private:
   // Of what the boxes around all parts take, what the parts cover.
   double part_of_boxes() const
   {
-    const auto add = [](double sum, const Chart_part& part) { return sum + part.box; };
+    const auto add = [](double sum, const Divided_part& part) { return sum + part.box; };
     return m_area / std::accumulate(m_parts.begin(), m_parts.end(), 0., add);
   }
 
   // Where a part is to be cut, if that is worth it.
-  void find_cut(Chart_part& part) const
+  void find_cut(Divided_part& part) const
   {
     const std::vector<Index> border = outer_border(part.mesh, part.uv);
     std::vector<Index> places;
@@ -156,7 +131,7 @@ private:
   bool divide()
   {
     for (;;) {
-      const auto part = std::max_element(m_parts.begin(), m_parts.end(), [](const Chart_part& a, const Chart_part& b) {
+      const auto part = std::max_element(m_parts.begin(), m_parts.end(), [](const Divided_part& a, const Divided_part& b) {
         return a.gain < b.gain;
       });
       if (part != m_parts.end() && part->gain > 0) {
@@ -169,14 +144,16 @@ private:
       ++m_changes;
       m_cost_of_length *= m_options.change_of_cost;
       m_greatest_length *= m_options.change_of_length;
-      for (Chart_part& p : m_parts)
+      for (Divided_part& p : m_parts)
         find_cut(p);
     }
   }
 
-  bool divide(Chart_part& part)
+  bool divide(Divided_part& part)
   {
-    std::vector<Chart_part> sides = sides_of(part);
+    std::vector<Divided_part> sides;
+    for (Chart_part& side : sides_of(part, part.cut))
+      static_cast<Chart_part&>(sides.emplace_back()) = std::move(side);
     if (sides.size() == 1) {
       part.gain = 0;
       return false;
@@ -184,9 +161,11 @@ private:
     ++m_divisions;
     for (const Index h : part.cut)
       if (!part.mesh.is_border(h))
-        m_seam.push_back(3 * part.faces[h / 3] + h % 3);
-    for (Chart_part& side : sides)
+        m_seam.push_back(part.halfedge_of_atlas(h));
+    for (Divided_part& side : sides) {
+      scale_to_area_in_space(side.mesh, side.uv);
       find_cut(side);
+    }
     part = std::move(sides.front());
     m_parts.insert(m_parts.end(), std::make_move_iterator(sides.begin() + 1), std::make_move_iterator(sides.end()));
     return true;
@@ -194,7 +173,7 @@ private:
 
   Pack_options m_pack_options;
   const Division_options& m_options;
-  std::vector<Chart_part> m_parts;
+  std::vector<Divided_part> m_parts;
   double m_area = 0, m_cost_of_length = m_options.cost_of_length, m_greatest_length = m_options.greatest_length;
   std::size_t m_changes = 0;
   std::vector<Index> m_seam;
@@ -202,14 +181,14 @@ private:
 };
 
 // The places of all corners, where those of some charts' parts have been changed.
-inline std::vector<Point_2> corners_of(const Atlas& atlas, const std::vector<Chart_part>& parts)
+inline std::vector<Point_2> corners_of(const Atlas& atlas, const std::vector<Divided_part>& parts)
 {
   std::vector<Point_2> corners(atlas.mesh.number_of_halfedges());
   for (Index h = 0; h < atlas.mesh.number_of_halfedges(); ++h)
     corners[h] = atlas.uv[atlas.mesh.vertex[h]];
-  for (const Chart_part& part : parts)
+  for (const Divided_part& part : parts)
     for (Index h = 0; h < part.mesh.number_of_halfedges(); ++h)
-      corners[3 * part.faces[h / 3] + h % 3] = part.uv[part.mesh.vertex[h]];
+      corners[part.halfedge_of_atlas(h)] = part.uv[part.mesh.vertex[h]];
   return corners;
 }
 

@@ -1,0 +1,26 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_OVERLAP_CUT_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_OVERLAP_CUT_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Where to cut a connected chart whose map lies over itself: the halfedges of short cuts, on one side of which
+// triangles lie over others only in small pieces. None if the part of the triangles that do so is not greater than the
+// bound, or a triangle is not positive.
+std::vector<Index> overlap_cut(const Corner_mesh& chart, const std::vector<Point_2>& uv, double overlap_bound);
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
+#include <CGAL/Surface_mesh_parameterization/internal/pack/overlap_cut_impl.h>
+#endif
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_OVERLAP_CUT_H

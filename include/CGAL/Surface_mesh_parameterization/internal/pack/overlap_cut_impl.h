@@ -1,0 +1,213 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_OVERLAP_CUT_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_OVERLAP_CUT_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/border/covered_triangles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Minimum_cut.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/overlap_cut.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+class Overlap_cutter
+{
+public:
+  Overlap_cutter(const Corner_mesh& chart, const std::vector<Point_2>& uv)
+    : m_chart(chart), m_number_of_faces(chart.number_of_faces()), m_is_rival(m_number_of_faces, false)
+  {
+    const std::vector<Index_triangle> triangles = triangles_of(chart);
+    std::vector<std::pair<Index, Index>> covered;
+    for_each_covered_triangle(triangles, uv, [&](std::size_t i, std::size_t j) {
+      covered.emplace_back(Index(i), Index(j));
+      m_is_rival[i] = m_is_rival[j] = true;
+    });
+    m_rivals = Compressed_lists<Index>(m_number_of_faces, [&](const auto& add) {
+      for (const auto& [i, j] : covered) {
+        add(i, j);
+        add(j, i);
+      }
+    });
+    for (const Index_triangle& t : triangles) {
+      const Point_2 &a = uv[t[0]], &b = uv[t[1]], &c = uv[t[2]];
+      m_centroids.emplace_back((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
+      m_areas.push_back(doubled_area(a, b, c));
+    }
+  }
+
+  // The halfedges of the cut.
+  std::vector<Index> run() const
+  {
+    std::vector<bool> is_inside = with_short_border(largest_region());
+    join_small_pieces(is_inside);
+    return edges_between(is_inside);
+  }
+
+private:
+  // A connected region of triangles none of which lies over another one, grown around one of them by the distances of
+  // their centroids.
+  std::vector<bool> region_around(Index seed) const
+  {
+    typedef std::pair<double, Index>   Entry;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    std::vector<double> distance(m_number_of_faces, (std::numeric_limits<double>::infinity)());
+    std::vector<bool> is_inside(m_number_of_faces, false), is_shut_out(m_number_of_faces, false);
+    distance[seed] = 0;
+    queue.emplace(0, seed);
+    while (!queue.empty()) {
+      const auto [d, f] = queue.top();
+      queue.pop();
+      if (is_inside[f] || is_shut_out[f])
+        continue;
+      is_inside[f] = true;
+      for (const Index rival : m_rivals[f])
+        is_shut_out[rival] = true;
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (!m_chart.is_border(h)) {
+          const Index g = m_chart.opposite[h] / 3;
+          const double other = d + std::sqrt((m_centroids[g] - m_centroids[f]).squared_length());
+          if (other < distance[g]) {
+            distance[g] = other;
+            queue.emplace(other, g);
+          }
+        }
+    }
+    return is_inside;
+  }
+
+  // Of the regions around some large triangles, each outside of those before.
+  std::vector<bool> largest_region() const
+  {
+    constexpr int most_regions = 8;
+    std::vector<Index> by_area(m_number_of_faces);
+    std::iota(by_area.begin(), by_area.end(), Index(0));
+    std::sort(by_area.begin(), by_area.end(), [this](Index f, Index g) { return m_areas[f] > m_areas[g]; });
+    std::vector<bool> is_seen(m_number_of_faces, false), result;
+    double greatest_area = 0;
+    auto next = by_area.begin();
+    for (int i = 0; i < most_regions; ++i) {
+      next = std::find_if(next, by_area.end(), [&](Index f) { return !is_seen[f]; });
+      if (next == by_area.end())
+        break;
+      std::vector<bool> region = region_around(*next);
+      double area = 0;
+      for (Index f = 0; f < m_number_of_faces; ++f)
+        if (region[f]) {
+          is_seen[f] = true;
+          area += m_areas[f];
+        }
+      if (area > greatest_area) {
+        greatest_area = area;
+        result.swap(region);
+      }
+    }
+    return result;
+  }
+
+  // Moves the border of a region to where it is shortest in space. Triangles that lie over or under others stay on their
+  // side.
+  std::vector<bool> with_short_border(const std::vector<bool>& region) const
+  {
+    constexpr double steps_of_longest = 1 << 20;
+    double longest = 0;
+    for (Index h = 0; h < m_chart.number_of_halfedges(); ++h)
+      longest = (std::max)(longest, length(m_chart, h));
+    Minimum_cut cut(m_number_of_faces);
+    for (Index h = 0; h < m_chart.number_of_halfedges(); ++h)
+      if (const Index o = m_chart.opposite[h]; o != no_index && h < o)
+        cut.add_edge(h / 3, o / 3, 1 + Minimum_cut::Cost(steps_of_longest * length(m_chart, h) / longest));
+    for (Index f = 0; f < m_number_of_faces; ++f)
+      if (m_is_rival[f])
+        cut.hold(f, region[f]);
+    return cut.sides();
+  }
+
+  // Gives small pieces of either side to the other one, the smallest first, but for the last two.
+  void join_small_pieces(std::vector<bool>& is_inside) const
+  {
+    constexpr double least_part = 0.02;       // of the area
+    const double least_area = least_part * std::accumulate(m_areas.begin(), m_areas.end(), 0.);
+    for (;;) {
+      const std::vector<Piece> pieces = pieces_of(is_inside);
+      const auto smallest = std::min_element(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
+        return p.area < q.area;
+      });
+      if (pieces.size() <= 2 || !(smallest->area < least_area))
+        return;
+      for (const Index f : smallest->faces)
+        is_inside[f] = !is_inside[f];
+    }
+  }
+
+  struct Piece
+  {
+    std::vector<Index> faces;
+    double area;
+  };
+
+  std::vector<Piece> pieces_of(const std::vector<bool>& is_inside) const
+  {
+    Corner_mesh severed = m_chart;
+    for (const Index h : edges_between(is_inside))
+      severed.sever(h);
+    std::vector<Piece> result;
+    for (std::vector<Index>& faces : connected_components(severed)) {
+      double area = 0;
+      for (const Index f : faces)
+        area += m_areas[f];
+      result.push_back({ std::move(faces), area });
+    }
+    return result;
+  }
+
+  std::vector<Index> edges_between(const std::vector<bool>& is_inside) const
+  {
+    std::vector<Index> edges;
+    for (Index h = 0; h < m_chart.number_of_halfedges(); ++h)
+      if (const Index o = m_chart.opposite[h]; o != no_index && h < o && is_inside[h / 3] != is_inside[o / 3])
+        edges.push_back(h);
+    return edges;
+  }
+
+  const Corner_mesh& m_chart;
+  Index m_number_of_faces;
+  std::vector<bool> m_is_rival;           // by face: whether it lies over or under another one
+  Compressed_lists<Index> m_rivals;       // by face: those
+  std::vector<Point_2> m_centroids;
+  std::vector<double> m_areas;
+};
+
+inline bool is_one_to_one(const Corner_mesh& chart, const std::vector<Point_2>& uv)
+{
+  std::vector<Border_edge> edges;
+  for (Index h = 0; h < chart.number_of_halfedges(); ++h)
+    if (chart.is_border(h))
+      edges.push_back({ chart.source(h), chart.target(h) });
+  return are_borders_one_to_one(edges, uv);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::vector<Index> overlap_cut(const Corner_mesh& chart, const std::vector<Point_2>& uv, double overlap_bound)
+{
+  const Chart map = chart_of(chart, uv);
+  const bool is_divisible = is_positive(map) && !is_one_to_one(chart, uv) &&
+                            covered_part(map.triangles, map.points) > overlap_bound;
+  return is_divisible ? Overlap_cutter(chart, uv).run() : std::vector<Index>();
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_OVERLAP_CUT_IMPL_H

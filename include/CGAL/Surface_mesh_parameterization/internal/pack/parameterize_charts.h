@@ -1,0 +1,132 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PARAMETERIZE_CHARTS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PARAMETERIZE_CHARTS_H
+
+#include <CGAL/Surface_mesh_parameterization/Atlas_summary.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Cut_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/cut_component.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_part.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/atlas_steps.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/overlap_cut.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <atomic>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Whether a method knows how to keep borders apart.
+template <class Method>
+constexpr bool keeps_borders_apart = [] {
+  typedef Detected<Option_names_of, Method>   Taken;
+  if constexpr (std::is_void<Taken>::value)
+    return false;
+  else
+    return has_name<internal_np::globally_injective_t>(Taken());
+}();
+
+// With the value `true` for `globally_injective` if the caller gives none, and with an `overlap_bound`, if the method
+// knows how to keep borders apart.
+template <class Method, class NamedParameters>
+auto with_injectivity(const NamedParameters& np, [[maybe_unused]] double overlap_bound)
+{
+  typedef Named_parameters<double, internal_np::overlap_bound_t, NamedParameters>   With_bound;
+  if constexpr (!keeps_borders_apart<Method>)
+    return np;
+  else if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::globally_injective_t>::value)
+    return Named_parameters<bool, internal_np::globally_injective_t, With_bound>(true, With_bound(overlap_bound, np));
+  else
+    return With_bound(overlap_bound, np);
+}
+
+// Parameterizes charts, and divides those whose maps lie over themselves by more than a bound.
+template <template <class...> class Method, class NamedParameters>
+class Chart_parameterizer
+{
+public:
+  Chart_parameterizer(const NamedParameters& np, const Cut_options& cut_options, double overlap_bound)
+    : m_np(np), m_cut_options(cut_options), m_overlap_bound(overlap_bound)
+  { }
+
+  // Appends the parts into which it divides a chart. Once a visitor has stopped the run, parts get no map.
+  void operator()(Chart_part part, Parts_with_map& parts)
+  {
+    Parameterization_summary summary = parameterize(part, m_overlap_bound);
+    if (m_overlap_bound < 1 && keeps_borders_apart<Method<Chart_mesh>> &&
+        summary.error.code == ERROR_NO_1_TO_1_MAPPING)
+      summary = parameterize(part, 0);
+    if (m_overlap_bound < 1 && summary.is_ok()) {
+      const std::vector<Index> cut = overlap_cut(part.mesh, part.uv, m_overlap_bound);
+      if (!cut.empty()) {
+        for (Chart_part& side : sides_of(part, cut)) {
+          settle_borders(side.mesh, m_cut_options);
+          (*this)(std::move(side), parts);
+        }
+        return;
+      }
+    }
+    parts.emplace_back(std::move(part), std::move(summary));
+  }
+
+private:
+  // Scales the map to the area in space.
+  Parameterization_summary parameterize(Chart_part& part, double overlap_bound)
+  {
+    Parameterization_summary summary;
+    Chart_mesh mesh;
+    if (m_is_stopped)
+      summary.error.code = ERROR_STOPPED;
+    else if (!make_chart_mesh(part.mesh, mesh))
+      summary.error.code = ERROR_NO_TOPOLOGICAL_DISC;
+    else {
+      const auto uvmap = mesh.add_property_map<Chart_mesh::Vertex_index, Point_2>("v:uv").first;
+      summary = hierarchical_parameterization<Method>(mesh, uvmap,
+                                                      with_injectivity<Method<Chart_mesh>>(m_np, overlap_bound));
+      if (summary.is_ok()) {
+        part.uv.assign(uvmap.begin(), uvmap.end());
+        scale_to_area_in_space(part.mesh, part.uv);
+      } else if (summary.error.code == ERROR_STOPPED)
+        m_is_stopped = true;
+    }
+    return summary;
+  }
+
+  const NamedParameters& m_np;
+  Cut_options m_cut_options;
+  double m_overlap_bound;
+  std::atomic<bool> m_is_stopped = false;
+};
+
+// Parameterizes all charts, unless a visitor stops the run, and divides them where that is needed. Returns which have a
+// map.
+template <template <class...> class Method, class NamedParameters>
+std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, const Cut_options& cut_options,
+                                      double overlap_bound, const Loops& loops, Atlas_summary& result)
+{
+  Chart_parameterizer<Method, NamedParameters> parameterizer(np, cut_options, overlap_bound);
+  std::vector<Parts_with_map> parts(atlas.charts.size());
+  const auto make_scratch = [&] { return std::vector<Index>(atlas.mesh.number_of_vertices(), no_index); };
+  const auto parameterize = [&](Index begin, Index end, std::vector<Index>& scratch) {
+    for (Index i = begin; i < end; ++i) {
+      const std::vector<Index>& faces = atlas.charts[i];
+      parameterizer(Chart_part{ i, faces, component_of(atlas.mesh, faces, scratch), {} }, parts[i]);
+    }
+  };
+  loops.for_each_block_with_scratch(0, Index(atlas.charts.size()), make_scratch, parameterize, 1);
+  return take_parts(parts, atlas, result);
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PARAMETERIZE_CHARTS_H

@@ -1,0 +1,99 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Surfaces that need no cut, but would be distorted far.
+
+#include "closed_meshes.h"
+#include "generated_meshes.h"
+#include "surface_with_corner_map.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/atlas_quality.h>
+#include <CGAL/Surface_mesh_parameterization/cut_to_disk.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <optional>
+
+namespace test_distorted_disks {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+namespace parameters = CGAL::Surface_mesh_parameterization::parameters;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double energy(const Surface& surface)
+{
+  return atlas_quality(surface.mesh, surface.uv).symmetric_dirichlet;
+}
+
+// A sphere with a small hole, and a long tube with one open end.
+TEST(Distorted_disk, is_cut_where_its_border_is_short)
+{
+  for (const Flat_mesh& m : { cap(30, 32, 0.97 * CGAL_PI), tube(30, 24, 12) }) {
+    Surface cut(m), whole(m);
+    const Atlas_summary summary = atlas_parameterization(cut.mesh, cut.uv),
+                        summary_of_whole =
+                            atlas_parameterization(whole.mesh, whole.uv, parameters::distortion_bound(infinity));
+    ASSERT_TRUE(summary.is_ok() && summary_of_whole.is_ok());
+    EXPECT_EQ(summary_of_whole.cut.seam_edges, 0u);
+    EXPECT_GT(energy(whole), 8);
+    ASSERT_EQ(summary.cut.components.size(), 1u);
+    EXPECT_GT(summary.cut.components[0].branches, 0u);
+    EXPECT_LE(summary.cut.components[0].distortion, 4.5);
+    EXPECT_LT(energy(cut), 4.6);
+    expect_one_to_one(cut);
+    expect_one_to_one(whole);
+  }
+}
+
+// A tube with two open ends lies flat after one cut along it, and seams lead nowhere else.
+TEST(Distorted_disk, a_tube_is_cut_from_one_end_to_the_other)
+{
+  constexpr Index rings = 30;
+  constexpr double height = 0.3;      // of a ring
+  Surface surface(open_tube(24, rings, height));
+  const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv);
+  ASSERT_TRUE(summary.is_ok());
+  EXPECT_EQ(summary.charts.size(), 1u);
+  EXPECT_NEAR(summary.cut.seam_length, rings * height, 1e-9);
+  EXPECT_EQ(summary.cut.components[0].branches, 0u);
+  EXPECT_NEAR(energy(surface), 4, 1e-6);
+  expect_one_to_one(surface);
+}
+
+// What is not distorted so far stays whole, unless the caller gives a bound.
+TEST(Distorted_disk, stays_whole_below_the_bound)
+{
+  for (const Flat_mesh& m : { grid(12, 12, wavy), hemisphere(), cap(20, 24, 0.7 * CGAL_PI) }) {
+    const auto number_of_seams = [&](const auto& np) {
+      Surface surface(m);
+      return cut_to_disk(surface.mesh, surface.seams, np).seam_edges;
+    };
+    EXPECT_EQ(number_of_seams(parameters::default_values()), 0u);
+    EXPECT_EQ(number_of_seams(parameters::distortion_bound(infinity)), 0u);
+    EXPECT_EQ(number_of_seams(parameters::distortion_bound(8)), 0u);
+    EXPECT_GT(number_of_seams(parameters::distortion_bound(4.001)), 0u);
+  }
+}
+
+// A bound that may be none.
+TEST(Distorted_disk, bound_is_optional)
+{
+  const Flat_mesh m = cap(30, 32, 0.97 * CGAL_PI);
+  const auto seam_length = [&](const auto& np) {
+    Surface surface(m);
+    return cut_to_disk(surface.mesh, surface.seams, np).seam_length;
+  };
+  EXPECT_EQ(seam_length(parameters::distortion_bound(std::optional<double>())),
+            seam_length(parameters::default_values()));
+  EXPECT_EQ(seam_length(parameters::distortion_bound(std::optional<double>(4.2))),
+            seam_length(parameters::distortion_bound(4.2)));
+  EXPECT_GT(seam_length(parameters::distortion_bound(4.2)), seam_length(parameters::default_values()));
+}
+
+} // namespace test_distorted_disks

@@ -1,0 +1,282 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Charts that are divided, so that they do not lie over themselves.
+
+#include "closed_meshes.h"
+#include "surface_with_corner_map.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/atlas_quality.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
+#include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/covered_triangles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_part.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Minimum_cut.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/overlap_cut.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace test_overlap_cuts {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+namespace parameters = CGAL::Surface_mesh_parameterization::parameters;
+using internal::Chart_part;
+
+// A cut costs as much as the cheapest of all subsets that have the held vertices on their sides.
+TEST(Minimum_cut, is_the_cheapest_of_all)
+{
+  std::mt19937 random(1);
+  constexpr std::size_t n = 9;
+  for (int trial = 0; trial < 200; ++trial) {
+    internal::Minimum_cut cut(n);
+    std::vector<std::tuple<std::size_t, std::size_t, std::int64_t>> edges;
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = a + 1; b < n; ++b)
+        if (random() % 2 == 0)
+          edges.emplace_back(a, b, 1 + random() % 20);
+    for (const auto& [a, b, cost] : edges)
+      cut.add_edge(a, b, cost);
+    for (const std::size_t v : { 0, 1 })
+      cut.hold(v, true);
+    for (const std::size_t v : { 2, 3 })
+      cut.hold(v, false);
+    const auto cost_of = [&](const std::vector<bool>& sides) {
+      std::int64_t sum = 0;
+      for (const auto& [a, b, cost] : edges)
+        sum += sides[a] == sides[b] ? 0 : cost;
+      return sum;
+    };
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    for (unsigned int subset = 0; subset < 1u << (n - 4); ++subset) {
+      std::vector<bool> sides = { true, true, false, false };
+      for (std::size_t i = 0; i < n - 4; ++i)
+        sides.push_back(subset >> i & 1);
+      least = std::min(least, cost_of(sides));
+    }
+    const std::vector<bool> sides = cut.sides();
+    EXPECT_TRUE(sides[0] && sides[1] && !sides[2] && !sides[3]);
+    EXPECT_EQ(cost_of(sides), least);
+  }
+}
+
+// A strip of length `columns` and width 3 in space, laid around a point so many times.
+Chart_part wound_strip(Index columns, double turns)
+{
+  constexpr Index rows = 3;
+  Flat_mesh m = grid(columns, rows, flat);
+  for (Point_3& p : m.points)
+    p = Point_3(columns * p.x(), columns * p.y(), 0);
+  const Surface_mesh mesh = make<Surface_mesh>(m);
+  const CGAL::Constant_property_map<Surface_mesh::Edge_index, bool> no_seam(false);
+  Chart_part part{ 0, std::vector<Index>(mesh.number_of_faces()), {}, {} };
+  EXPECT_EQ(internal::read_corner_mesh(mesh, no_seam, part.mesh).code, OK);
+  std::iota(part.faces.begin(), part.faces.end(), Index(0));
+  for (const Point_3& p : part.mesh.points) {
+    const double radius = 5 + p.y(), phi = -2 * CGAL_PI * turns * p.x() / columns;
+    part.uv.emplace_back(radius * std::cos(phi), radius * std::sin(phi));
+  }
+  return part;
+}
+
+double covered_part(const Chart_part& part) { return internal::covered_part(triangles_of(part.mesh), part.uv); }
+
+TEST(Overlap_cut, covered_triangles_are_those_under_others)
+{
+  for (const double turns : { 0.5, 0.99, 1.25, 1.5, 1.75, 2.5, 3. }) {
+    const double once = std::max(0., 2 - turns) / turns;      // the part of a strip of 1 to 2 turns that is not covered
+    const double expected = turns < 1 ? 0 : 1 - once;
+    EXPECT_NEAR(covered_part(wound_strip(240, turns)), expected, 0.02) << turns;
+  }
+}
+
+// Of a strip that is wound 1.5 times, half a turn is under no other part: the shortest cut is straight across.
+TEST(Overlap_cut, is_as_short_as_can_be)
+{
+  const Chart_part part = wound_strip(120, 1.5);
+  const std::vector<Index> cut = internal::overlap_cut(part.mesh, part.uv, 0.2);
+  EXPECT_EQ(cut.size(), 3u);
+  EXPECT_NEAR(length(part.mesh, cut), 3, 1e-12);
+  const std::vector<Chart_part> sides = internal::sides_of(part, cut);
+  ASSERT_EQ(sides.size(), 2u);
+  for (const Chart_part& side : sides)
+    EXPECT_EQ(covered_part(side), 0);
+}
+
+// Sides are divided until none lies over itself by more than the bound; all faces are there, with their places.
+TEST(Overlap_cut, divides_until_nothing_is_covered)
+{
+  for (const double turns : { 1.2, 2.3, 5.7 })
+    for (const double bound : { 0., 0.3 }) {
+      const Chart_part whole = wound_strip(400, turns);
+      std::vector<Chart_part> waiting(1, whole), done;
+      while (!waiting.empty()) {
+        const Chart_part part = std::move(waiting.back());
+        waiting.pop_back();
+        const std::vector<Index> cut = internal::overlap_cut(part.mesh, part.uv, bound);
+        if (cut.empty()) {
+          done.push_back(part);
+          continue;
+        }
+        std::vector<Chart_part> sides = internal::sides_of(part, cut);
+        ASSERT_GT(sides.size(), 1u);
+        std::move(sides.begin(), sides.end(), std::back_inserter(waiting));
+      }
+      EXPECT_GE(double(done.size()), bound == 0 ? turns : 1);
+      EXPECT_LE(double(done.size()), 2 * turns + 1);
+      std::vector<Index> faces;
+      for (const Chart_part& part : done) {
+        EXPECT_LE(covered_part(part), bound);
+        for (Index h = 0; h < part.mesh.number_of_halfedges(); ++h)
+          EXPECT_EQ(part.uv[part.mesh.vertex[h]], whole.uv[whole.mesh.vertex[part.halfedge_of_atlas(h)]]);
+        faces.insert(faces.end(), part.faces.begin(), part.faces.end());
+      }
+      std::sort(faces.begin(), faces.end());
+      EXPECT_EQ(faces, whole.faces);
+    }
+}
+
+TEST(Overlap_cut, leaves_what_lies_over_itself_little_or_has_flips)
+{
+  const Chart_part once = wound_strip(120, 0.9), little = wound_strip(120, 1.05);
+  EXPECT_TRUE(internal::overlap_cut(once.mesh, once.uv, 0).empty());
+  EXPECT_TRUE(internal::overlap_cut(little.mesh, little.uv, 0.2).empty());
+  EXPECT_FALSE(internal::overlap_cut(little.mesh, little.uv, 0).empty());
+  Chart_part flipped = wound_strip(120, 1.5);
+  EXPECT_TRUE(internal::overlap_cut(flipped.mesh, flipped.uv, 1).empty());
+  flipped.uv[flipped.mesh.vertex[0]] = Point_2(100, 100);
+  EXPECT_TRUE(internal::overlap_cut(flipped.mesh, flipped.uv, 0.2).empty());
+}
+
+double energy(const Surface& surface)
+{
+  return atlas_quality(surface.mesh, surface.uv).symmetric_dirichlet;
+}
+
+// A ramp is developable, and lies over itself: its parts have no distortion, the whole cannot be without.
+TEST(Overlap_bound, parts_are_undistorted_where_the_whole_cannot_be)
+{
+  const Flat_mesh m = ramp(160, 2.2);
+  Surface divided(m), whole(m);
+  const Atlas_summary summary = atlas_parameterization(divided.mesh, divided.uv),
+                      summary_of_whole = atlas_parameterization(whole.mesh, whole.uv, parameters::overlap_bound(1.));
+  ASSERT_TRUE(summary.is_ok() && summary_of_whole.is_ok());
+  EXPECT_EQ(summary_of_whole.charts.size(), 1u);
+  EXPECT_GE(summary.charts.size(), 3u);
+  EXPECT_EQ(summary.divisions, summary.charts.size() - 1);
+  expect_one_to_one(divided);
+  expect_one_to_one(whole);
+  EXPECT_NEAR(energy(divided), 4, 2e-3);
+  EXPECT_GT(energy(whole), 4.004);
+
+  // Each cut is straight across the ramp, whose width is 1.
+  EXPECT_NEAR(summary.cut.seam_length, double(summary.divisions), 1e-9);
+  EXPECT_EQ(summary.cut.seam_edges, 4 * summary.divisions);
+  EXPECT_EQ(divided.charts().size(), summary.charts.size());
+  std::vector<std::size_t> faces_of_chart(summary.charts.size(), 0);
+  for (const std::size_t chart : summary.chart_of_face)
+    ++faces_of_chart[chart];
+  for (std::size_t i = 0; i < summary.charts.size(); ++i)
+    EXPECT_EQ(summary.charts[i].faces, faces_of_chart[i]);
+}
+
+// Of all charts, the greatest part of the triangles that lie over others.
+double greatest_covered_part(const Surface& surface)
+{
+  double greatest = 0;
+  for (const std::vector<internal::Triangle_2>& chart : surface.charts()) {
+    std::vector<Point_2> uv;
+    std::vector<Index_triangle> triangles;
+    for (const internal::Triangle_2& t : chart) {
+      const Index first = Index(uv.size());
+      triangles.push_back({ first, first + 1, first + 2 });
+      uv.insert(uv.end(), t.begin(), t.end());
+    }
+    greatest = std::max(greatest, internal::covered_part(triangles, uv));
+  }
+  return greatest;
+}
+
+// Methods that cannot keep borders apart, and those that shall not, get the same treatment.
+TEST(Overlap_bound, holds_for_any_method)
+{
+  const Flat_mesh m = ramp(160, 2.2);
+  Surface arap(m), free(m);
+  ASSERT_TRUE(atlas_parameterization<As_rigid_as_possible_parameterizer_3>(arap.mesh, arap.uv).is_ok());
+  ASSERT_TRUE(atlas_parameterization(free.mesh, free.uv, parameters::overlap_bound(0.),
+                                     parameters::globally_injective(false)).is_ok());
+  EXPECT_LE(greatest_covered_part(arap), 0.2);
+  EXPECT_EQ(greatest_covered_part(free), 0);
+  for (const Surface* surface : { &arap, &free }) {
+    EXPECT_GE(surface->charts().size(), 3u);
+    EXPECT_NEAR(energy(*surface), 4, 1e-3);
+  }
+}
+
+// Parts may have holes; if borders are joined, they are disks.
+TEST(Overlap_bound, parts_are_cut_like_components)
+{
+  for (const bool joins : { false, true }) {
+    Surface surface(plate_with_holes(6, 3));
+    const Atlas_summary summary = atlas_parameterization<MIPS_parameterizer_3>(
+        surface.mesh, surface.uv, parameters::overlap_bound(0.).join_borders(joins));
+    ASSERT_TRUE(summary.is_ok());
+    expect_one_to_one(surface);
+    EXPECT_EQ(surface.charts().size(), summary.charts.size());
+  }
+}
+
+// The one-call form: what lies over itself by more is returned as it is, anything else is one-to-one.
+TEST(Overlap_bound, of_one_chart_returns_the_map_of_least_energy)
+{
+  const Surface_mesh mesh = make<Surface_mesh>(ramp(160, 1.6));
+  auto copy = mesh;
+  const auto uv = copy.add_property_map<Surface_mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+  const auto overlaps = [&](const auto& np) {
+    EXPECT_TRUE(hierarchical_parameterization<Symmetric_Dirichlet_parameterizer_3>(copy, uv, np).is_ok());
+    return parameterization_quality(copy, uv).overlaps;
+  };
+  const std::size_t of_free = overlaps(parameters::globally_injective(false));
+  EXPECT_GT(of_free, 0u);
+  EXPECT_EQ(overlaps(parameters::globally_injective(true).overlap_bound(0.2)), of_free);
+  EXPECT_EQ(overlaps(parameters::globally_injective(true).overlap_bound(0.99)), 0u);
+  EXPECT_EQ(overlaps(parameters::globally_injective(true)), 0u);
+}
+
+TEST(Overlap_bound, is_from_0_to_1)
+{
+  Surface surface(ramp(40, 0.5));
+  for (const double bound : { -0.1, 1.1, std::numeric_limits<double>::quiet_NaN() }) {
+    const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv, parameters::overlap_bound(bound));
+    EXPECT_EQ(summary.error.code, ERROR_WRONG_PARAMETER);
+    EXPECT_NE(error_message(summary.error).find("overlap_bound"), std::string::npos);
+  }
+}
+
+} // namespace test_overlap_cuts
