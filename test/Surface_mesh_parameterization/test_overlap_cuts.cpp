@@ -129,29 +129,21 @@ TEST(Overlap_cut, is_as_short_as_can_be)
     EXPECT_EQ(covered_part(side), 0);
 }
 
-// Sides are divided until none lies over itself by more than the bound; all faces are there, with their places.
-TEST(Overlap_cut, divides_until_nothing_is_covered)
+// Parts are divided until none lies over itself by more than the bound; all faces are there, with their places.
+TEST(Overlap_cut, divides_until_little_is_covered)
 {
-  for (const double turns : { 1.2, 2.3, 5.7 })
+  for (const double turns : { 1.2, 2.3, 5.7, 70. })
     for (const double bound : { 0., 0.3 }) {
-      const Chart_part whole = wound_strip(400, turns);
-      std::vector<Chart_part> waiting(1, whole), done;
-      while (!waiting.empty()) {
-        const Chart_part part = std::move(waiting.back());
-        waiting.pop_back();
-        const std::vector<Index> cut = internal::overlap_cut(part.mesh, part.uv, bound);
-        if (cut.empty()) {
-          done.push_back(part);
-          continue;
-        }
-        std::vector<Chart_part> sides = internal::sides_of(part, cut);
-        ASSERT_GT(sides.size(), 1u);
-        std::move(sides.begin(), sides.end(), std::back_inserter(waiting));
+      const Chart_part whole = wound_strip(Index(20 * turns), turns);
+      const std::vector<Chart_part> parts = internal::divided_at_overlaps(whole, bound, bound);
+      if (covered_part(whole) <= bound) {
+        EXPECT_TRUE(parts.empty());
+        continue;
       }
-      EXPECT_GE(double(done.size()), bound == 0 ? turns : 1);
-      EXPECT_LE(double(done.size()), 2 * turns + 1);
+      EXPECT_GE(double(parts.size()), bound == 0 ? turns : 2);
+      EXPECT_LE(double(parts.size()), 2 * turns + 1);
       std::vector<Index> faces;
-      for (const Chart_part& part : done) {
+      for (const Chart_part& part : parts) {
         EXPECT_LE(covered_part(part), bound);
         for (Index h = 0; h < part.mesh.number_of_halfedges(); ++h)
           EXPECT_EQ(part.uv[part.mesh.vertex[h]], whole.uv[whole.mesh.vertex[part.halfedge_of_atlas(h)]]);
@@ -239,6 +231,54 @@ TEST(Overlap_bound, holds_for_any_method)
   }
 }
 
+// Charts that are divided for both reasons are counted once each.
+TEST(Overlap_bound, goes_together_with_the_used_part)
+{
+  const Flat_mesh long_strip = affine_image(grid(40, 4, flat), 80, 0, 0, 10);
+  Surface surface(with_component(ramp(160, 2.2), long_strip)), undivided(with_component(ramp(160, 2.2), long_strip));
+  const Atlas_summary before = atlas_parameterization(undivided.mesh, undivided.uv),
+                      summary = atlas_parameterization(surface.mesh, surface.uv, parameters::least_used_part(0.8));
+  ASSERT_TRUE(before.is_ok() && summary.is_ok());
+  EXPECT_EQ(before.divisions, before.charts.size() - 2);
+  EXPECT_GT(before.divisions, 0u);
+  EXPECT_EQ(summary.divisions, summary.charts.size() - 2);
+  EXPECT_GT(summary.divisions, before.divisions);
+  EXPECT_EQ(surface.charts().size(), summary.charts.size());
+  expect_one_to_one(surface);
+}
+
+// What a method cannot keep apart is divided, too, or an error is told.
+template <class TriangleMesh>
+struct Parting_parameterizer_3 : Symmetric_Dirichlet_parameterizer_3<TriangleMesh>
+{
+  typedef Symmetric_Dirichlet_parameterizer_3<TriangleMesh>   Base;
+  using Base::Base;
+
+  bool keep_borders_apart(bool yes)
+  {
+    m_fails = yes;
+    return Base::keep_borders_apart(yes);
+  }
+  Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
+  {
+    return m_fails ? ERROR_NO_1_TO_1_MAPPING : Base::refine(level, uv, summary);
+  }
+
+  bool m_fails = false;
+};
+
+TEST(Overlap_bound, what_cannot_be_kept_apart_is_divided)
+{
+  Surface divided(ramp(160, 1.1)), whole(ramp(160, 1.1));
+  const Atlas_summary summary = atlas_parameterization<Parting_parameterizer_3>(divided.mesh, divided.uv);
+  EXPECT_TRUE(summary.is_ok());
+  EXPECT_EQ(summary.charts.size(), 2u);
+  expect_one_to_one(divided);
+  EXPECT_EQ(atlas_parameterization<Parting_parameterizer_3>(whole.mesh, whole.uv, parameters::overlap_bound(1.))
+                .error.code,
+            ERROR_NO_1_TO_1_MAPPING);
+}
+
 // Parts may have holes; if borders are joined, they are disks.
 TEST(Overlap_bound, parts_are_cut_like_components)
 {
@@ -267,6 +307,10 @@ TEST(Overlap_bound, of_one_chart_returns_the_map_of_least_energy)
   EXPECT_EQ(overlaps(parameters::globally_injective(true).overlap_bound(0.2)), of_free);
   EXPECT_EQ(overlaps(parameters::globally_injective(true).overlap_bound(0.99)), 0u);
   EXPECT_EQ(overlaps(parameters::globally_injective(true)), 0u);
+  for (const double bound : { -0.1, 1.1, std::numeric_limits<double>::quiet_NaN() })
+    EXPECT_EQ(hierarchical_parameterization<Symmetric_Dirichlet_parameterizer_3>(
+                  copy, uv, parameters::globally_injective(true).overlap_bound(bound)).error.code,
+              ERROR_WRONG_PARAMETER);
 }
 
 TEST(Overlap_bound, is_from_0_to_1)

@@ -74,7 +74,8 @@ public:
   /// \cond SKIP_IN_MANUAL
   typedef internal::Joined_names<internal::Joined_names<Refinement_options::Option_names,
                                                         typename Base::Flat_option_names>,
-                                 internal::Joined_names<internal::Names<internal_np::initial_map_t>,
+                                 internal::Joined_names<internal::Names<internal_np::initial_map_t,
+                                                                        internal_np::overlap_bound_t>,
                                                         internal::Place_constraint_names>>   Option_names;
   /// \endcond
 

@@ -44,7 +44,7 @@ class Nested_iteration_parameterizer_3
   typedef internal::Joined_names<
       internal::Names<internal_np::coarsest_size_t, internal_np::random_seed_t, internal_np::unit_edges_t,
                       internal_np::visitor_t, internal_np::fill_holes_t, internal_np::flip_policy_t,
-                      internal_np::overlap_bound_t, internal_np::summary_t>,
+                      internal_np::summary_t>,
       internal::Joined_names<
           std::conditional_t<Method::is_flip_free, internal::Names<internal_np::initial_map_t>, internal::Names<>>,
           std::conditional_t<internal::holds_vertices<Method>, internal::Place_constraint_names,
@@ -74,7 +74,8 @@ public:
   /// - `flip_policy`: a `Flip_policy`: the treatment of flips; default `REPAIR`
   /// - `overlap_bound`: of methods that keep borders apart; a map of which more than this part of the triangles lies
   ///   over others before they do is returned as it is: to keep its borders apart would distort it far, and take long.
-  ///   Default: 1, no such map
+  ///   So is one of which less lies over others, if to keep its borders apart fails or raises the energy by more than
+  ///   2 %. Default: 1, no such map
   /// - `initial_map`: of flip-free methods; whether `uvmap`, which must be readable then, holds a map to start from;
   ///   default `false`. The method refines it on the finest level. Flips are repaired first, vertices whose coordinates
   ///   are not finite get a place between their neighbors, and a map that is less than half or more than twice as long

@@ -30,7 +30,6 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <atomic>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -86,8 +85,8 @@ typedef Joined_names<Joined_names<Cut_names, Pack_names>,
 ///   when the method has minimized its energy, or before it keeps borders apart if it can do so. Where more do, the
 ///   chart is divided. 1: no chart is divided. A `double` or a `std::optional<double>`. Default: 0.2
 /// \param np_of_charts those of `hierarchical_parameterization()` except `summary`, for every chart. A `visitor` is
-///        told of one chart after the other, with `CGAL::Parallel_tag` of several at the same time, in their threads;
-///        if it stops one, no other one begins, and there is no atlas
+///        told of one chart after the other, and of the parts of a chart that is divided, with `CGAL::Parallel_tag` of
+///        several at the same time, in their threads; if it stops one, no other one begins, and there is no atlas
 ///
 /// \return what was done, with the first error. It is `ERROR_WRONG_PARAMETER` where a number is out of its bounds
 template <template <class...> class Method = Symmetric_Dirichlet_parameterizer_3, class ConcurrencyTag = Sequential_tag,
@@ -104,6 +103,8 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
     internal::assert_names<internal::Atlas_names>(np);
     static_assert(parameters::is_default_parameter<Chart_parameters, internal_np::summary_t>::value,
                   "the named parameter 'summary' has no effect on charts: what is returned has the summary of each");
+    static_assert(parameters::is_default_parameter<Chart_parameters, internal_np::overlap_bound_t>::value,
+                  "the named parameter 'overlap_bound' is one of the atlas, not of charts");
     typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor   edge_descriptor;
     CGAL::Real_timer timer;
     timer.start();

@@ -98,7 +98,7 @@ inline double least_distortion(const Level_energy& energy, Level::Uv& uv)
 {
   Refinement_options options;
   options.tolerance = 1e-2;
-  options.number_of_iterations = 100;
+  options.number_of_iterations = 50;
   Level_summary summary;
   return minimize_flip_free(energy, false, uv, options, summary) == OK
              ? energy(uv) / energy.unit()

@@ -4,14 +4,18 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_COMPONENT_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_COMPONENT_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Extremity_search.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_component.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/handle_cut.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/seam_paths.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/unfolding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 
 #include <CGAL/number_utils.h>
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -40,18 +44,52 @@ inline double relative_length_of_borders(const Corner_mesh& mesh)
   return length_of_borders / std::sqrt(4 * CGAL_PI * area);
 }
 
-// A mesh of disk type, and where it is to be cut.
-struct Cut_candidate
+// Whether a mesh of disk type lies in the plane without distortion. A coarse level of a developable surface may be none.
+inline bool unfolds(const Corner_mesh& mesh)
 {
-  Corner_mesh mesh;
-  Extremity_search search;
-  std::vector<Index> extremities;
+  constexpr double greatest_energy = (1 + 1e-6) * Symmetric_Dirichlet_energy_2::minimum;
+  const Collapse_hierarchy_3 hierarchy = make_hierarchy(mesh, mesh.number_of_vertices());
+  const Level level(hierarchy);
+  Level::Uv uv;
+  if (!is_almost_developable(level) || !unfold(level, uv))
+    return false;
+  const Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, Triangle_weight::AREA);
+  return energy(uv) <= greatest_energy * energy.unit();
+}
 
-  Cut_candidate(Corner_mesh m, const Cut_options& options)
-    : mesh(std::move(m)), search(coarsest_level(make_hierarchy(mesh, options.sample_size)), options)
+// A mesh of disk type, and where it is to be cut.
+class Cut_candidate
+{
+public:
+  Cut_candidate(Corner_mesh mesh, const Cut_options& options)
+    : m_mesh(std::move(mesh)), m_search(coarsest_level(make_hierarchy(m_mesh, options.sample_size)), options)
   { }
 
-  void find_extremities() { extremities = search.run(); }
+  const Corner_mesh& mesh() const { return m_mesh; }
+  double distortion() const { return m_unfolds ? double(Symmetric_Dirichlet_energy_2::minimum) : m_search.distortion(); }
+  std::size_t number_of_extremities() const { return m_extremities.size(); }
+
+  // Whether no more cuts are needed, also because the surface is developable.
+  bool is_within(double bound)
+  {
+    m_unfolds = m_unfolds || (distortion() > bound && m_extremities.empty() && unfolds(m_mesh));
+    return distortion() <= bound;
+  }
+
+  void find_extremities() { m_extremities = m_search.run(); }
+
+  // The mesh, cut from the extremities to its borders.
+  Corner_mesh cut()
+  {
+    cut_branches(m_mesh, m_extremities);
+    return std::move(m_mesh);
+  }
+
+private:
+  Corner_mesh m_mesh;
+  Extremity_search m_search;
+  std::vector<Index> m_extremities;
+  bool m_unfolds = false;
 };
 
 // Cuts a mesh of disk type that exceeds a bound from extremities to its borders. Several borders are joined before if
@@ -59,29 +97,27 @@ struct Cut_candidate
 inline void cut_distorted(Corner_mesh& mesh, double bound, const Cut_options& options, Component_cut& result)
 {
   Cut_candidate best(std::move(mesh), options);
-  if (best.search.distortion() > bound) {
-    const auto is_good = [&](const Cut_candidate& c) { return c.search.distortion() <= options.distortion_bound; };
+  if (!best.is_within(bound)) {
     std::optional<Cut_candidate> joined;
-    if (borders(best.mesh).size() > 1) {
-      Corner_mesh joined_mesh = best.mesh;
+    if (borders(best.mesh()).size() > 1) {
+      Corner_mesh joined_mesh = best.mesh();
       join_borders(joined_mesh);
       joined.emplace(std::move(joined_mesh), options);
     }
-    if (joined && is_good(*joined))
+    if (joined && joined->is_within(options.distortion_bound))
       best = std::move(*joined);
     else {
       best.find_extremities();
-      if (joined && !is_good(best)) {
+      if (joined && !best.is_within(options.distortion_bound)) {
         joined->find_extremities();
-        if (joined->search.distortion() < best.search.distortion())
+        if (joined->distortion() < best.distortion())
           best = std::move(*joined);
       }
     }
-    cut_branches(best.mesh, best.extremities);
   }
-  result.branches = best.extremities.size();
-  result.distortion = best.search.distortion();
-  mesh = std::move(best.mesh);
+  result.branches = best.number_of_extremities();
+  result.distortion = best.distortion();
+  mesh = best.cut();
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -43,11 +43,12 @@ private:
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv);
   Error_code climb(Level& level, Level::Uv& uv);
 
-  // Whether a map lies over itself so far that borders are not to be kept apart.
-  bool overlaps_too_far(const Level& level, const Level::Uv& uv) const;
-
   // Goes on with borders kept apart from the finest level on which they were apart of themselves.
   Error_code climb_with_borders_apart(Level& level, Level::Uv& uv);
+
+  // The same, unless the map lies over itself far. If it does so at all, and keeping the borders apart fails or costs
+  // much energy, it stays as it was, too.
+  Error_code separate_borders_if_that_pays(Level& level, Level::Uv& uv);
 
   // Lets the method refine the map that the run starts from.
   Error_code refine_start(Level& level, std::vector<Point_2> start, Level::Uv& uv);

@@ -33,6 +33,8 @@ Nested_iteration::Nested_iteration(Refinable_method& method, const Nested_iterat
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::run(const Collapse_hierarchy_3& hierarchy, std::vector<Point_2> start, Level::Uv& uv)
 {
+  if (!(m_overlap_bound >= 0 && m_overlap_bound <= 1))
+    return ERROR_WRONG_PARAMETER;
   if (!m_progress.is_stopped() && m_visitor && !m_visitor->hierarchy_built(hierarchy))
     m_progress.stop();
   if (m_progress.is_stopped())
@@ -64,9 +66,11 @@ Error_code Nested_iteration::parameterize_level_by_level(Level& level, Level::Uv
   Error_code status = parameterize_coarsest(level, uv);
   if (status == OK)
     status = climb(level, uv);
-  if (status == OK && m_watches_borders && m_map_apart.size() < uv.size() && !overlaps_too_far(level, uv))
-    status = climb_with_borders_apart(level, uv);
-  return status;
+  if (status != OK || !m_watches_borders || m_map_apart.size() == uv.size())
+    return status;
+  if (m_overlap_bound == 1)
+    return climb_with_borders_apart(level, uv);
+  return separate_borders_if_that_pays(level, uv);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -96,9 +100,23 @@ Error_code Nested_iteration::climb(Level& level, Level::Uv& uv)
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool Nested_iteration::overlaps_too_far(const Level& level, const Level::Uv& uv) const
+Error_code Nested_iteration::separate_borders_if_that_pays(Level& level, Level::Uv& uv)
 {
-  return m_overlap_bound < 1 && covered_part(level.triangles(), uv) > m_overlap_bound;
+  constexpr double greatest_ratio_of_energies = 1.02;
+  const double covered = covered_part(level.triangles(), uv);
+  if (covered > m_overlap_bound)
+    return OK;
+  Level::Uv free = uv;
+  std::vector<Level_summary> levels = m_summary.levels;
+  const Error_code status = climb_with_borders_apart(level, uv);
+  const bool pays = status == OK && m_summary.levels.back().energy_end <=
+                                        greatest_ratio_of_energies * levels.back().energy_end;
+  if (pays || covered == 0 || (status != OK && status != ERROR_NO_1_TO_1_MAPPING))
+    return status;
+  level.go_to(level.hierarchy().number_of_levels() - 1);
+  uv.swap(free);
+  m_summary.levels.swap(levels);
+  return OK;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -19,7 +19,7 @@ struct Nested_iteration_options
   Hierarchy_options hierarchy;                      // a flat run: `coarsest_size` is at least the number of vertices
   bool fills_holes = false;
   bool must_hold_places = false;                    // a result whose fixed vertices are not at their places is none
-  double overlap_bound = 1;         // of a map whose borders are to be kept apart: what more covers is left as it is
+  double overlap_bound = 1;         // the part of the triangles of a map that may lie over others before it is left so
   Make_starting_map make_starting_map = nullptr;      // of the user's map; null if the run starts on the coarsest level
   Flip_settlement flips;            // for what methods leave that do not keep triangles positive
   Round_coordinate round = nullptr;       // to the number type of the result; null if that holds doubles

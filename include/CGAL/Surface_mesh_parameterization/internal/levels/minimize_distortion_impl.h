@@ -78,17 +78,26 @@ inline void scale_to_energy(const Level_energy& energy, Level::Uv& uv)
     uv.swap(result);
 }
 
+// Replaces a map by the unfolded level, if that is a map of less energy, or there is none yet.
+inline bool unfold_to_lower_energy(const Level_energy& energy, bool has_map, const Refinement_options& options,
+                                   Level::Uv& uv)
+{
+  const Level& level = energy.level();
+  Level::Uv unfolded;
+  const bool is_better = unfold(level, unfolded) && !(has_map && !(energy(unfolded) < energy(uv))) &&
+                         !(options.is_globally_injective && has_crossings(border_edges(level.rings()), unfolded));
+  if (is_better)
+    uv.swap(unfolded);
+  return is_better;
+}
+
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code choose_first_map(const Level_energy& energy, const Refinement_options& options, Level::Uv& uv)
 {
   const Level& level = energy.level();
   const Error_code status = compute_first_map(level, uv);
-  Level::Uv unfolded;
-  const bool is_better = unfold(level, unfolded) && (status != OK || energy(unfolded) < energy(uv)) &&
-                         !(options.is_globally_injective && has_crossings(border_edges(level.rings()), unfolded));
-  if (!is_better)
+  if (!unfold_to_lower_energy(energy, status == OK, options, uv))
     return status;
-  uv.swap(unfolded);
   move_near_places(level, uv);
   return OK;
 }
@@ -257,10 +266,12 @@ Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, L
   const Level& level = energy.level();
   if (!is_free(level))
     return minimize_with_places(energy, uv, options, summary);
+  const bool is_experiment = options.number_of_local_steps > 0;
+  if (level.is_finest() && !is_experiment && is_almost_developable(level))
+    unfold_to_lower_energy(energy, true, options, uv);
   Error_code status = minimize_from(energy, uv, options, summary);
   if (status == ERROR_STOPPED)
     return status;
-  const bool is_experiment = options.number_of_local_steps > 0;
   const double value = summary.energy_end * energy.unit();
   if (level.is_finest() && (status != OK || (!is_experiment && is_far_above_minimum(energy, value))))
     start_again_from_first_map(energy, uv, options, summary, status);

@@ -7,6 +7,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/unfolding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
+#include <CGAL/number_utils.h>
+
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -72,6 +74,29 @@ bool unfold(const Level& level, Level::Uv& uv)
 {
   Unfolding(level, uv).run();
   return is_map_valid(level.rings(), uv);
+}
+
+inline double angle_sum(const Level& level, Index v)
+{
+  const Level::Ring ring = level.one_ring(v);
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vector_3 to_a = level.point(ring[i]) - level.point(v),
+                   to_b = level.point(ring[i + 1 == ring.size() ? 0 : i + 1]) - level.point(v);
+    sum += std::atan2(std::sqrt(CGAL::cross_product(to_a, to_b).squared_length()), to_a * to_b);
+  }
+  return sum;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool is_almost_developable(const Level& level)
+{
+  constexpr double greatest_curvature = 0.1;
+  double curvature = 0;
+  for (Index v = 0; v < level.number_of_vertices() && curvature <= greatest_curvature; ++v)
+    if (!level.is_border(v))
+      curvature += std::abs(2 * CGAL_PI - angle_sum(level, v));
+  return curvature <= greatest_curvature;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -51,15 +51,11 @@ public:
     return effect;
   }
 
-  // Relaxes the vertices that the level `group` has in addition to the next coarser one, see relax_group().
+  // Relaxes the vertices that the level `group` has in addition to the next coarser one, so many times.
   Effect sweep_group(std::size_t group, Level::Uv& uv, int sweeps) const
   {
-    Effect effect;
-    for (int i = 0; i < sweeps; ++i) {
-      set_reach(uv);
-      add(effect, relax_group(group, uv, infinity, 1));
-    }
-    return effect;
+    set_reach(uv);
+    return relax_group(group, uv, infinity, sweeps);
   }
 
   // Relaxes vertices that are chosen at random by a generator of 32-bit numbers, as the paper does; returns by how much
@@ -123,8 +119,11 @@ private:
           return relax_if(begin, end, false, sweeps, *relaxer);
         },
         add);
-    for (int i = 0; i < sweeps; ++i)
+    for (int i = 0; i < sweeps; ++i) {
+      if (i > 0)
+        set_reach(uv);
       add(effect, relax_if(first, last, true, 1, *make_relaxer()));
+    }
     effect.visits = std::size_t(sweeps) * (last - first);
     return effect;
   }

@@ -141,7 +141,7 @@ inline void divide_charts(Atlas& atlas, std::vector<bool>& has_map, const Pack_o
   const Division division = divide_charts(atlas, has_map, pack_options, options);
   if (division.seam.empty())
     return;
-  result.divisions = division.divisions;
+  result.divisions += atlas.charts.size() - result.charts.size();
   result.cut.seam_edges += division.seam.size();
   result.cut.seam_length += length(atlas.mesh, division.seam);
   result.chart_of_face = chart_of_face(atlas);

@@ -35,7 +35,6 @@ struct Division_options
 // The cuts by which charts were divided.
 struct Division
 {
-  std::size_t divisions = 0;                // number of cuts
   std::vector<Index> seam;                  // halfedges of the atlas's mesh, one for each edge
   std::vector<std::size_t> old_charts;      // of each chart, what it was a part of
 };

@@ -56,26 +56,23 @@ public:
     for (Divided_part& part : m_parts)
       find_cut(part);
     std::vector<Divided_part> best_parts = m_parts;
-    std::size_t best_size_of_seam = 0, best_divisions = 0;
+    std::size_t best_size_of_seam = 0;
     for (std::size_t packings = 1; packings < m_options.most_packings && divide_until_boxes_are_full(); ++packings) {
       const double other = find_used_part();
       if (other > used_part) {
         used_part = other;
         best_parts = m_parts;
         best_size_of_seam = m_seam.size();
-        best_divisions = m_divisions;
       }
       if (used_part >= m_options.least_used_part)
         break;
     }
     m_parts = std::move(best_parts);
     m_seam.resize(best_size_of_seam);
-    m_divisions = best_divisions;
   }
 
   const std::vector<Divided_part>& parts() const { return m_parts; }
   const std::vector<Index>& seam() const { return m_seam; }
-  std::size_t divisions() const { return m_divisions; }
 
 private:
   double find_used_part() const
@@ -201,7 +198,6 @@ Division divide_charts(Atlas& atlas, const std::vector<bool>& has_map, const Pac
     return result;
   Chart_divider divider(atlas, has_map, pack_options, options);
   divider.run();
-  result.divisions = divider.divisions();
   result.seam = divider.seam();
 
   const std::vector<std::size_t> old_chart_of_face = chart_of_face(atlas);

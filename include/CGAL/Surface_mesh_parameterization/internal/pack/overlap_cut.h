@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_part.h>
 
 #include <vector>
 
@@ -16,6 +17,13 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // triangles lie over others only in small pieces. None if the part of the triangles that do so is not greater than the
 // bound, or a triangle is not positive.
 std::vector<Index> overlap_cut(const Corner_mesh& chart, const std::vector<Point_2>& uv, double overlap_bound);
+
+// The parts into which such cuts divide a chart, and divide the parts again, as long as more of them lies over itself
+// than another bound. None if the chart is not divided.
+std::vector<Chart_part> divided_at_overlaps(const Chart_part& chart, double overlap_bound, double bound_of_parts);
+
+// Whether the map of a chart whose triangles are positive does not lie over itself.
+bool is_one_to_one(const Corner_mesh& chart, const std::vector<Point_2>& uv);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

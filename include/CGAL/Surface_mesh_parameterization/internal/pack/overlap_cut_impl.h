@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <queue>
@@ -125,30 +126,41 @@ private:
     double longest = 0;
     for (Index h = 0; h < m_chart.number_of_halfedges(); ++h)
       longest = (std::max)(longest, length(m_chart, h));
+    const auto cost = [&](Index h) {
+      const double part = length(m_chart, h) / longest;
+      return 1 + (part <= 1 ? Minimum_cut::Cost(steps_of_longest * part) : 0);      // lengths may over- or underflow
+    };
     Minimum_cut cut(m_number_of_faces);
     for (Index h = 0; h < m_chart.number_of_halfedges(); ++h)
       if (const Index o = m_chart.opposite[h]; o != no_index && h < o)
-        cut.add_edge(h / 3, o / 3, 1 + Minimum_cut::Cost(steps_of_longest * length(m_chart, h) / longest));
+        cut.add_edge(h / 3, o / 3, cost(h));
     for (Index f = 0; f < m_number_of_faces; ++f)
       if (m_is_rival[f])
         cut.hold(f, region[f]);
     return cut.sides();
   }
 
-  // Gives small pieces of either side to the other one, the smallest first, but for the last two.
+  // Gives small pieces of either side to the other one, the smallest first, as long as they are little in all and two
+  // pieces remain.
   void join_small_pieces(std::vector<bool>& is_inside) const
   {
-    constexpr double least_part = 0.02;       // of the area
-    const double least_area = least_part * std::accumulate(m_areas.begin(), m_areas.end(), 0.);
+    constexpr double greatest_part = 0.02, greatest_part_in_all = 0.05;       // of the area
+    const double area = std::accumulate(m_areas.begin(), m_areas.end(), 0.);
+    double joined_area = 0;
+    std::vector<Piece> pieces = pieces_of(is_inside);
     for (;;) {
-      const std::vector<Piece> pieces = pieces_of(is_inside);
-      const auto smallest = std::min_element(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
+      const Piece smallest = *std::min_element(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
         return p.area < q.area;
       });
-      if (pieces.size() <= 2 || !(smallest->area < least_area))
+      joined_area += smallest.area;
+      if (smallest.area > greatest_part * area || joined_area > greatest_part_in_all * area)
         return;
-      for (const Index f : smallest->faces)
-        is_inside[f] = !is_inside[f];
+      change_sides(smallest, is_inside);
+      pieces = pieces_of(is_inside);
+      if (pieces.size() == 1) {
+        change_sides(smallest, is_inside);
+        return;
+      }
     }
   }
 
@@ -157,6 +169,12 @@ private:
     std::vector<Index> faces;
     double area;
   };
+
+  static void change_sides(const Piece& piece, std::vector<bool>& is_inside)
+  {
+    for (const Index f : piece.faces)
+      is_inside[f] = !is_inside[f];
+  }
 
   std::vector<Piece> pieces_of(const std::vector<bool>& is_inside) const
   {
@@ -190,7 +208,8 @@ private:
   std::vector<double> m_areas;
 };
 
-inline bool is_one_to_one(const Corner_mesh& chart, const std::vector<Point_2>& uv)
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool is_one_to_one(const Corner_mesh& chart, const std::vector<Point_2>& uv)
 {
   std::vector<Border_edge> edges;
   for (Index h = 0; h < chart.number_of_halfedges(); ++h)
@@ -206,6 +225,28 @@ std::vector<Index> overlap_cut(const Corner_mesh& chart, const std::vector<Point
   const bool is_divisible = is_positive(map) && !is_one_to_one(chart, uv) &&
                             covered_part(map.triangles, map.points) > overlap_bound;
   return is_divisible ? Overlap_cutter(chart, uv).run() : std::vector<Index>();
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::vector<Chart_part> divided_at_overlaps(const Chart_part& chart, double overlap_bound, double bound_of_parts)
+{
+  std::vector<Chart_part> result, waiting;
+  const auto divide = [&](const Chart_part& part, double bound) {
+    const std::vector<Index> cut = overlap_cut(part.mesh, part.uv, bound);
+    if (cut.empty())
+      return false;
+    std::vector<Chart_part> sides = sides_of(part, cut);
+    std::move(sides.begin(), sides.end(), std::back_inserter(waiting));
+    return true;
+  };
+  divide(chart, overlap_bound);
+  while (!waiting.empty()) {
+    Chart_part part = std::move(waiting.back());
+    waiting.pop_back();
+    if (!divide(part, bound_of_parts))
+      result.push_back(std::move(part));
+  }
+  return result;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -39,7 +39,7 @@ constexpr bool keeps_borders_apart = [] {
 // With the value `true` for `globally_injective` if the caller gives none, and with an `overlap_bound`, if the method
 // knows how to keep borders apart.
 template <class Method, class NamedParameters>
-auto with_injectivity(const NamedParameters& np, [[maybe_unused]] double overlap_bound)
+auto with_options(const NamedParameters& np, [[maybe_unused]] double overlap_bound)
 {
   typedef Named_parameters<double, internal_np::overlap_bound_t, NamedParameters>   With_bound;
   if constexpr (!keeps_borders_apart<Method>)
@@ -56,27 +56,33 @@ class Chart_parameterizer
 {
 public:
   Chart_parameterizer(const NamedParameters& np, const Cut_options& cut_options, double overlap_bound)
-    : m_np(np), m_cut_options(cut_options), m_overlap_bound(overlap_bound)
+    : m_np(np), m_cut_options(cut_options), m_overlap_bound(overlap_bound),
+      m_keeps_apart(keeps_borders_apart<Method<Chart_mesh>> &&
+                    parameters::choose_parameter(parameters::get_parameter(np, internal_np::globally_injective), true))
   { }
 
   // Appends the parts into which it divides a chart. Once a visitor has stopped the run, parts get no map.
-  void operator()(Chart_part part, Parts_with_map& parts)
+  void operator()(Chart_part chart, Parts_with_map& parts)
   {
-    Parameterization_summary summary = parameterize(part, m_overlap_bound);
-    if (m_overlap_bound < 1 && keeps_borders_apart<Method<Chart_mesh>> &&
-        summary.error.code == ERROR_NO_1_TO_1_MAPPING)
-      summary = parameterize(part, 0);
-    if (m_overlap_bound < 1 && summary.is_ok()) {
-      const std::vector<Index> cut = overlap_cut(part.mesh, part.uv, m_overlap_bound);
-      if (!cut.empty()) {
-        for (Chart_part& side : sides_of(part, cut)) {
-          settle_borders(side.mesh, m_cut_options);
-          (*this)(std::move(side), parts);
+    std::vector<Chart_part> waiting(1, std::move(chart));
+    while (!waiting.empty()) {
+      Chart_part part = std::move(waiting.back());
+      waiting.pop_back();
+      Parameterization_summary summary = parameterize(part, m_overlap_bound);
+      if (m_overlap_bound < 1 && summary.is_ok()) {
+        std::vector<Chart_part> divided =
+            divided_at_overlaps(part, m_keeps_apart ? 0 : m_overlap_bound, m_overlap_bound);
+        for (Chart_part& p : divided) {
+          settle_borders(p.mesh, m_cut_options);
+          waiting.push_back(std::move(p));
         }
-        return;
+        if (!divided.empty())
+          continue;
+        if (m_keeps_apart && !is_one_to_one(part.mesh, part.uv))
+          summary = parameterize(part, 1);
       }
+      parts.emplace_back(std::move(part), std::move(summary));
     }
-    parts.emplace_back(std::move(part), std::move(summary));
   }
 
 private:
@@ -92,7 +98,7 @@ private:
     else {
       const auto uvmap = mesh.add_property_map<Chart_mesh::Vertex_index, Point_2>("v:uv").first;
       summary = hierarchical_parameterization<Method>(mesh, uvmap,
-                                                      with_injectivity<Method<Chart_mesh>>(m_np, overlap_bound));
+                                                      with_options<Method<Chart_mesh>>(m_np, overlap_bound));
       if (summary.is_ok()) {
         part.uv.assign(uvmap.begin(), uvmap.end());
         scale_to_area_in_space(part.mesh, part.uv);
@@ -105,6 +111,7 @@ private:
   const NamedParameters& m_np;
   Cut_options m_cut_options;
   double m_overlap_bound;
+  bool m_keeps_apart;       // then a map that lies over itself at all is one that the method gave up
   std::atomic<bool> m_is_stopped = false;
 };
 
