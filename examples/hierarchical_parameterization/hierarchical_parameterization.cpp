@@ -60,8 +60,9 @@ std::string replaced_maps_text(const Run_record& run)
   if (!run.atlas)
     return "the map";
   const std::vector<SMP::Atlas_summary::Chart>& charts = run.atlas->charts;
-  const auto replaced =
-      std::count_if(charts.begin(), charts.end(), [](const auto& c) { return c.summary.is_ok() && c.summary.is_replaced; });
+  const auto replaced = std::count_if(charts.begin(), charts.end(), [](const auto& chart) {
+    return chart.summary.is_ok() && chart.summary.is_replaced;
+  });
   return "the maps of " + std::to_string(replaced) + " of " + std::to_string(charts.size()) + " charts";
 }
 
@@ -114,8 +115,8 @@ void print_summary(const Input& input, const Options& options, const Run_record&
                                  : std::to_string(run.summary.levels.size()) +
                                        (run.summary.levels.size() == 1 ? " level, " : " levels, ");
   std::fprintf(is_standard_output_taken(options) ? stderr : stdout,
-               "%s: %zu triangle%s, %s%s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, %zu "
-               "overlapping pairs, %.3f s\n",
+               "%s: %zu triangle%s, %s%s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, "
+               "%zu overlapping pairs, %.3f s\n",
                name.c_str(), input.faces.size(), input.faces.size() == 1 ? "" : "s",
                (run.atlas ? atlas_text(*run.atlas) : levels).c_str(), repair_text(run.summary).c_str(),
                run.summary.converged ? "converged" : "not converged", run.quality->mips, run.quality->mips_excess,

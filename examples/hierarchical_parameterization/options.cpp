@@ -80,16 +80,16 @@ po::options_description describe_options(Options& options, Words& words, Numbers
       "first one stays; the numbers of those behind it change, also for --hold and --start, which count those of the "
       "output");
   add("start", po::value(&options.start),
-      "mips, symmetric-dirichlet, arap: start from the map that this file has for the vertices of INPUT: PLY with u and "
-      "v, or OBJ, as --output writes them for one chart");
+      "mips, symmetric-dirichlet, arap: start from the map that this file has for the vertices of INPUT: PLY with u "
+      "and v, or OBJ, as --output writes them for one chart");
   add("hold", po::value(&options.hold),
-      "mips, symmetric-dirichlet, arap: hold vertices at the places that this file has: lines of a vertex, counted from "
-      "0, and its two coordinates; lines that are empty or begin with # are none");
+      "mips, symmetric-dirichlet, arap: hold vertices at the places that this file has: lines of a vertex, counted "
+      "from 0, and its two coordinates; lines that are empty or begin with # are none");
   add("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion");
   add("report", po::value(&options.report), "write figures as JSON, one line per input");
   add("levels", po::value(&options.levels),
-      "write every level of the hierarchy as OBJ into this folder: level_00.obj, the coarsest one, and so on, with maps "
-      "before the repair of flips. Files of an earlier run that had more levels stay there");
+      "write every level of the hierarchy as OBJ into this folder: level_00.obj, the coarsest one, and so on, with "
+      "maps before the repair of flips. Files of an earlier run that had more levels stay there");
   add("triangulate", po::bool_switch(&options.is_triangulated), "cut faces of more than three corners into triangles");
   add("orient", po::bool_switch(&options.is_oriented),
       "turn faces so that neighbors, which share points, have one orientation. Where that cannot be, where more than "
@@ -251,7 +251,8 @@ void check_options(const Options& options)
     throw Usage_error{ "--tolerance: a number that is not negative expected" };
   if (options.is_globally_injective && !options.method->is_flip_free)
     throw Usage_error{ "--globally-injective: " + options.method->name + " does not promise maps without flips" };
-  for (const auto& [option, file] : { std::make_pair("--start", options.start), std::make_pair("--hold", options.hold) }) {
+  const std::pair<const char*, std::string> places[] = { { "--start", options.start }, { "--hold", options.hold } };
+  for (const auto& [option, file] : places) {
     if (!file.empty() && !options.method->improves_map)
       throw Usage_error{ option + std::string(": ") + options.method->name + " does not improve a map" };
     if (file == "-")

@@ -84,7 +84,7 @@ TEST(Distorted_disk, stays_whole_below_the_bound)
 // A bound that may be none.
 TEST(Distorted_disk, bound_is_optional)
 {
-  const Flat_mesh m = cap(30, 32, 0.97 * CGAL_PI);
+  const Flat_mesh m = cap(14, 16, 0.97 * CGAL_PI);
   const auto seam_length = [&](const auto& np) {
     Surface surface(m);
     return cut_to_disk(surface.mesh, surface.seams, np).seam_length;

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/atlas_quality.h>
@@ -277,6 +278,23 @@ TEST(Overlap_bound, what_cannot_be_kept_apart_is_divided)
   EXPECT_EQ(atlas_parameterization<Parting_parameterizer_3>(whole.mesh, whole.uv, parameters::overlap_bound(1.))
                 .error.code,
             ERROR_NO_1_TO_1_MAPPING);
+}
+
+// A method need not know of the bound to keep borders apart.
+template <class TriangleMesh>
+struct Unaware_parameterizer_3 : Symmetric_Dirichlet_parameterizer_3<TriangleMesh>
+{
+  typedef Refinement_options::Option_names   Option_names;
+  using Symmetric_Dirichlet_parameterizer_3<TriangleMesh>::Symmetric_Dirichlet_parameterizer_3;
+};
+
+TEST(Overlap_bound, need_not_be_known_to_the_method)
+{
+  Surface surface(ramp(160, 2.2));
+  const Atlas_summary summary = atlas_parameterization<Unaware_parameterizer_3>(surface.mesh, surface.uv);
+  EXPECT_TRUE(summary.is_ok());
+  EXPECT_EQ(summary.charts.size(), 1u);
+  expect_one_to_one(surface);
 }
 
 // Parts may have holes; if borders are joined, they are disks.

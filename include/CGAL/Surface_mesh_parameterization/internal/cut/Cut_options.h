@@ -13,10 +13,9 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 struct Cut_options
 {
   double distortion_bound = 4.5;            // of the mean symmetric Dirichlet energy
-  // Surfaces that need no cut are cut, too, where they exceed this. Unless all are measured, only those with a border
-  // of less than a part of the length of a circle of their area are taken to do so.
-  double bound_of_disks = 8, least_length_of_border = 0.5;
-  bool measures_all_disks = false;
+  double bound_of_disks = 8;                // surfaces that need no cut are cut, too, where they exceed this
+  bool measures_all_disks = false;          // else only those with a short border are taken to exceed it
+  double least_length_of_border = 0.5;      // of one that is not short, by that of a circle of the surface's area
   bool joins_borders = false;               // whether the result is a disk without holes
   std::size_t most_branches = 50;           // paths to extremities
   std::size_t most_failures = 8;            // branches that gain too little, before all are taken

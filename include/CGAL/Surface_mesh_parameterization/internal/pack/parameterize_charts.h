@@ -26,28 +26,33 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Whether a method knows how to keep borders apart.
-template <class Method>
-constexpr bool keeps_borders_apart = [] {
+// Whether a method tells that it takes a name.
+template <class Method, class Tag>
+constexpr bool takes_name = [] {
   typedef Detected<Option_names_of, Method>   Taken;
   if constexpr (std::is_void<Taken>::value)
     return false;
   else
-    return has_name<internal_np::globally_injective_t>(Taken());
+    return has_name<Tag>(Taken());
 }();
 
 // With the value `true` for `globally_injective` if the caller gives none, and with an `overlap_bound`, if the method
-// knows how to keep borders apart.
+// takes these names.
 template <class Method, class NamedParameters>
 auto with_options(const NamedParameters& np, [[maybe_unused]] double overlap_bound)
 {
-  typedef Named_parameters<double, internal_np::overlap_bound_t, NamedParameters>   With_bound;
-  if constexpr (!keeps_borders_apart<Method>)
-    return np;
-  else if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::globally_injective_t>::value)
-    return Named_parameters<bool, internal_np::globally_injective_t, With_bound>(true, With_bound(overlap_bound, np));
+  typedef parameters::is_default_parameter<NamedParameters, internal_np::globally_injective_t>   Is_not_given;
+  const auto with_injectivity = [&np] {
+    if constexpr (takes_name<Method, internal_np::globally_injective_t> && Is_not_given::value)
+      return Named_parameters<bool, internal_np::globally_injective_t, NamedParameters>(true, np);
+    else
+      return np;
+  }();
+  if constexpr (takes_name<Method, internal_np::overlap_bound_t>)
+    return Named_parameters<double, internal_np::overlap_bound_t, std::decay_t<decltype(with_injectivity)>>(
+        overlap_bound, with_injectivity);
   else
-    return With_bound(overlap_bound, np);
+    return with_injectivity;
 }
 
 // Parameterizes charts, and divides those whose maps lie over themselves by more than a bound.
@@ -57,7 +62,7 @@ class Chart_parameterizer
 public:
   Chart_parameterizer(const NamedParameters& np, const Cut_options& cut_options, double overlap_bound)
     : m_np(np), m_cut_options(cut_options), m_overlap_bound(overlap_bound),
-      m_keeps_apart(keeps_borders_apart<Method<Chart_mesh>> &&
+      m_keeps_apart(takes_name<Method<Chart_mesh>, internal_np::globally_injective_t> &&
                     parameters::choose_parameter(parameters::get_parameter(np, internal_np::globally_injective), true))
   { }
 
