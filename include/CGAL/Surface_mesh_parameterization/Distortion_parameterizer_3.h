@@ -84,7 +84,8 @@ public:
   /// - `initial_map`: whether a flat run starts from the map that `uvmap` holds; default `false`
   /// - `fill_holes`: whether a flat run treats holes as parts of the surface, see `Nested_iteration_parameterizer_3`;
   ///   default `false`
-  /// - `vertex_is_constrained_map`, `position_weight_map`: of a flat run, see `Nested_iteration_parameterizer_3`
+  /// - `vertex_is_constrained_map`, `position_weight_map`, `overlap_bound`: of a flat run, see
+  ///   `Nested_iteration_parameterizer_3`
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Distortion_parameterizer_3(const NamedParameters& np = parameters::default_values())

@@ -42,8 +42,9 @@ struct Refinement_options
   /// too, when the last three steps show that the remaining ones would lower the energy by less than that; and levels
   /// below the finest use 5e-3 instead: they only need to give a good first guess. Below 1e-12, which is what energies
   /// in doubles tell, Newton's method ends with a few steps that the gradient judges, as long as they make it smaller:
-  /// the map reaches the minimum to rounding, not only to the square root of it. `globally_injective` prevents them, and
-  /// where borders meet a level has converged when a step lowers the excess by less than 1e-4, if that is greater.
+  /// the map reaches the minimum to rounding, not only to the square root of it. `globally_injective` prevents them;
+  /// where it keeps borders apart, a level has converged when a step lowers the excess by less than 1e-4, if that is
+  /// greater.
   /// A tolerance that is negative or no number makes a method return `ERROR_WRONG_PARAMETER`
   double tolerance = 1e-6;
 

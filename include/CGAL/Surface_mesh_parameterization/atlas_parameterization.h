@@ -81,9 +81,9 @@ typedef Joined_names<Joined_names<Cut_names, Pack_names>,
 ///   divided where a short cut lets boxes around both sides become smaller. Up to 50 cuts are tried, and the best
 ///   division is taken, which need not reach the value; 0.7 is within reach of most surfaces. The map of a part
 ///   remains. More than 200 charts are not divided. Default: 0, no division
-/// - `overlap_bound`: the part of a chart's triangles, from 0 to 1, that may lie over others, counted by their centroids,
-///   when the method has minimized its energy, or before it keeps borders apart if it can do so. Where more do, the
-///   chart is divided. 1: no chart is divided. A `double` or a `std::optional<double>`. Default: 0.2
+/// - `overlap_bound`: the part of a chart's triangles, from 0 to 1, that may lie over others, counted by their
+///   centroids, when the method has minimized its energy, or before it keeps borders apart if it can do so. Where more
+///   do, the chart is divided. 1: no chart is divided. A `double` or a `std::optional<double>`. Default: 0.2
 /// \param np_of_charts those of `hierarchical_parameterization()` except `summary`, for every chart. A `visitor` is
 ///        told of one chart after the other, and of the parts of a chart that is divided, with `CGAL::Parallel_tag` of
 ///        several at the same time, in their threads; if it stops one, no other one begins, and there is no atlas

@@ -91,8 +91,8 @@ std::vector<bool> read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, cons
 /// limb, by the shortest path of edges to what is cut already. This is decided on a coarse level of the component's
 /// hierarchy. If extremities do not lead there, and the component has several borders, these are joined first.
 /// Components that are disks already, with or without holes, are cut the same way where they would exceed a greater
-/// bound; unless the caller gives a bound, this is looked for only if their border is short, by its length less than half
-/// of that of a circle of the same area: others are hardly ever distorted so far.
+/// bound; unless the caller gives a bound, this is looked for only if their border is shorter than half of a circle of
+/// the same area: others are hardly ever distorted so far.
 ///
 /// Sources: Erickson, Whittlesey, *Greedy optimal homotopy and homology generators*, 2005, for the handles, and Gu,
 /// Gortler, Hoppe, *Geometry images*, 2002, for the branches.

@@ -44,7 +44,8 @@ inline double relative_length_of_borders(const Corner_mesh& mesh)
   return length_of_borders / std::sqrt(4 * CGAL_PI * area);
 }
 
-// Whether a mesh of disk type lies in the plane without distortion. A coarse level of a developable surface may be none.
+// Whether a mesh of disk type lies in the plane without distortion. Coarse levels do not tell: those of a developable
+// surface need not be developable.
 inline bool unfolds(const Corner_mesh& mesh)
 {
   constexpr double greatest_energy = (1 + 1e-6) * Symmetric_Dirichlet_energy_2::minimum;
@@ -66,7 +67,7 @@ public:
   { }
 
   const Corner_mesh& mesh() const { return m_mesh; }
-  double distortion() const { return m_unfolds ? double(Symmetric_Dirichlet_energy_2::minimum) : m_search.distortion(); }
+  double distortion() const { return m_unfolds ? Symmetric_Dirichlet_energy_2::minimum : m_search.distortion(); }
   std::size_t number_of_extremities() const { return m_extremities.size(); }
 
   // Whether no more cuts are needed, also because the surface is developable.

@@ -15,8 +15,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Returns whether the map is valid. If it is not, `uv` has no meaning.
 bool unfold(const Level& level, Level::Uv& uv);
 
-// Whether the angles around the vertices within the surface sum to full turns, but for a tenth in all: only then it may be
-// unfolded without distortion, or hardly any.
+// Whether the angles around the vertices within the surface sum to full turns, but for a tenth in all: only then it
+// may be unfolded without distortion, or hardly any.
 bool is_almost_developable(const Level& level);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

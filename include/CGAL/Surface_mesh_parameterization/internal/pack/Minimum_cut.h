@@ -27,7 +27,7 @@ public:
   // Costs are whole numbers, which have no rounding errors.
   typedef std::int64_t   Cost;
 
-  explicit Minimum_cut(std::size_t number_of_vertices) : m_source(number_of_vertices), m_sink(number_of_vertices + 1) { }
+  explicit Minimum_cut(std::size_t number_of_vertices) : m_source(number_of_vertices), m_sink(m_source + 1) { }
 
   void add_edge(std::size_t a, std::size_t b, Cost cost)
   {

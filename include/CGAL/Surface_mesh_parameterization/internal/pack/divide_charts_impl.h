@@ -128,9 +128,8 @@ private:
   bool divide()
   {
     for (;;) {
-      const auto part = std::max_element(m_parts.begin(), m_parts.end(), [](const Divided_part& a, const Divided_part& b) {
-        return a.gain < b.gain;
-      });
+      const auto gains_less = [](const Divided_part& a, const Divided_part& b) { return a.gain < b.gain; };
+      const auto part = std::max_element(m_parts.begin(), m_parts.end(), gains_less);
       if (part != m_parts.end() && part->gain > 0) {
         if (divide(*part))
           return true;

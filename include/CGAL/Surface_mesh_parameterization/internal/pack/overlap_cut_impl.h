@@ -118,8 +118,8 @@ private:
     return result;
   }
 
-  // Moves the border of a region to where it is shortest in space. Triangles that lie over or under others stay on their
-  // side.
+  // Moves the border of a region to where it is shortest in space. Triangles that lie over or under others stay on
+  // their side.
   std::vector<bool> with_short_border(const std::vector<bool>& region) const
   {
     constexpr double steps_of_longest = 1 << 20;
