@@ -70,6 +70,7 @@ public:
   void forget_pattern()
   {
     m_rows_of_finest.reset();
+    m_direct_solver.reset();
     for (Grid& grid : m_grids)
       grid.galerkin_product.reset();
   }
@@ -268,7 +269,8 @@ private:
         entries.push_back({ 2 * i + 1, 2 * j + 1, block.yy() });
       }
     }
-    m_direct_solver = factorize_symmetric(2 * a.number_of_rows(), entries);
+    if (!m_direct_solver || !m_direct_solver->factorize_again(entries))
+      m_direct_solver = factorize_symmetric(2 * a.number_of_rows(), entries);
   }
 
   Block_multigrid_options m_options;

@@ -32,6 +32,10 @@ class Direct_solver
 public:
   virtual ~Direct_solver() = default;
 
+  // Takes another matrix with entries at the same places, for which the order of elimination is known already; false if
+  // it cannot.
+  virtual bool factorize_again(const std::vector<Matrix_entry>& /*entries*/) { return false; }
+
   // x := A^-1 b, for so many right sides and solutions, one after the other; NaN if that fails.
   virtual void solve(const double* b, double* x, int number_of_right_sides) const = 0;
 

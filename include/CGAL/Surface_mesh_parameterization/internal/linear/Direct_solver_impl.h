@@ -21,12 +21,18 @@ class Eigen_direct_solver final
   : public Direct_solver
 {
 public:
-  explicit Eigen_direct_solver(const typename Solver::MatrixType& matrix) : m_size(matrix.rows())
+  Eigen_direct_solver(Index n, const std::vector<Matrix_entry>& entries) : m_size(n)
   {
-    m_solver.compute(matrix);
+    m_solver.compute(matrix_of(entries));
   }
 
   bool is_ready() const { return m_solver.info() == Eigen::Success; }
+
+  bool factorize_again(const std::vector<Matrix_entry>& entries) override
+  {
+    m_solver.factorize(matrix_of(entries));
+    return is_ready();
+  }
 
   void solve(const double* b, double* x, int number_of_right_sides) const override
   {
@@ -37,6 +43,13 @@ public:
   }
 
 private:
+  typename Solver::MatrixType matrix_of(const std::vector<Matrix_entry>& entries) const
+  {
+    typename Solver::MatrixType matrix(m_size, m_size);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+  }
+
   Solver m_solver;
   Eigen::Index m_size;
 };
@@ -48,9 +61,7 @@ using Eigen_matrix = Eigen::SparseMatrix<Real, Eigen::ColMajor, std::ptrdiff_t>;
 template <class Solver>
 std::unique_ptr<Direct_solver> factorize_by_Eigen(Index n, const std::vector<Matrix_entry>& entries)
 {
-  typename Solver::MatrixType matrix(n, n);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  auto solver = std::make_unique<Eigen_direct_solver<Solver>>(matrix);
+  auto solver = std::make_unique<Eigen_direct_solver<Solver>>(n, entries);
   return solver->is_ready() ? std::move(solver) : nullptr;
 }
 

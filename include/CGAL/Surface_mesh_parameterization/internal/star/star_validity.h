@@ -66,6 +66,8 @@ bool turns_back_to_start(const One_rings::Ring& ring, const Place& place, Index 
   const Point_2 &center = place(v, v), &first = place(ring.front(), v);
   bool is_past_half_turn = false;
   for (std::size_t i = 1; i < ring.size(); ++i) {
+    if (!is_past_half_turn && i + 1 == ring.size())
+      return false;     // the border may be straight here, so that the predicate would need exact numbers
     const bool is_ahead = exact_orientation(center, first, place(ring[i], v)) != RIGHT_TURN;
     if (is_ahead && is_past_half_turn)
       return true;
