@@ -13,6 +13,7 @@ typedef CGAL::Simple_cartesian<double>                            Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3>                       Mesh;
 typedef Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2>   UV_map;
 typedef Mesh::Property_map<Mesh::Vertex_index, bool>              Held_map;
+typedef Mesh::Property_map<Mesh::Edge_index, bool>                Seam_map;
 typedef Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> Corner_map;      // of the corners that they lead to
 
 #endif // MESH_H

@@ -9,10 +9,13 @@
 #include "errors.h"
 #include "held_vertices.h"
 #include "input.h"
+#include "sharp_edges.h"
 
 #include <CGAL/Surface_mesh_parameterization/atlas_quality.h>
 #include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,15 +78,29 @@ Corner_map add_corner_map(Mesh& mesh)
   return mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv", Kernel::Point_2(none, none)).first;
 }
 
+SMP::Atlas_summary run_atlas(Mesh& mesh, Corner_map corner_map, const Options& options)
+{
+  const Seam_map seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+  if (options.sharp_angle)
+    part_at_sharp_edges(mesh, *options.sharp_angle, seams);
+  SMP::Atlas_summary atlas = options.method->run_atlas({ mesh, seams, corner_map }, options);
+  for (const Mesh::Edge_index e : mesh.edges())
+    if (seams[e]) {
+      ++atlas.cut.seam_edges;
+      atlas.cut.seam_length += CGAL::Polygon_mesh_processing::edge_length(e, mesh);
+    }
+  return atlas;
+}
+
 // Runs the method on the faces of the input. The faces of errors are those of the mesh.
 SMP::Atlas_summary run_atlas(Input& input, const Options& options)
 {
   input.corner_map = add_corner_map(input.mesh);
   if (input.faces.size() == input.mesh.number_of_faces())
-    return options.method->run_atlas(input.mesh, input.corner_map, options);
+    return run_atlas(input.mesh, input.corner_map, options);
   Mesh part = mesh_of(input.mesh, input.faces);
   const Corner_map corner_map = add_corner_map(part);
-  SMP::Atlas_summary atlas = options.method->run_atlas(part, corner_map, options);
+  SMP::Atlas_summary atlas = run_atlas(part, corner_map, options);
   for (std::size_t i = 0; i < input.faces.size(); ++i) {
     Mesh::Halfedge_index h = input.mesh.halfedge(input.faces[i]);
     for (const Mesh::Halfedge_index k : part.halfedges_around_face(part.halfedge(Mesh::Face_index(Mesh::size_type(i))))) {

@@ -39,6 +39,7 @@ struct Method_options
   std::string hold;         // a file with places of vertices, or empty
   double least_used_part;   // of the square of an atlas; 0: charts are not divided
   std::optional<double> distortion_bound, overlap_bound;      // of an atlas; none: the defaults
+  std::optional<double> sharp_angle;                          // in degrees; none: no edge is a seam as it is sharp
   bool flat, quiet, is_globally_injective, fills_holes;
   SMP::Flip_policy flip_policy;
 };
@@ -46,9 +47,17 @@ struct Method_options
 // Fills in the map of the input.
 typedef SMP::Parameterization_summary Run_method(Input&, const Method_options&);
 
+// What an atlas is made of.
+struct Atlas_mesh
+{
+  const Mesh& mesh;
+  Seam_map seams;             // edges that are seams whatever the method does
+  Corner_map corner_map;      // is filled in
+};
+
 // Cuts a whole mesh, lays out its charts, and packs them. Runs of one chart only, and what they need, are no matter
 // here: the options `levels`, `start`, `hold` and `flat`.
-typedef SMP::Atlas_summary Run_atlas(const Mesh&, Corner_map, const Method_options&);
+typedef SMP::Atlas_summary Run_atlas(const Atlas_mesh&, const Method_options&);
 
 // A method that --method can name. A new one is a row in methods().
 struct Method

@@ -73,6 +73,10 @@ po::options_description describe_options(Options& options, Words& words, Numbers
   add("overlap-bound", po::value<double>(),
       "divide charts whose map would lie over itself with more than this part of its triangles, from 0 to 1; 1: none. "
       "The default is 0.2. Makes an atlas of one component, too");
+  add("sharp-angle", po::value<double>(),
+      "part the surface into regions along edges at which it turns by at least this angle, from 0 to 180 degrees: 40, "
+      "for instance, parts the faces of a mechanical model, most of which have maps without distortion. Makes an atlas "
+      "of one component, too");
   add("atlas", po::bool_switch(&options.makes_atlas),
       "make an atlas of one component, too: its chart or charts in the unit square");
   add("stitch", po::bool_switch(&options.is_stitched),
@@ -209,6 +213,7 @@ void read_part(const std::string& components, const std::string& cut, Options& o
                                       : options.least_used_part > 0 ? "--least-used-part"
                                       : options.distortion_bound    ? "--distortion-bound"
                                       : options.overlap_bound       ? "--overlap-bound"
+                                      : options.sharp_angle         ? "--sharp-angle"
                                       : options.makes_atlas         ? "--atlas"
                                                                     : "";
   const std::string option_of_one_chart = options.flat              ? "--flat"
@@ -221,11 +226,11 @@ void read_part(const std::string& components, const std::string& cut, Options& o
   options.takes_all_components = components.empty() ? option_of_one_chart.empty() : components == "all";
   options.cuts = cut.empty() ? option_of_one_chart.empty() : cut == "auto";
   options.makes_atlas = options.makes_atlas || options.least_used_part > 0 || options.distortion_bound ||
-                        options.overlap_bound;
+                        options.overlap_bound || options.sharp_angle;
   if (options.cuts)
     return;
-  if (options.distortion_bound || options.overlap_bound)
-    throw Usage_error{ "--distortion-bound, --overlap-bound: not with --cut none" };
+  if (options.distortion_bound || options.overlap_bound || options.sharp_angle)
+    throw Usage_error{ "--distortion-bound, --overlap-bound, --sharp-angle: not with --cut none" };
   options.distortion_bound = std::numeric_limits<double>::infinity();
   options.overlap_bound = 1;
 }
@@ -268,6 +273,8 @@ void check_options(const Options& options)
     throw Usage_error{ "--distortion-bound: a number of at least 4 expected" };
   if (options.overlap_bound && !(*options.overlap_bound >= 0 && *options.overlap_bound <= 1))
     throw Usage_error{ "--overlap-bound: a number from 0 to 1 expected" };
+  if (options.sharp_angle && !(*options.sharp_angle >= 0 && *options.sharp_angle <= 180))
+    throw Usage_error{ "--sharp-angle: a number of degrees from 0 to 180 expected" };
   if (options.flat && options.fills_holes && options.method->run_shipped)
     throw Usage_error{ "--fill-holes: not with --flat, which runs " + options.method->name + " as CGAL ships it" };
   if (options.threads < 0)
@@ -323,6 +330,8 @@ bool read_options(int argc, char** argv, Options& options)
     options.distortion_bound = values["distortion-bound"].as<double>();
   if (values.count("overlap-bound"))
     options.overlap_bound = values["overlap-bound"].as<double>();
+  if (values.count("sharp-angle"))
+    options.sharp_angle = values["sharp-angle"].as<double>();
   read_part(words.components, words.cut, options);
   check_options(options);
   if (options.inputs.empty())

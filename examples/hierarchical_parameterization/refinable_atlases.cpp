@@ -37,50 +37,50 @@ struct Edge_energy
 
 // Such a method knows how to keep the charts' borders apart, and does.
 template <template <class...> class Method>
-SMP::Atlas_summary minimize_distortion(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary minimize_distortion(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return run_atlas<Method, Tag>(mesh, corner_map, options, SMP::parameters::triangle_weight(options.triangle_weight));
+  return run_atlas<Method, Tag>(atlas, options, SMP::parameters::triangle_weight(options.triangle_weight));
 }
 
 template <template <class...> class Method>
-SMP::Atlas_summary minimize(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary minimize(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return run_atlas<Method, Tag>(mesh, corner_map, options, SMP::parameters::flip_policy(options.flip_policy));
+  return run_atlas<Method, Tag>(atlas, options, SMP::parameters::flip_policy(options.flip_policy));
 }
 
 } // namespace
 
-SMP::Atlas_summary run_mips_atlas(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary run_mips_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return minimize_distortion<MIPS>(mesh, corner_map, options);
+  return minimize_distortion<MIPS>(atlas, options);
 }
 
-SMP::Atlas_summary run_symmetric_dirichlet_atlas(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary run_symmetric_dirichlet_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return minimize_distortion<Symmetric_Dirichlet>(mesh, corner_map, options);
+  return minimize_distortion<Symmetric_Dirichlet>(atlas, options);
 }
 
-SMP::Atlas_summary run_arap_atlas(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary run_arap_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return minimize<SMP::As_rigid_as_possible_parameterizer_3>(mesh, corner_map, options);
+  return minimize<SMP::As_rigid_as_possible_parameterizer_3>(atlas, options);
 }
 
-SMP::Atlas_summary run_uniform_atlas(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary run_uniform_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return minimize<Edge_energy<SMP::Uniform_edge_weights_3>::Method>(mesh, corner_map, options);
+  return minimize<Edge_energy<SMP::Uniform_edge_weights_3>::Method>(atlas, options);
 }
 
-SMP::Atlas_summary run_chordal_atlas(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary run_chordal_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return minimize<Edge_energy<SMP::Chordal_edge_weights_3>::Method>(mesh, corner_map, options);
+  return minimize<Edge_energy<SMP::Chordal_edge_weights_3>::Method>(atlas, options);
 }
 
-SMP::Atlas_summary run_harmonic_atlas(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary run_harmonic_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return minimize<Edge_energy<SMP::Harmonic_edge_weights_3>::Method>(mesh, corner_map, options);
+  return minimize<Edge_energy<SMP::Harmonic_edge_weights_3>::Method>(atlas, options);
 }
 
-SMP::Atlas_summary run_shape_preserving_atlas(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary run_shape_preserving_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return minimize<Edge_energy<SMP::Shape_preserving_edge_weights_3>::Method>(mesh, corner_map, options);
+  return minimize<Edge_energy<SMP::Shape_preserving_edge_weights_3>::Method>(atlas, options);
 }

@@ -15,13 +15,13 @@
 
 // The options that all methods have are added to `np`, which the charts get.
 template <template <class...> class Method, class ConcurrencyTag, class NamedParameters>
-SMP::Atlas_summary run_atlas(const Mesh& mesh, Corner_map corner_map, const Method_options& options,
+SMP::Atlas_summary run_atlas(const Atlas_mesh& atlas, const Method_options& options,
                              const NamedParameters& np)
 {
-  const Chart_visitor visitor(mesh.number_of_faces(), !options.quiet && isatty(STDERR_FILENO));
+  const Chart_visitor visitor(atlas.mesh.number_of_faces(), !options.quiet && isatty(STDERR_FILENO));
   return SMP::atlas_parameterization<Method, ConcurrencyTag>(
-      mesh, corner_map,
-      SMP::parameters::least_used_part(options.least_used_part)
+      atlas.mesh, atlas.corner_map,
+      SMP::parameters::least_used_part(options.least_used_part).edge_is_constrained_map(atlas.seams)
           .distortion_bound(options.distortion_bound).overlap_bound(options.overlap_bound),
       np.tolerance(options.tolerance).number_of_iterations(options.iterations).fill_holes(options.fills_holes)
           .random_seed(options.seed).visitor(visitor));

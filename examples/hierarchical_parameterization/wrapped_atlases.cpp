@@ -19,42 +19,42 @@ namespace {
 
 // One chart after the other, as CGAL does not say which of its parameterizers may run side by side.
 template <template <class...> class Method>
-SMP::Atlas_summary run_wrapped(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary run_wrapped(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return run_atlas<Method, CGAL::Sequential_tag>(mesh, corner_map, options,
+  return run_atlas<Method, CGAL::Sequential_tag>(atlas, options,
                                                  SMP::parameters::flip_policy(options.flip_policy));
 }
 
 } // namespace
 
-SMP::Atlas_summary run_barycentric_atlas(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary run_barycentric_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return run_wrapped<SMP::Barycentric_mapping_parameterizer_3>(mesh, corner_map, options);
+  return run_wrapped<SMP::Barycentric_mapping_parameterizer_3>(atlas, options);
 }
 
-SMP::Atlas_summary run_mean_value_atlas(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary run_mean_value_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return run_wrapped<SMP::Mean_value_coordinates_parameterizer_3>(mesh, corner_map, options);
+  return run_wrapped<SMP::Mean_value_coordinates_parameterizer_3>(atlas, options);
 }
 
-SMP::Atlas_summary run_conformal_atlas(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary run_conformal_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return run_wrapped<SMP::Discrete_conformal_map_parameterizer_3>(mesh, corner_map, options);
+  return run_wrapped<SMP::Discrete_conformal_map_parameterizer_3>(atlas, options);
 }
 
-SMP::Atlas_summary run_authalic_atlas(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary run_authalic_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return run_wrapped<SMP::Discrete_authalic_parameterizer_3>(mesh, corner_map, options);
+  return run_wrapped<SMP::Discrete_authalic_parameterizer_3>(atlas, options);
 }
 
 // In CGAL 5 this parameterizer prints its progress, and writes a file into the current folder in every iteration.
-SMP::Atlas_summary run_iterative_authalic_atlas(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary run_iterative_authalic_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
   const Confinement confinement;
-  return run_wrapped<SMP::Iterative_authalic_parameterizer_3>(mesh, corner_map, options);
+  return run_wrapped<SMP::Iterative_authalic_parameterizer_3>(atlas, options);
 }
 
-SMP::Atlas_summary run_lscm_atlas(const Mesh& mesh, Corner_map corner_map, const Method_options& options)
+SMP::Atlas_summary run_lscm_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return run_wrapped<SMP::LSCM_parameterizer_3>(mesh, corner_map, options);
+  return run_wrapped<SMP::LSCM_parameterizer_3>(atlas, options);
 }

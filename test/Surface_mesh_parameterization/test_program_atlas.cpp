@@ -511,7 +511,8 @@ TEST(Program_atlas_options, that_need_one_chart_are_refused)
          "--flat --least-used-part 0.7", "--least-used-part 1.5", "--least-used-part nan",
          "--flat --distortion-bound 5", "--cut none --distortion-bound 5", "--distortion-bound 3.9",
          "--distortion-bound nan", "--start in.off --overlap-bound 0.1", "--cut none --overlap-bound 0.1",
-         "--overlap-bound -0.1", "--overlap-bound 1.1", "--overlap-bound nan" }) {
+         "--overlap-bound -0.1", "--overlap-bound 1.1", "--overlap-bound nan", "--flat --sharp-angle 40",
+         "--cut none --sharp-angle 40", "--sharp-angle -1", "--sharp-angle 181", "--sharp-angle nan" }) {
     EXPECT_EQ(runs.run("missing.off " + arguments), 1) << arguments;
     const std::string error = runs.error();
     EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
@@ -563,6 +564,63 @@ TEST(Program_atlas_options, bound_distortion)
     expect_one_to_one(map);
     EXPECT_GT(runs.report().at("atlas").at("seam_edges"), 0);
   }
+}
+
+// At the edges of an octahedron the surface turns by 70.5 degrees.
+TEST(Program_sharp_edges, part_the_faces_of_a_polyhedron)
+{
+  const Mesh m = octasphere(0);
+  const Runs runs(m);
+  const auto number_of_charts = [&](const std::string& angle) {
+    EXPECT_EQ(runs.run("in.off --output map.obj --report report.json --sharp-angle " + angle), good) << runs.error();
+    const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
+    expect_same_mesh(map, m);
+    expect_one_to_one(map);
+    const Seams seams(map);
+    EXPECT_EQ(runs.report().at("atlas").at("seam_edges"), seams.edges);
+    return seams.number_of_charts();
+  };
+  EXPECT_EQ(number_of_charts("70"), 8u);
+  EXPECT_EQ(runs.report().at("atlas").at("seam_edges"), 12);
+  EXPECT_NEAR(runs.report().at("atlas").at("seam_length"), 12 * std::sqrt(2.), 1e-5);
+  EXPECT_NEAR(runs.report().at("quality").at("symmetric_dirichlet"), 4, 1e-9);
+  EXPECT_EQ(number_of_charts("71"), 1u);
+}
+
+// A roof whose ridge, along y = 4, is rectangular at first and becomes flat towards x = `end`.
+Mesh roof(double end)
+{
+  return moved(cells(8, 8, [](long, long) { return true; }), [end](double x, double y, double) {
+    return Point{ x, y, -std::abs(y - 4) * (std::min)(1., (std::max)(0., (end - x) / 4)) };
+  });
+}
+
+TEST(Program_sharp_edges, are_seams_between_regions_only)
+{
+  const Runs runs(roof(4));
+  const auto run = [&] {
+    EXPECT_EQ(runs.run("in.off --method symmetric-dirichlet --report report.json --sharp-angle 60"), good);
+    return runs.report();
+  };
+  EXPECT_EQ(run().at("atlas").at("charts"), 1);
+  EXPECT_EQ(runs.report().at("atlas").at("seam_edges"), 0);
+  runs.write_input("in.off", roof(12));
+  EXPECT_EQ(run().at("atlas").at("charts"), 2);
+  EXPECT_EQ(runs.report().at("atlas").at("seam_edges"), 8);
+  EXPECT_NEAR(runs.report().at("quality").at("symmetric_dirichlet"), 4, 1e-9);
+}
+
+// A triangle without area closes the gap between an edge and its two halves on the other side of a ridge.
+TEST(Program_sharp_edges, give_triangles_without_area_to_a_neighbor)
+{
+  Mesh m;
+  for (const Point& p : { Point{ 0, 0, 0 }, Point{ 1, 0, 0 }, Point{ 2, 0, 0 }, Point{ 1, 2, 0 }, Point{ 1, 0, 2 } })
+    m.add_point(p[0], p[1], p[2]);
+  m.polygons = { { 0, 2, 3 }, { 0, 1, 2 }, { 1, 0, 4 }, { 2, 1, 4 } };
+  const Runs runs(m);
+  ASSERT_EQ(runs.run("in.off --method symmetric-dirichlet --report report.json --sharp-angle 40"), good);
+  EXPECT_EQ(runs.report().at("atlas").at("charts"), 2);
+  EXPECT_EQ(runs.report().at("atlas").at("seam_edges"), 2);
 }
 
 // What needs no cut becomes an atlas, too, in the unit square.
