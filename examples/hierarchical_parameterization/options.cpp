@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <iostream>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,6 +74,9 @@ po::options_description describe_options(Options& options, Words& words, Numbers
   add("overlap-bound", po::value<double>(),
       "divide charts whose map would lie over itself with more than this part of its triangles, from 0 to 1; 1: none. "
       "The default is 0.2. Makes an atlas of one component, too");
+  add("hole-bound", po::value<double>(),
+      "in an atlas, treat holes as parts of the surface whose border is no longer than this part, from 0 to 1, of the "
+      "square root of their component's area; 0: none. The default is 0.1. Makes an atlas of one component, too");
   add("sharp-angle", po::value<double>(),
       "part the surface into regions along edges at which it turns by at least this angle, from 0 to 180 degrees: 40, "
       "for instance, parts the faces of a mechanical model, most of which have maps without distortion. Makes an atlas "
@@ -213,6 +217,7 @@ void read_part(const std::string& components, const std::string& cut, Options& o
                                       : options.least_used_part > 0 ? "--least-used-part"
                                       : options.distortion_bound    ? "--distortion-bound"
                                       : options.overlap_bound       ? "--overlap-bound"
+                                      : options.hole_bound          ? "--hole-bound"
                                       : options.sharp_angle         ? "--sharp-angle"
                                       : options.makes_atlas         ? "--atlas"
                                                                     : "";
@@ -226,7 +231,7 @@ void read_part(const std::string& components, const std::string& cut, Options& o
   options.takes_all_components = components.empty() ? option_of_one_chart.empty() : components == "all";
   options.cuts = cut.empty() ? option_of_one_chart.empty() : cut == "auto";
   options.makes_atlas = options.makes_atlas || options.least_used_part > 0 || options.distortion_bound ||
-                        options.overlap_bound || options.sharp_angle;
+                        options.overlap_bound || options.hole_bound || options.sharp_angle;
   if (options.cuts)
     return;
   if (options.distortion_bound || options.overlap_bound || options.sharp_angle)
@@ -273,6 +278,8 @@ void check_options(const Options& options)
     throw Usage_error{ "--distortion-bound: a number of at least 4 expected" };
   if (options.overlap_bound && !(*options.overlap_bound >= 0 && *options.overlap_bound <= 1))
     throw Usage_error{ "--overlap-bound: a number from 0 to 1 expected" };
+  if (options.hole_bound && !(*options.hole_bound >= 0 && *options.hole_bound <= 1))
+    throw Usage_error{ "--hole-bound: a number from 0 to 1 expected" };
   if (options.sharp_angle && !(*options.sharp_angle >= 0 && *options.sharp_angle <= 180))
     throw Usage_error{ "--sharp-angle: a number of degrees from 0 to 180 expected" };
   if (options.flat && options.fills_holes && options.method->run_shipped)
@@ -326,12 +333,12 @@ bool read_options(int argc, char** argv, Options& options)
     options.tolerance = options.method->tolerance;
   if (!values.count("iterations"))
     options.iterations = options.method->iterations;
-  if (values.count("distortion-bound"))
-    options.distortion_bound = values["distortion-bound"].as<double>();
-  if (values.count("overlap-bound"))
-    options.overlap_bound = values["overlap-bound"].as<double>();
-  if (values.count("sharp-angle"))
-    options.sharp_angle = values["sharp-angle"].as<double>();
+  const std::pair<const char*, std::optional<double>*> numbers_of_atlas[] = {
+    { "distortion-bound", &options.distortion_bound }, { "overlap-bound", &options.overlap_bound },
+    { "hole-bound", &options.hole_bound }, { "sharp-angle", &options.sharp_angle } };
+  for (const auto& [name, number] : numbers_of_atlas)
+    if (values.count(name))
+      *number = values[name].as<double>();
   read_part(words.components, words.cut, options);
   check_options(options);
   if (options.inputs.empty())

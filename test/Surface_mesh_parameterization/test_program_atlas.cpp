@@ -512,7 +512,8 @@ TEST(Program_atlas_options, that_need_one_chart_are_refused)
          "--flat --distortion-bound 5", "--cut none --distortion-bound 5", "--distortion-bound 3.9",
          "--distortion-bound nan", "--start in.off --overlap-bound 0.1", "--cut none --overlap-bound 0.1",
          "--overlap-bound -0.1", "--overlap-bound 1.1", "--overlap-bound nan", "--flat --sharp-angle 40",
-         "--cut none --sharp-angle 40", "--sharp-angle -1", "--sharp-angle 181", "--sharp-angle nan" }) {
+         "--cut none --sharp-angle 40", "--sharp-angle -1", "--sharp-angle 181", "--sharp-angle nan",
+         "--flat --hole-bound 0", "--hole-bound -1", "--hole-bound 2", "--hole-bound nan" }) {
     EXPECT_EQ(runs.run("missing.off " + arguments), 1) << arguments;
     const std::string error = runs.error();
     EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;

@@ -42,7 +42,7 @@ namespace internal {
 
 typedef Joined_names<Joined_names<Cut_names, Pack_names>,
                      Names<internal_np::edge_is_constrained_t, internal_np::least_used_part_t,
-                           internal_np::overlap_bound_t>>   Atlas_names;
+                           internal_np::overlap_bound_t, internal_np::hole_bound_t>>   Atlas_names;
 
 } // namespace internal
 
@@ -84,6 +84,10 @@ typedef Joined_names<Joined_names<Cut_names, Pack_names>,
 /// - `overlap_bound`: the part of a chart's triangles, from 0 to 1, that may lie over others, counted by their
 ///   centroids, when the method has minimized its energy, or before it keeps borders apart if it can do so. Where more
 ///   do, the chart is divided. 1: no chart is divided. A `double` or a `std::optional<double>`. Default: 0.2
+/// - `hole_bound`: holes whose border is no longer than this part, from 0 to 1, of the square root of the component's
+///   area are laid out as parts of the surface, closed by a virtual vertex in their middle, as scans have many of them.
+///   Not the longest border of a component, cracks and seams, nor with `join_borders`. 0: none. A `double` or a
+///   `std::optional<double>`. Default: 0.1
 /// \param np_of_charts those of `hierarchical_parameterization()` except `summary`, for every chart. A `visitor` is
 ///        told of one chart after the other, and of the parts of a chart that is divided, with `CGAL::Parallel_tag` of
 ///        several at the same time, in their threads; if it stops one, no other one begins, and there is no atlas
@@ -118,18 +122,24 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
     const std::optional<double> bound = parameters::choose_parameter(
         parameters::get_parameter(np, internal_np::overlap_bound), std::optional<double>());
     const double overlap_bound = bound.value_or(0.2);
+    const std::optional<double> given_hole_bound = parameters::choose_parameter(
+        parameters::get_parameter(np, internal_np::hole_bound), std::optional<double>());
+    const double hole_bound = given_hole_bound.value_or(0.1);
     const char* const wrong = !pack_options.is_valid()                             ? "the margin is not from 0 to 0.1"
                               : !(least_used_part >= 0 && least_used_part <= 1) ? "least_used_part is not from 0 to 1"
                               : !(overlap_bound >= 0 && overlap_bound <= 1)     ? "overlap_bound is not from 0 to 1"
+                              : !(hole_bound >= 0 && hole_bound <= 1)           ? "hole_bound is not from 0 to 1"
                                                                                 : nullptr;
     if (wrong) {
       result.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, wrong };
       return result;
     }
-    internal::read_and_cut(mesh, seams, np, loops, atlas.mesh, result.cut);
+    const std::size_t number_of_corners =
+        internal::read_and_cut(mesh, seams, np, hole_bound, loops, atlas.mesh, result.cut).size();
     result.error = result.cut.error;
     if (!result.is_ok())
       return result;
+    atlas.number_of_virtual_faces = internal::Index(atlas.mesh.number_of_faces() - number_of_corners / 3);
     atlas.charts = connected_components(atlas.mesh);
     result.chart_of_face = internal::chart_of_face(atlas);
     result.seconds_cut = timer.time();
@@ -138,13 +148,14 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
         atlas, np_of_charts, internal::cut_options_of(np), overlap_bound, loops, result);
     result.seconds_parameterize = timer.time() - result.seconds_cut;
 
-    if (result.error.code == ERROR_STOPPED)
-      return result;
-    if (least_used_part > 0)
-      internal::divide_charts(atlas, has_map, pack_options, least_used_part, result);
-    typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
-    internal::pack(atlas, has_map, pack_options, internal::rounding_to<User_point_2>(), result);
-    internal::write_corners(mesh, atlas, has_map, uvmap);
+    if (result.error.code != ERROR_STOPPED) {
+      if (least_used_part > 0)
+        internal::divide_charts(atlas, has_map, pack_options, least_used_part, result);
+      typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
+      internal::pack(atlas, has_map, pack_options, internal::rounding_to<User_point_2>(), result);
+      internal::write_corners(mesh, atlas, has_map, uvmap);
+    }
+    internal::leave_out_virtual_faces(atlas, result);
     result.seconds_pack = timer.time() - result.seconds_cut - result.seconds_parameterize;
   } else
     Check::tell();

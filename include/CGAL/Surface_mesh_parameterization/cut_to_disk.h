@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/fill_small_holes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -44,10 +45,10 @@ struct Cut_summary
 
 namespace internal {
 
-// Reads a mesh and cuts it. Returns which halfedges became seams.
+// Reads a mesh, fills its small holes, and cuts it. Returns which halfedges of the mesh became seams.
 template <class TriangleMesh, class EdgeSeamMap, class NamedParameters>
 std::vector<bool> read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const NamedParameters& np,
-                               const Loops& loops, Corner_mesh& corners, Cut_summary& summary)
+                               double hole_bound, const Loops& loops, Corner_mesh& corners, Cut_summary& summary)
 {
   const Cut_options options = cut_options_of(np);
   if (options.is_valid())
@@ -56,12 +57,19 @@ std::vector<bool> read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, cons
     summary.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, "distortion_bound is less than 4" };
   if (!summary.is_ok())
     return {};
+  std::vector<bool> is_seam(corners.number_of_halfedges(), false);
+  std::vector<Filled_holes> filled;
+  if (hole_bound > 0 && !options.joins_borders)
+    filled = fill_small_holes(corners, is_at_hole(mesh), hole_bound);
   const std::vector<Index> old_opposite = corners.opposite;
   for (const Component_cut& c : cut_mesh(corners, options, loops))
     summary.components.push_back({ c.faces, c.genus, c.borders, c.branches, c.distortion });
-  std::vector<bool> is_seam(corners.number_of_halfedges(), false);
-  for (Index h = 0; h < corners.number_of_halfedges(); ++h) {
-    is_seam[h] = corners.is_border(h) && old_opposite[h] != no_index;
+  for (std::size_t i = 0; i < filled.size(); ++i) {
+    summary.components[i].faces -= filled[i].faces;
+    summary.components[i].borders += filled[i].holes;
+  }
+  for (Index h = 0; h < is_seam.size(); ++h) {
+    is_seam[h] = corners.is_border(h) && old_opposite[h] < is_seam.size();
     if (is_seam[h] && h < old_opposite[h]) {
       ++summary.seam_edges;
       summary.seam_length += length(corners, h);
@@ -118,7 +126,7 @@ Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeSeamMap seams,
   if constexpr (internal::Mesh_check<TriangleMesh>::value) {
     internal::assert_names<internal::Cut_names>(np);
     internal::Corner_mesh corners;
-    const std::vector<bool> is_seam = internal::read_and_cut(mesh, seams, np, internal::Loops(), corners, summary);
+    const std::vector<bool> is_seam = internal::read_and_cut(mesh, seams, np, 0, internal::Loops(), corners, summary);
     internal::for_each_corner(mesh, [&](auto h, internal::Index i) {
       if (summary.is_ok() && is_seam[i])
         put(seams, edge(h, mesh), true);

@@ -31,6 +31,7 @@ namespace CGAL {
   X(fill_holes, fill_holes_t) X(initial_map, initial_map_t) X(summary, summary_t)                                      \
   X(distortion_bound, distortion_bound_t) X(join_borders, join_borders_t) X(margin, margin_t)                          \
   X(unit_square, unit_square_t) X(least_used_part, least_used_part_t) X(overlap_bound, overlap_bound_t)                \
+  X(hole_bound, hole_bound_t)                                                                                          \
   X(position_weight_map, position_weight_t)
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_NAMES(X)                                                                    \
   CGAL_SURFACE_MESH_PARAMETERIZATION_OWN_NAMES(X)                                                                      \

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Shortest_paths_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_component_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_mesh_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/fill_small_holes_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/handle_cut_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mask_impl.h>

@@ -54,6 +54,8 @@ struct Corner_mesh
 double length(const Corner_mesh& mesh, Index h);
 double length(const Corner_mesh& mesh, const std::vector<Index>& halfedges);
 
+double area_of_face(const Corner_mesh& mesh, Index f);
+
 // Renumbers the vertices, so that each has one fan of triangles and they are in order. Returns what was the number of
 // each before.
 std::vector<Index> split_vertices(Corner_mesh& mesh);

@@ -32,6 +32,13 @@ double length(const Corner_mesh& mesh, const std::vector<Index>& halfedges)
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+double area_of_face(const Corner_mesh& mesh, Index f)
+{
+  return 0.5 * doubled_area(mesh.points[mesh.vertex[3 * f]], mesh.points[mesh.vertex[3 * f + 1]],
+                            mesh.points[mesh.vertex[3 * f + 2]]);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 std::vector<Index> split_vertices(Corner_mesh& mesh)
 {
   std::vector<Index> vertex(mesh.vertex.size(), no_index), old_vertices;

@@ -34,13 +34,11 @@ void settle_borders(Corner_mesh& mesh, const Cut_options& options)
 inline double relative_length_of_borders(const Corner_mesh& mesh)
 {
   double length_of_borders = 0, area = 0;
-  for (Index h = 0; h < mesh.number_of_halfedges(); ++h) {
+  for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
     if (mesh.is_border(h))
       length_of_borders += length(mesh, h);
-    if (h % 3 == 0)
-      area += 0.5 * doubled_area(mesh.points[mesh.vertex[h]], mesh.points[mesh.vertex[h + 1]],
-                                 mesh.points[mesh.vertex[h + 2]]);
-  }
+  for (Index f = 0; f < mesh.number_of_faces(); ++f)
+    area += area_of_face(mesh, f);
   return length_of_borders / std::sqrt(4 * CGAL_PI * area);
 }
 

@@ -18,6 +18,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -29,6 +30,15 @@ void for_each_corner(const TriangleMesh& mesh, const Function& f)
   for (const auto face : faces(mesh))
     for (const auto h : halfedges_around_face(halfedge(face, mesh), mesh))
       f(h, i++);
+}
+
+// Which halfedges of the Corner_mesh lie on a border of the mesh, rather than at a seam.
+template <class TriangleMesh>
+std::vector<bool> is_at_hole(const TriangleMesh& mesh)
+{
+  std::vector<bool> result;
+  for_each_corner(mesh, [&](auto h, Index) { result.push_back(CGAL::is_border(opposite(h, mesh), mesh)); });
+  return result;
 }
 
 // Reads a mesh, cut open along the edges for which the map is true. Faces keep their order. Returns what is wrong:

@@ -21,6 +21,14 @@ struct Atlas
   Corner_mesh mesh;
   std::vector<std::vector<Index>> charts;       // the faces of each
   std::vector<Point_2> uv;                      // of the vertices
+  Index number_of_virtual_faces = 0;            // that fill holes: the last ones
+
+  // Whether an edge lies between two faces of the surface.
+  bool is_in_surface(Index h) const
+  {
+    const Index n = mesh.number_of_faces() - number_of_virtual_faces;
+    return h / 3 < n && !mesh.is_border(h) && mesh.opposite[h] / 3 < n;
+  }
 };
 
 // The vertices of the faces of a chart, in increasing order, which is that of component_of().

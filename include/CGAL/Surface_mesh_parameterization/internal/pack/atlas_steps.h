@@ -89,8 +89,10 @@ inline void sever_parts(const std::vector<Parts_with_map>& parts, Atlas& atlas, 
     for (const Part_with_map& part : parts_of_chart)
       for (const Index h : part.border)
         if (!atlas.mesh.is_border(h)) {
-          ++result.cut.seam_edges;
-          result.cut.seam_length += length(atlas.mesh, h);
+          if (atlas.is_in_surface(h)) {
+            ++result.cut.seam_edges;
+            result.cut.seam_length += length(atlas.mesh, h);
+          }
           atlas.mesh.sever(h);
           is_severed = true;
         }
@@ -139,11 +141,11 @@ inline void divide_charts(Atlas& atlas, std::vector<bool>& has_map, const Pack_o
   Division_options options;
   options.least_used_part = least_used_part;
   const Division division = divide_charts(atlas, has_map, pack_options, options);
-  if (division.seam.empty())
+  if (atlas.charts.size() == result.charts.size())
     return;
   result.divisions += atlas.charts.size() - result.charts.size();
-  result.cut.seam_edges += division.seam.size();
-  result.cut.seam_length += length(atlas.mesh, division.seam);
+  result.cut.seam_edges += division.seam_edges;
+  result.cut.seam_length += division.seam_length;
   result.chart_of_face = chart_of_face(atlas);
   const std::vector<bool> old_has_map = std::move(has_map);
   const std::vector<Atlas_summary::Chart> old_charts = std::move(result.charts);
@@ -178,6 +180,24 @@ inline void pack(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& o
       if (result.is_ok())
         result.error = error;
     }
+}
+
+// Takes virtual faces out of what is told.
+inline void leave_out_virtual_faces(const Atlas& atlas, Atlas_summary& result)
+{
+  const Index number_of_faces = atlas.mesh.number_of_faces() - atlas.number_of_virtual_faces;
+  const auto go_to_surface = [&](Parameterization_error& error) {
+    if (error.place == Parameterization_error::FACE && error.index >= number_of_faces)
+      error.index = atlas.charts[result.chart_of_face[error.index]].front();
+  };
+  go_to_surface(result.error);
+  for (Atlas_summary::Chart& chart : result.charts) {
+    go_to_surface(chart.summary.error);
+    chart.faces = 0;
+  }
+  result.chart_of_face.resize(number_of_faces);
+  for (const std::size_t chart : result.chart_of_face)
+    ++result.charts[chart].faces;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

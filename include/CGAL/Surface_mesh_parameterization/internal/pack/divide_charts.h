@@ -35,7 +35,8 @@ struct Division_options
 // The cuts by which charts were divided.
 struct Division
 {
-  std::vector<Index> seam;                  // halfedges of the atlas's mesh, one for each edge
+  std::size_t seam_edges = 0;               // of the surface
+  double seam_length = 0;
   std::vector<std::size_t> old_charts;      // of each chart, what it was a part of
 };
 

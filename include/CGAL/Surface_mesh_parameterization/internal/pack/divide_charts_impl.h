@@ -197,12 +197,15 @@ Division divide_charts(Atlas& atlas, const std::vector<bool>& has_map, const Pac
     return result;
   Chart_divider divider(atlas, has_map, pack_options, options);
   divider.run();
-  result.seam = divider.seam();
-
   const std::vector<std::size_t> old_chart_of_face = chart_of_face(atlas);
   const std::vector<Point_2> corners = corners_of(atlas, divider.parts());
-  for (const Index h : result.seam)
+  for (const Index h : divider.seam()) {
+    if (atlas.is_in_surface(h)) {
+      ++result.seam_edges;
+      result.seam_length += length(atlas.mesh, h);
+    }
     atlas.mesh.sever(h);
+  }
   split_charts(corners, atlas);
   for (const std::vector<Index>& faces : atlas.charts)
     result.old_charts.push_back(old_chart_of_face[faces.front()]);

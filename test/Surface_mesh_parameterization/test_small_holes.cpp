@@ -1,0 +1,213 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Small holes, which atlases treat as parts of the surface.
+
+#include "surface_with_corner_map.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/fill_small_holes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace test_small_holes {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+namespace parameters = CGAL::Surface_mesh_parameterization::parameters;
+using internal::Corner_mesh;
+using internal::no_index;
+
+// Without every so manieth triangle.
+Flat_mesh with_pinholes(Flat_mesh m, std::size_t distance)
+{
+  std::vector<Index_triangle> triangles;
+  for (std::size_t i = 0; i < m.triangles.size(); ++i)
+    if (i % distance != distance / 2)
+      triangles.push_back(m.triangles[i]);
+  m.triangles = triangles;
+  return m;
+}
+
+Flat_mesh sieve() { return with_pinholes(grid(20, 20, wavy), 93); }
+
+Corner_mesh corner_mesh_of(const Surface& surface)
+{
+  Corner_mesh result;
+  EXPECT_EQ(internal::read_corner_mesh(surface.mesh, surface.seams, result).code, OK);
+  return result;
+}
+
+std::vector<internal::Filled_holes> fill(const Surface& surface, double bound, Corner_mesh& mesh)
+{
+  return internal::fill_small_holes(mesh, internal::is_at_hole(surface.mesh), bound);
+}
+
+// Neighbors agree in their edges, every vertex has one fan of triangles, and the surface is there as it was.
+void expect_filled(const Corner_mesh& before, Corner_mesh after, std::size_t borders)
+{
+  for (Index h = 0; h < after.number_of_halfedges(); ++h)
+    if (!after.is_border(h)) {
+      EXPECT_EQ(after.opposite[after.opposite[h]], h);
+      EXPECT_EQ(after.source(after.opposite[h]), after.target(h));
+      EXPECT_EQ(after.target(after.opposite[h]), after.source(h));
+    }
+  EXPECT_EQ(internal::borders(after).size(), borders);
+  EXPECT_TRUE(std::equal(before.vertex.begin(), before.vertex.end(), after.vertex.begin()));
+  EXPECT_TRUE(std::equal(before.points.begin(), before.points.end(), after.points.begin()));
+  const std::vector<Index> vertex = after.vertex;
+  internal::split_vertices(after);
+  EXPECT_EQ(after.vertex, vertex);
+}
+
+TEST(Filled_holes, close_all_borders_but_the_longest)
+{
+  for (const Flat_mesh& m : { sieve(), with_pinholes(sphere(16, 20), 50) }) {
+    const Surface surface(m);
+    const Corner_mesh before = corner_mesh_of(surface);
+    const std::size_t borders = internal::borders(before).size();
+    ASSERT_GT(borders, 5u);
+    Corner_mesh after = before;
+    const std::vector<internal::Filled_holes> filled = fill(surface, 0.5, after);
+    ASSERT_EQ(filled.size(), 1u);
+    EXPECT_EQ(filled[0].holes, borders - 1);
+    EXPECT_EQ(filled[0].faces, after.number_of_faces() - before.number_of_faces());
+    EXPECT_EQ(after.number_of_vertices(), before.number_of_vertices() + borders - 1);
+    expect_filled(before, after, 1);
+  }
+}
+
+// By the length of their borders, a part of the root of the area, which is 1.
+TEST(Filled_holes, are_the_small_ones)
+{
+  const Surface surface(with_pinholes(grid(20, 20, flat), 93));
+  const double length = (2 + std::sqrt(2.)) / 20;      // of the border of one triangle
+  const std::size_t holes = internal::borders(corner_mesh_of(surface)).size() - 1;
+  for (const double part : { 0.9, 1.1 }) {
+    Corner_mesh mesh = corner_mesh_of(surface);
+    EXPECT_EQ(fill(surface, part * length, mesh)[0].holes, part < 1 ? 0u : holes);
+  }
+}
+
+// A crack: two edges that are there twice, at the same places. What fills it would have no area.
+Flat_mesh cracked_grid()
+{
+  constexpr Index n = 12, row = n + 1, middle = 6 * row + 6;
+  Flat_mesh m = grid(n, n, wavy);
+  const Index copy = Index(m.points.size());
+  m.points.push_back(m.points[middle]);
+  for (Index_triangle& t : m.triangles)      // those below have the copy
+    if (std::all_of(t.begin(), t.end(), [](Index v) { return v <= middle + 1; }))
+      std::replace(t.begin(), t.end(), middle, copy);
+  return m;
+}
+
+TEST(Filled_holes, are_no_cracks)
+{
+  const Surface surface(cracked_grid());
+  Corner_mesh mesh = corner_mesh_of(surface);
+  ASSERT_EQ(internal::borders(mesh).size(), 2u);
+  EXPECT_EQ(fill(surface, 0.9, mesh)[0].holes, 0u);
+}
+
+std::size_t number_of_seams(const Surface& surface)
+{
+  std::size_t result = 0;
+  for (const auto e : surface.mesh.edges()) {
+    const auto h = surface.mesh.halfedge(e), o = surface.mesh.opposite(h);
+    result += !surface.mesh.is_border(e) &&
+              (surface.uv[h] != surface.uv[surface.mesh.prev(o)] || surface.uv[o] != surface.uv[surface.mesh.prev(h)]);
+  }
+  return result;
+}
+
+template <template <class...> class Method>
+void expect_atlas_of_surface(const Flat_mesh& m, double least_used_part)
+{
+  Surface surface(m);
+  const std::size_t borders = internal::borders(corner_mesh_of(surface)).size();
+  const Atlas_summary summary = atlas_parameterization<Method>(
+      surface.mesh, surface.uv, parameters::hole_bound(1).least_used_part(least_used_part));
+  ASSERT_TRUE(summary.is_ok());
+  expect_one_to_one(surface);
+  ASSERT_EQ(summary.cut.components.size(), 1u);
+  EXPECT_EQ(summary.cut.components[0].borders, borders);
+  EXPECT_EQ(summary.cut.components[0].faces, surface.mesh.number_of_faces());
+  EXPECT_EQ(summary.cut.seam_edges, number_of_seams(surface));
+  EXPECT_EQ(summary.chart_of_face.size(), surface.mesh.number_of_faces());
+  std::vector<std::size_t> faces(summary.charts.size(), 0);
+  for (const std::size_t chart : summary.chart_of_face)
+    ++faces.at(chart);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    EXPECT_EQ(summary.charts[i].faces, faces[i]);
+}
+
+// What an atlas tells is of the user's faces and edges only.
+TEST(Atlas_of_sieve, counts_no_virtual_faces)
+{
+  expect_atlas_of_surface<MIPS_parameterizer_3>(with_pinholes(sphere(24, 30), 80), 0);
+  for (const double least_used_part : { 0., 0.9 })
+    expect_atlas_of_surface<Symmetric_Dirichlet_parameterizer_3>(with_pinholes(grid(60, 6, wavy), 7), least_used_part);
+}
+
+template <class NamedParameters>
+std::vector<Kernel::Point_2> corners(const Flat_mesh& m, const NamedParameters& np)
+{
+  Surface surface(m);
+  EXPECT_TRUE(atlas_parameterization(surface.mesh, surface.uv, np).is_ok());
+  return surface.corners();
+}
+
+TEST(Atlas_of_sieve, has_other_places_only_where_holes_are_filled)
+{
+  const auto with_bound = [](const Flat_mesh& m, double bound) { return corners(m, parameters::hole_bound(bound)); };
+  EXPECT_NE(with_bound(sieve(), 1), with_bound(sieve(), 0));
+  EXPECT_EQ(with_bound(sieve(), 1e-3), with_bound(sieve(), 0));
+  EXPECT_EQ(with_bound(cracked_grid(), 1), with_bound(cracked_grid(), 0));
+  EXPECT_EQ(with_bound(sieve(), 0.1), corners(sieve(), parameters::hole_bound(std::optional<double>())));
+  EXPECT_EQ(with_bound(sieve(), 0.1), corners(sieve(), parameters::default_values()));
+  EXPECT_EQ(corners(sieve(), parameters::join_borders(true)),
+            corners(sieve(), parameters::join_borders(true).hole_bound(0)));
+}
+
+// A seam of the user's that runs through a hole divides the surface, as if the hole were none.
+TEST(Atlas_of_sieve, keeps_a_seam_through_a_hole)
+{
+  constexpr Index n = 12, row = n + 1;
+  Flat_mesh m = grid(n, n, wavy);
+  const auto begin = m.triangles.begin() + 2 * (n * 6 + 6);      // above the line y = 0.5, in its middle
+  m.triangles.erase(begin, begin + 2);
+  Surface surface(m);
+  const auto on_line = [](Surface_mesh::Vertex_index v) { return Index(v) / row == 6; };
+  for (const auto e : surface.mesh.edges())
+    surface.seams[e] =
+        !surface.mesh.is_border(e) && on_line(surface.mesh.vertex(e, 0)) && on_line(surface.mesh.vertex(e, 1));
+  const Atlas_summary summary = atlas_parameterization(
+      surface.mesh, surface.uv, parameters::hole_bound(1).edge_is_constrained_map(surface.seams));
+  ASSERT_TRUE(summary.is_ok());
+  EXPECT_EQ(summary.charts.size(), 2u);
+  EXPECT_EQ(surface.charts().size(), 2u);
+}
+
+TEST(Hole_bound, is_from_0_to_1)
+{
+  Surface surface(sieve());
+  for (const double bound : { -0.1, 1.1, std::numeric_limits<double>::quiet_NaN() })
+    EXPECT_EQ(atlas_parameterization(surface.mesh, surface.uv, parameters::hole_bound(bound)).error.code,
+              ERROR_WRONG_PARAMETER);
+}
+
+} // namespace test_small_holes
