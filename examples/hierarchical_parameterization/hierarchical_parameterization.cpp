@@ -30,8 +30,10 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -99,6 +101,24 @@ void print_warnings(const Input& input, const Options& options, const Run_record
               << " of " << vertices << " vertices were moved: the map is hardly its own\n";
 }
 
+// What may help where one chart is not enough.
+void print_advice(const Input& input, const Options& options, const Run_record& run)
+{
+  constexpr double great_distortion = 50;
+  constexpr std::size_t many_borders = 20;
+  if (run.atlas || !options.cuts)
+    return;
+  if (run.quality->symmetric_dirichlet > great_distortion) {
+    std::ostringstream energy;
+    energy << std::setprecision(3) << run.quality->symmetric_dirichlet;
+    std::cerr << one_line(input.name) << ": the map is distorted far (symmetric Dirichlet " << energy.str()
+              << ", 4 without distortion); --atlas cuts the surface\n";
+  }
+  if (input.number_of_borders > many_borders && !options.fills_holes)
+    std::cerr << one_line(input.name) << ": has " << input.number_of_borders
+              << " borders; --fill-holes treats holes as parts of the surface, which is quicker\n";
+}
+
 void print_summary(const Input& input, const Options& options, const Run_record& run)
 {
   const std::string name = one_line(input.name);
@@ -110,6 +130,7 @@ void print_summary(const Input& input, const Options& options, const Run_record&
                       ? "still coincide with those of others; --stitch joins two at an edge, of one orientation\n"
                       : "coincide with those of others; --stitch joins them\n");
   print_warnings(input, options, run);
+  print_advice(input, options, run);
   const std::string levels = run.summary.levels.empty() || run.atlas
                                  ? ""
                                  : std::to_string(run.summary.levels.size()) +

@@ -567,6 +567,24 @@ TEST(Program_atlas_options, bound_distortion)
   }
 }
 
+// Where one chart is hardly what the user wants.
+TEST(Program_advice, is_given_until_it_is_followed)
+{
+  const Runs runs(tube(16, 4));
+  const auto error_of = [&](const std::string& arguments) {
+    EXPECT_EQ(runs.run("in.off --report report.json " + arguments), good);
+    return runs.error();
+  };
+  EXPECT_NE(error_of("").find("--atlas"), std::string::npos);
+  EXPECT_GT(runs.report().at("quality").at("symmetric_dirichlet"), 50);
+  for (const std::string arguments : { "--atlas", "--cut none", "--quiet" })
+    EXPECT_EQ(error_of(arguments), "");
+  runs.write_input("in.off", cells(26, 26, [](long i, long j) { return i % 5 != 2 || j % 5 != 2; }));
+  EXPECT_NE(error_of("").find("26 borders; --fill-holes"), std::string::npos);
+  for (const std::string arguments : { "--fill-holes", "--atlas" })
+    EXPECT_EQ(error_of(arguments), "");
+}
+
 // At the edges of an octahedron the surface turns by 70.5 degrees.
 TEST(Program_sharp_edges, part_the_faces_of_a_polyhedron)
 {
