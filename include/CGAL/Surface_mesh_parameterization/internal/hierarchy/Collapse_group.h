@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/prefetch.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Added_edges.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Halfedge_collapse.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Ring_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Unit_edge_metric.h>
@@ -53,8 +54,7 @@ public:
   {
     const std::size_t n = mesh.points.size();
     m_is_locked.assign(n, 0);
-    m_first_added.assign(n, no_index);
-    m_added.clear();
+    m_added.clear(n);
     m_collapses.clear();
 
     shuffle_vertices(n, random);
@@ -224,7 +224,7 @@ private:
     for (Index i = 0; i < ring.size; ++i)
       if (i != w0_slot && !ring.are_adjacent(i, w0_slot) && kept_ring.contains(ring[i]))
         return false;
-    if (has_added_edge(ring[w0_slot], ring))
+    if (m_added.join(ring[w0_slot], ring))
       return false;
     const bool is_ear = !ring.is_closed && ring.size == 2;
     return !is_ear || is_interior_edge(mesh, ring[0], ring[1]);
@@ -237,15 +237,6 @@ private:
     return ring[0] != b && ring[ring.size - 1] != b;
   }
 
-  // Whether a collapse of this group has joined W0 to a vertex of the ring.
-  bool has_added_edge(Index w0, const Ring_mesh::Ring& ring) const
-  {
-    for (Index e = m_first_added[w0]; e != no_index; e = m_added[e].next)
-      if (ring.contains(m_added[e].neighbor))
-        return true;
-    return false;
-  }
-
   // Performs a collapse that was found before others of its batch were performed, or the next best one if these have
   // forbidden it.
   void try_collapse(const Mesh& mesh, Collapse c)
@@ -253,7 +244,7 @@ private:
     if (c.removed_vertex == no_index)
       return;
     const Ring_mesh::Ring ring = mesh.rings[c.removed_vertex];
-    if (has_added_edge(c.parent[0], ring))
+    if (m_added.join(c.parent[0], ring))
       c = best_collapse(mesh, c.removed_vertex, m_scratch);
     if (c.removed_vertex == no_index)
       return;
@@ -262,17 +253,9 @@ private:
     const Index w0 = ring.position_of(c.parent[0]);
     for (Index i = 0; i < ring.size; ++i) {
       m_is_locked[ring[i]] = 1;
-      if (i != w0 && !ring.are_adjacent(i, w0)) {
-        add_edge(ring[w0], ring[i]);
-        add_edge(ring[i], ring[w0]);
-      }
+      if (i != w0 && !ring.are_adjacent(i, w0))
+        m_added.add(ring[w0], ring[i]);
     }
-  }
-
-  void add_edge(Index from, Index to)
-  {
-    m_added.push_back({ to, m_first_added[from] });
-    m_first_added[from] = Index(m_added.size() - 1);
   }
 
   // By removed vertex.
@@ -288,15 +271,12 @@ private:
     m_collapses.swap(m_sorted);
   }
 
-  struct Added_edge { Index neighbor, next; };
-
   static constexpr std::size_t few_collapses = 8;     // less than this part of the vertices
 
   std::vector<Index> m_order;
   std::vector<unsigned char> m_is_locked;
   Acceptance m_acceptance = Acceptance::ROUND;
-  std::vector<Index> m_first_added;               // per vertex: its list in m_added
-  std::vector<Added_edge> m_added;
+  Added_edges m_added;
   std::vector<Collapse> m_collapses, m_sorted;
   std::vector<Collapse> m_prospects;              // of a batch of vertices in the order
   Scratch m_scratch;
