@@ -45,7 +45,9 @@ void check_corners(const Polygon_soup& soup, bool may_have_polygons)
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
     if (twice != sorted.end())
-      throw Input_error{ face_text(f) + " has " + vertex_text(*twice) + " twice", SMP::ERROR_NO_TOPOLOGICAL_DISC };
+      throw Input_error{ face_text(f) + " has " + vertex_text(*twice) + " twice" +
+                             (sorted.size() == 3 ? "; --orient leaves such triangles out" : ""),
+                         SMP::ERROR_NO_TOPOLOGICAL_DISC };
   }
 }
 
@@ -163,6 +165,17 @@ private:
 };
 
 } // namespace
+
+std::size_t remove_collapsed_triangles(Polygon_soup& soup)
+{
+  const auto is_collapsed = [](const Polygon_soup::Polygon& p) {
+    return p.size() == 3 && (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]);
+  };
+  const auto end = std::remove_if(soup.polygons.begin(), soup.polygons.end(), is_collapsed);
+  const std::size_t number = std::size_t(soup.polygons.end() - end);
+  soup.polygons.erase(end, soup.polygons.end());
+  return number;
+}
 
 void check_manifold(const Polygon_soup& soup)
 {

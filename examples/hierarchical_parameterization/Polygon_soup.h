@@ -36,6 +36,9 @@ void check_coordinates(const Polygon_soup& soup);
 void check_corners(const Polygon_soup& soup, bool may_have_polygons);
 void check_manifold(const Polygon_soup& soup);     // precondition: the indices and corners have been checked
 
+// Leaves out triangles that have a vertex twice; returns their number.
+std::size_t remove_collapsed_triangles(Polygon_soup& soup);
+
 // Reads what a file of that name holds.
 Polygon_soup read_soup(const std::string& name, const std::string& content, bool has_uv = false);
 

@@ -124,6 +124,11 @@ void print_summary(const Input& input, const Options& options, const Run_record&
   const std::string name = one_line(input.name);
   if (input.number_of_components > 1 && !options.takes_all_components)
     std::cerr << name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
+  if (input.collapsed_triangles > 0)
+    std::cerr << name << ": " << input.collapsed_triangles
+              << (input.collapsed_triangles == 1 ? " triangle that has a vertex twice was"
+                                                 : " triangles that have a vertex twice were")
+              << " left out\n";
   if (input.number_of_pieces > 0)
     std::cerr << name << ": has " << input.number_of_pieces << " components whose borders "
               << (options.is_stitched || options.is_oriented

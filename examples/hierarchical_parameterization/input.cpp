@@ -148,8 +148,13 @@ void triangulate(Polygon_soup& soup)
 
 } // namespace
 
-Mesh make_mesh(Polygon_soup soup, const Soup_options& options)
+Mesh make_mesh(Polygon_soup soup, const Soup_options& options, std::size_t* left_out)
 {
+  if (options.is_oriented) {
+    const std::size_t number = remove_collapsed_triangles(soup);
+    if (left_out)
+      *left_out += number;
+  }
   if (soup.polygons.empty())
     throw Input_error{ "has no faces", SMP::ERROR_EMPTY_MESH };
   check_indices(soup);
@@ -171,13 +176,13 @@ Mesh make_mesh(Polygon_soup soup, const Soup_options& options)
   return mesh;
 }
 
-Mesh read_mesh(const std::string& file, const Soup_options& options)
+Mesh read_mesh(const std::string& file, const Soup_options& options, std::size_t* left_out)
 {
   if (file == "-") {
     const std::string content = read_content(std::cin);
-    return make_mesh(read_soup(guess_suffix(content), content), options);
+    return make_mesh(read_soup(guess_suffix(content), content), options, left_out);
   }
-  return make_mesh(read_soup(file, read_content(file)), options);
+  return make_mesh(read_soup(file, read_content(file)), options, left_out);
 }
 
 Mesh built_in_face()
@@ -244,7 +249,7 @@ void read_input(const std::string& file, const Input_options& options, Input& in
   if (file.empty())
     input.mesh = built_in_face();
   else
-    input.mesh = read_mesh(file, options);
+    input.mesh = read_mesh(file, options, &input.collapsed_triangles);
   if (options.is_stitched)
     stitch(input.mesh);
   std::vector<Component> components = find_components(input.mesh);

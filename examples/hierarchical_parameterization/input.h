@@ -21,14 +21,16 @@ std::string read_content(const std::string& file);
 struct Soup_options
 {
   bool is_triangulated = false;          // polygons are cut into triangles
-  bool is_oriented = false;              // faces are turned, and points doubled where that does not make a surface
+  bool is_oriented = false;              // faces are turned, points doubled where that does not make a surface, and
+                                         // triangles left out that have a vertex twice
 };
 
-// Makes the mesh as it is but for the options: vertices that coincide stay apart, but in STL.
-Mesh make_mesh(Polygon_soup soup, const Soup_options& options);
+// Makes the mesh as it is but for the options: vertices that coincide stay apart, but in STL. The number of triangles
+// that were left out, as they have a vertex twice, is added to `left_out` unless that is null.
+Mesh make_mesh(Polygon_soup soup, const Soup_options& options, std::size_t* left_out = nullptr);
 
 // The mesh of the named file, or of the standard input for "-". Throws an Input_error.
-Mesh read_mesh(const std::string& file, const Soup_options& options);
+Mesh read_mesh(const std::string& file, const Soup_options& options, std::size_t* left_out = nullptr);
 
 // Without a file: see face_mesh.h.
 Mesh built_in_face();
@@ -56,6 +58,7 @@ struct Input
   Corner_map corner_map;                   // of an atlas; no corner of a face that has no map has a finite place
   std::size_t number_of_borders = 0;       // of the part, before it is cut
   std::size_t number_of_components = 0;    // of the mesh
+  std::size_t collapsed_triangles = 0;     // that the mesh does not have, as they have a vertex twice
   std::size_t number_of_pieces = 0;        // components that is_stitched would join with others, or could not
   std::vector<Mesh::Face_index> left_out;  // a face of each component that would have to be cut, but may not be
 };

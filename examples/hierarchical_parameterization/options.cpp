@@ -102,7 +102,7 @@ po::options_description describe_options(Options& options, Words& words, Numbers
   add("orient", po::bool_switch(&options.is_oriented),
       "turn faces so that neighbors, which share points, have one orientation. Where that cannot be, where more than "
       "two faces meet at an edge or several fans at a vertex, the surface is cut: points are there several times then, "
-      "the new ones behind those of the input");
+      "the new ones behind those of the input. Triangles that have a vertex twice are left out");
   add("flat", po::bool_switch(&options.flat),
       "run the method without the hierarchy; those of CGAL as they are shipped. --tolerance and --iterations are for "
       "mips and symmetric-dirichlet then: a direct solver, or CGAL, takes neither");

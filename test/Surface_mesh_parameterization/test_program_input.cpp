@@ -290,7 +290,14 @@ const Row no_surfaces[] = {
     [] {
       return OFF(with_face(patch(), { 3, 4, 3 }));
     },
-    bad_input, no_disk, "face 72 has vertex 3 twice" },
+    bad_input, no_disk, "face 72 has vertex 3 twice; --orient leaves such triangles out" },
+  { "nothing_but_a_vertex_twice.off",
+    [] {
+      Mesh m = triangle();
+      m.polygons = { { 0, 1, 0 } };
+      return OFF(m);
+    },
+    bad_input, no_faces, "has no faces", "--orient" },
   { "quads.off", [] { return OFF(quads()); }, bad_input, no_triangle,
     "face 0 has 4 corners instead of three; --triangulate" },
   { "one_quad.obj", [] { return OBJ(joined(patch(), quads())); }, bad_input, no_triangle, "face 72 has 4 corners" },
@@ -384,6 +391,11 @@ const Row surfaces[] = {
   { "two_orientations.off", [] { return OFF(two_orientations()); }, good, ok, "", "--orient" },
   { "moebius_strip.off", [] { return OFF(moebius_strip()); }, good, ok, "", "--orient" },
   { "face_twice.off", [] { return OFF(with_face(patch(), patch().polygons[3])); }, good, any, "", "--orient --quiet" },
+  { "vertex_twice_in_a_face.off",
+    [] {
+      return OFF(with_face(with_face(patch(), { 3, 4, 3 }), { 5, 5, 6 }));
+    },
+    good, any, "2 triangles that have a vertex twice were left out", "--orient" },
   { "quads_that_are_turned.off", [] { return OFF(joined(quads(), quads())); }, good, any, "",
     "--orient --triangulate --quiet" },
   { "quiet_three_pieces.off", [] { return OFF(joined(patch(), joined(patch(), patch()))); }, good, any, "",
