@@ -17,10 +17,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/atlas_steps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/parameterize_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
-#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Real_timer.h>
@@ -31,20 +31,11 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
-
-namespace internal {
-
-typedef Joined_names<Joined_names<Cut_names, Pack_names>,
-                     Names<internal_np::edge_is_constrained_t, internal_np::least_used_part_t,
-                           internal_np::overlap_bound_t, internal_np::hole_bound_t>>   Atlas_names;
-
-} // namespace internal
 
 /// \ingroup PkgHierarchicalParameterizationAtlas
 ///
@@ -116,26 +107,13 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
     const auto seams = parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
                                                     CGAL::Constant_property_map<edge_descriptor, bool>(false));
     const internal::Loops loops = internal::Loops::of<ConcurrencyTag>();
-    const internal::Pack_options pack_options = internal::pack_options_of(np);
-    const double least_used_part =
-        parameters::choose_parameter(parameters::get_parameter(np, internal_np::least_used_part), 0.);
-    const std::optional<double> bound = parameters::choose_parameter(
-        parameters::get_parameter(np, internal_np::overlap_bound), std::optional<double>());
-    const double overlap_bound = bound.value_or(0.2);
-    const std::optional<double> given_hole_bound = parameters::choose_parameter(
-        parameters::get_parameter(np, internal_np::hole_bound), std::optional<double>());
-    const double hole_bound = given_hole_bound.value_or(0.1);
-    const char* const wrong = !pack_options.is_valid()                             ? "the margin is not from 0 to 0.1"
-                              : !(least_used_part >= 0 && least_used_part <= 1) ? "least_used_part is not from 0 to 1"
-                              : !(overlap_bound >= 0 && overlap_bound <= 1)     ? "overlap_bound is not from 0 to 1"
-                              : !(hole_bound >= 0 && hole_bound <= 1)           ? "hole_bound is not from 0 to 1"
-                                                                                : nullptr;
-    if (wrong) {
-      result.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, wrong };
+    const internal::Atlas_options options = internal::atlas_options_of(np);
+    if (const char* const fault = options.fault()) {
+      result.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
       return result;
     }
     const std::size_t number_of_corners =
-        internal::read_and_cut(mesh, seams, np, hole_bound, loops, atlas.mesh, result.cut).size();
+        internal::read_and_cut(mesh, seams, options.cut, options.hole_bound, loops, atlas.mesh, result.cut).size();
     result.error = result.cut.error;
     if (!result.is_ok())
       return result;
@@ -145,14 +123,14 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
     result.seconds_cut = timer.time();
 
     std::vector<bool> has_map = internal::parameterize_charts<Method>(
-        atlas, np_of_charts, internal::cut_options_of(np), overlap_bound, loops, result);
+        atlas, np_of_charts, options.cut, options.overlap_bound, loops, result);
     result.seconds_parameterize = timer.time() - result.seconds_cut;
 
     if (result.error.code != ERROR_STOPPED) {
-      if (least_used_part > 0)
-        internal::divide_charts(atlas, has_map, pack_options, least_used_part, result);
+      if (options.least_used_part > 0)
+        internal::divide_charts(atlas, has_map, options.pack, options.least_used_part, result);
       typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
-      internal::pack(atlas, has_map, pack_options, internal::rounding_to<User_point_2>(), result);
+      internal::pack(atlas, has_map, options.pack, internal::rounding_to<User_point_2>(), result);
       internal::write_corners(mesh, atlas, has_map, uvmap);
     }
     internal::leave_out_virtual_faces(atlas, result);

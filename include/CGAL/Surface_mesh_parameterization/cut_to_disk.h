@@ -46,11 +46,10 @@ struct Cut_summary
 namespace internal {
 
 // Reads a mesh, fills its small holes, and cuts it. Returns which halfedges of the mesh became seams.
-template <class TriangleMesh, class EdgeSeamMap, class NamedParameters>
-std::vector<bool> read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const NamedParameters& np,
+template <class TriangleMesh, class EdgeSeamMap>
+std::vector<bool> read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_options& options,
                                double hole_bound, const Loops& loops, Corner_mesh& corners, Cut_summary& summary)
 {
-  const Cut_options options = cut_options_of(np);
   if (options.is_valid())
     summary.error = read_corner_mesh(mesh, seams, corners);
   else
@@ -126,7 +125,8 @@ Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeSeamMap seams,
   if constexpr (internal::Mesh_check<TriangleMesh>::value) {
     internal::assert_names<internal::Cut_names>(np);
     internal::Corner_mesh corners;
-    const std::vector<bool> is_seam = internal::read_and_cut(mesh, seams, np, 0, internal::Loops(), corners, summary);
+    const std::vector<bool> is_seam =
+        internal::read_and_cut(mesh, seams, internal::cut_options_of(np), 0, internal::Loops(), corners, summary);
     internal::for_each_corner(mesh, [&](auto h, internal::Index i) {
       if (summary.is_ok() && is_seam[i])
         put(seams, edge(h, mesh), true);

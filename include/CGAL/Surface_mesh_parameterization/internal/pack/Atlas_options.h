@@ -1,0 +1,61 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_OPTIONS_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_OPTIONS_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Cut_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/cut_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts.h>
+#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <optional>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+typedef Joined_names<Joined_names<Cut_names, Pack_names>,
+                     Names<internal_np::edge_is_constrained_t, internal_np::least_used_part_t,
+                           internal_np::overlap_bound_t, internal_np::hole_bound_t>>   Atlas_names;
+
+struct Atlas_options
+{
+  Cut_options cut;
+  Pack_options pack;
+  double least_used_part = 0;       // of the square, by the charts; 0: they are not divided for it
+  double overlap_bound = 0.2;       // the part of a chart that may lie over itself before the chart is divided
+  double hole_bound = 0.1;          // of the length of a hole's border, by the root of the area; greater ones stay open
+
+  // What is out of its bounds; null if nothing is. The options of the cut are checked where it is made.
+  const char* fault() const
+  {
+    const auto is_part = [](double x) { return x >= 0 && x <= 1; };
+    return !pack.is_valid()             ? "the margin is not from 0 to 0.1"
+           : !is_part(least_used_part) ? "least_used_part is not from 0 to 1"
+           : !is_part(overlap_bound)   ? "overlap_bound is not from 0 to 1"
+           : !is_part(hole_bound)      ? "hole_bound is not from 0 to 1"
+                                       : nullptr;
+  }
+};
+
+template <class NamedParameters>
+Atlas_options atlas_options_of(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef std::optional<double>   Bound;
+  Atlas_options options;
+  options.cut = cut_options_of(np);
+  options.pack = pack_options_of(np);
+  options.least_used_part =
+      choose_parameter(get_parameter(np, internal_np::least_used_part), options.least_used_part);
+  const Bound overlap_bound = choose_parameter(get_parameter(np, internal_np::overlap_bound), Bound()),
+              hole_bound = choose_parameter(get_parameter(np, internal_np::hole_bound), Bound());
+  options.overlap_bound = overlap_bound.value_or(options.overlap_bound);
+  options.hole_bound = hole_bound.value_or(options.hole_bound);
+  return options;
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_OPTIONS_H
