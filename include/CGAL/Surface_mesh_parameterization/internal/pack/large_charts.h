@@ -50,14 +50,16 @@ inline Chart as_bars(const Chart& chart, double cell)
   return bars;
 }
 
-// Orders and widths are changed at random, and kept where they make the square smaller.
+// Orders and widths are changed at random, and kept where they make the square smaller, until that has been in vain for
+// long.
 inline std::pair<Grid_packer::Plan, Grid_packer::Result> search_plan(const Grid_packer& packer, std::size_t width,
                                                                      std::size_t margin, std::size_t number_of_trials)
 {
   Grid_packer::Plan best_plan{ packer.order_by_size(), (std::max)(packer.least_width(), width) };
   Grid_packer::Result best = packer.pack(best_plan);
+  constexpr std::size_t most_vain_trials = 300;
   std::mt19937 random(1);
-  for (std::size_t trial = 0; trial < number_of_trials; ++trial) {
+  for (std::size_t trial = 0, vain_trials = 0; trial < number_of_trials && vain_trials < most_vain_trials; ++trial) {
     Grid_packer::Plan plan = best_plan;
     for (std::size_t swaps = 0; swaps <= trial % 2; ++swaps) {
       const std::size_t i = random() % plan.order.size(), j = random() % plan.order.size();
@@ -65,6 +67,7 @@ inline std::pair<Grid_packer::Plan, Grid_packer::Result> search_plan(const Grid_
     }
     plan.width = (std::max)(packer.least_width(), best.side - margin - random() % (best.side / 20 + 1));
     Grid_packer::Result other = packer.pack(plan, best.side - margin + 1);
+    vain_trials = other.side < best.side ? 0 : vain_trials + 1;
     if (other.side <= best.side) {
       best = std::move(other);
       best_plan = std::move(plan);
