@@ -31,7 +31,7 @@ void check_coordinates(const Polygon_soup& soup)
                            SMP::ERROR_WRONG_PARAMETER };
 }
 
-void check_corners(const Polygon_soup& soup, bool may_have_polygons)
+void check_corners(const Polygon_soup& soup, bool may_have_polygons, bool may_have_collapsed_triangles)
 {
   Polygon_soup::Polygon sorted;
   for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
@@ -44,7 +44,7 @@ void check_corners(const Polygon_soup& soup, bool may_have_polygons)
                          SMP::ERROR_NON_TRIANGULAR_MESH };
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-    if (twice != sorted.end())
+    if (twice != sorted.end() && !(sorted.size() == 3 && may_have_collapsed_triangles))
       throw Input_error{ face_text(f) + " has " + vertex_text(*twice) + " twice" +
                              (sorted.size() == 3 ? "; --orient leaves such triangles out" : ""),
                          SMP::ERROR_NO_TOPOLOGICAL_DISC };

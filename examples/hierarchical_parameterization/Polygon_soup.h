@@ -33,7 +33,7 @@ constexpr std::size_t most_corners_to_triangulate = 500;      // the time goes w
 // Each of these throws an Input_error.
 void check_indices(const Polygon_soup& soup);
 void check_coordinates(const Polygon_soup& soup);
-void check_corners(const Polygon_soup& soup, bool may_have_polygons);
+void check_corners(const Polygon_soup& soup, bool may_have_polygons, bool may_have_collapsed_triangles);
 void check_manifold(const Polygon_soup& soup);     // precondition: the indices and corners have been checked
 
 // Leaves out triangles that have a vertex twice; returns their number.

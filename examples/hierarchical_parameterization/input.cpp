@@ -150,16 +150,18 @@ void triangulate(Polygon_soup& soup)
 
 Mesh make_mesh(Polygon_soup soup, const Soup_options& options, std::size_t* left_out)
 {
-  if (options.is_oriented) {
-    const std::size_t number = remove_collapsed_triangles(soup);
-    if (left_out)
-      *left_out += number;
-  }
   if (soup.polygons.empty())
     throw Input_error{ "has no faces", SMP::ERROR_EMPTY_MESH };
   check_indices(soup);
   check_coordinates(soup);
-  check_corners(soup, options.is_triangulated);
+  check_corners(soup, options.is_triangulated, options.is_oriented);
+  if (options.is_oriented) {
+    const std::size_t number = remove_collapsed_triangles(soup);
+    if (soup.polygons.empty())
+      throw Input_error{ "has no faces but triangles that have a vertex twice", SMP::ERROR_EMPTY_MESH };
+    if (left_out)
+      *left_out += number;
+  }
   if (!options.is_oriented)
     check_manifold(soup);
   if (options.is_triangulated)

@@ -103,7 +103,8 @@ SMP::Atlas_summary run_atlas(Input& input, const Options& options)
   SMP::Atlas_summary atlas = run_atlas(part, corner_map, options);
   for (std::size_t i = 0; i < input.faces.size(); ++i) {
     Mesh::Halfedge_index h = input.mesh.halfedge(input.faces[i]);
-    for (const Mesh::Halfedge_index k : part.halfedges_around_face(part.halfedge(Mesh::Face_index(Mesh::size_type(i))))) {
+    const Mesh::Face_index f = Mesh::Face_index(Mesh::size_type(i));
+    for (const Mesh::Halfedge_index k : part.halfedges_around_face(part.halfedge(f))) {
       input.corner_map[h] = corner_map[k];
       h = input.mesh.next(h);
     }

@@ -79,8 +79,8 @@ po::options_description describe_options(Options& options, Words& words, Numbers
       "square root of their component's area; 0: none. The default is 0.1. Makes an atlas of one component, too");
   add("sharp-angle", po::value<double>(),
       "part the surface into regions along edges at which it turns by at least this angle, from 0 to 180 degrees: 40, "
-      "for instance, parts the faces of a mechanical model, most of which have maps without distortion. Makes an atlas "
-      "of one component, too");
+      "for instance, parts the faces of a mechanical model, most of which have maps without distortion. Each region "
+      "has the distortion bound 4.5 unless another one is given. Makes an atlas of one component, too");
   add("atlas", po::bool_switch(&options.makes_atlas),
       "make an atlas of one component, too: its chart or charts in the unit square");
   add("stitch", po::bool_switch(&options.is_stitched),
@@ -232,6 +232,8 @@ void read_part(const std::string& components, const std::string& cut, Options& o
   options.cuts = cut.empty() ? option_of_one_chart.empty() : cut == "auto";
   options.makes_atlas = options.makes_atlas || options.least_used_part > 0 || options.distortion_bound ||
                         options.overlap_bound || options.hole_bound || options.sharp_angle;
+  if (options.sharp_angle && !options.distortion_bound)
+    options.distortion_bound = 4.5;
   if (options.cuts)
     return;
   if (options.distortion_bound || options.overlap_bound || options.sharp_angle)

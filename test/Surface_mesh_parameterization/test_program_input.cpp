@@ -297,7 +297,7 @@ const Row no_surfaces[] = {
       m.polygons = { { 0, 1, 0 } };
       return OFF(m);
     },
-    bad_input, no_faces, "has no faces", "--orient" },
+    bad_input, no_faces, "has no faces but triangles", "--orient" },
   { "quads.off", [] { return OFF(quads()); }, bad_input, no_triangle,
     "face 0 has 4 corners instead of three; --triangulate" },
   { "one_quad.obj", [] { return OBJ(joined(patch(), quads())); }, bad_input, no_triangle, "face 72 has 4 corners" },

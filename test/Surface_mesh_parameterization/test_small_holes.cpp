@@ -153,6 +153,13 @@ void expect_atlas_of_surface(const Flat_mesh& m, double least_used_part)
     ++faces.at(chart);
   for (std::size_t i = 0; i < faces.size(); ++i)
     EXPECT_EQ(summary.charts[i].faces, faces[i]);
+  double area = 0;
+  const auto charts = surface.charts();
+  for (const auto& chart : charts)
+    for (const internal::Triangle_2& t : chart)
+      area += 0.5 * internal::doubled_area(t[0], t[1], t[2]);
+  EXPECT_NEAR(summary.used_part, area, 1e-9);
+  EXPECT_EQ(summary.charts.size(), charts.size());
 }
 
 // What an atlas tells is of the user's faces and edges only.

@@ -86,16 +86,21 @@ public:
 #else
 {
 public:
-  typedef typename Parameterizer::Triangle_mesh                               Triangle_mesh;          ///< the mesh type
-  typedef typename Parameterizer::Triangle_mesh                               TriangleMesh;           ///< the same, as CGAL names it
-  typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor      vertex_descriptor;      ///< a vertex of the mesh
-  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;    ///< a halfedge of the mesh
+  typedef typename Parameterizer::Triangle_mesh   Triangle_mesh;      ///< the mesh type
+  typedef typename Parameterizer::Triangle_mesh   TriangleMesh;       ///< the same, as CGAL names it
 
-  /// that of `Parameterizer`; only for a model of `RebindableParameterizer_3` that has it and for `ARAP_parameterizer_3`
-  typedef typename Parameterizer::Border_parameterizer                        Border_parameterizer;
+  /// a vertex of the mesh
+  typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor     vertex_descriptor;
+
+  /// a halfedge of the mesh
+  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor   halfedge_descriptor;
+
+  /// that of `Parameterizer`; only for a model of `RebindableParameterizer_3` that has it and for
+  /// `ARAP_parameterizer_3`
+  typedef typename Parameterizer::Border_parameterizer   Border_parameterizer;
 
   /// the solver that takes the place of that of `Parameterizer`; only where there is one
-  typedef Multigrid_solver_traits                                             Solver_traits;
+  typedef Multigrid_solver_traits   Solver_traits;
 
   /// \name Constructors for a model of RefinableParameterizer_3
   /// @{

@@ -77,8 +77,8 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   do, the chart is divided. 1: no chart is divided. A `double` or a `std::optional<double>`. Default: 0.2
 /// - `hole_bound`: holes whose border is no longer than this part, from 0 to 1, of the square root of the component's
 ///   area are laid out as parts of the surface, closed by a virtual vertex in their middle, as scans have many of them.
-///   Not the longest border of a component, cracks and seams, nor with `join_borders`. 0: none. A `double` or a
-///   `std::optional<double>`. Default: 0.1
+///   Not the longest border of a component, cracks and seams, nor with `join_borders`. Energies, flips and levels of
+///   charts are those of the closed ones. 0: none. A `double` or a `std::optional<double>`. Default: 0.1
 /// \param np_of_charts those of `hierarchical_parameterization()` except `summary`, for every chart. A `visitor` is
 ///        told of one chart after the other, and of the parts of a chart that is divided, with `CGAL::Parallel_tag` of
 ///        several at the same time, in their threads; if it stops one, no other one begins, and there is no atlas

@@ -32,17 +32,16 @@ inline Point_3 middle_of(const Corner_mesh& mesh, const Border& border)
 
 // Whether the triangles between the border and its middle suit a surface: none is much smaller than those of a regular
 // polygon, and their normals do not cancel, as those of the two sides of a crack do.
-inline bool is_round(const Corner_mesh& mesh, const Border& border)
+inline bool is_round(const Corner_mesh& mesh, const Border& border, double perimeter)
 {
   constexpr double least_part_of_regular = 0.01, least_part_of_areas = 0.25;
+  const double least_area = least_part_of_regular / (4 * CGAL_PI * double(border.size()));     // of a perimeter of 1
   const Point_3 middle = middle_of(mesh, border);
-  const double perimeter = length(mesh, border),
-               least_area = least_part_of_regular * perimeter * perimeter / (4 * CGAL_PI * double(border.size()));
   double sum_of_areas = 0;
   Vector_3 sum_of_normals(0, 0, 0);
   for (const Index h : border) {
-    const Vector_3 normal = 0.5 * CGAL::cross_product(mesh.points[mesh.source(h)] - middle,
-                                                      mesh.points[mesh.target(h)] - middle);
+    const Vector_3 normal = 0.5 * CGAL::cross_product((mesh.points[mesh.source(h)] - middle) / perimeter,
+                                                      (mesh.points[mesh.target(h)] - middle) / perimeter);
     const double area = std::sqrt(normal.squared_length());
     if (!(area >= least_area))
       return false;
@@ -50,6 +49,19 @@ inline bool is_round(const Corner_mesh& mesh, const Border& border)
     sum_of_normals = sum_of_normals + normal;
   }
   return std::sqrt(sum_of_normals.squared_length()) >= least_part_of_areas * sum_of_areas;
+}
+
+// The root of the area of some faces, over a length of about their size.
+inline double relative_root_of_area(const Corner_mesh& mesh, const std::vector<Index>& faces, double unit)
+{
+  double sum = 0;
+  for (const Index f : faces) {
+    const Point_3& p = mesh.points[mesh.vertex[3 * f]];
+    const Vector_3 normal = CGAL::cross_product((mesh.points[mesh.vertex[3 * f + 1]] - p) / unit,
+                                                (mesh.points[mesh.vertex[3 * f + 2]] - p) / unit);
+    sum += 0.5 * std::sqrt(normal.squared_length());
+  }
+  return std::sqrt(sum);
 }
 
 inline void fill(const Border& border, Corner_mesh& mesh)
@@ -79,21 +91,22 @@ std::vector<Filled_holes> fill_small_holes(Corner_mesh& mesh, const std::vector<
     borders_of_component[component_of_face[border.front() / 3]].push_back(std::move(border));
 
   for (Index i = 0; i < components.size(); ++i) {
-    std::vector<Border>& all = borders_of_component[i];
+    const std::vector<Border>& all = borders_of_component[i];
     if (all.size() < 2)
       continue;
-    all.erase(std::max_element(all.begin(), all.end(), [&](const Border& a, const Border& b) {
-      return length(mesh, a) < length(mesh, b);
-    }));
-    double area = 0;
-    for (const Index f : components[i])
-      area += area_of_face(mesh, f);
+    std::vector<double> lengths;
     for (const Border& border : all)
-      if (border.size() >= 3 && length(mesh, border) <= hole_bound * std::sqrt(area) &&
-          std::all_of(border.begin(), border.end(), [&](Index h) { return is_at_hole[h]; }) && is_round(mesh, border)) {
-        fill(border, mesh);
+      lengths.push_back(length(mesh, border));
+    const std::size_t longest = std::size_t(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
+    const double unit = lengths[longest],
+                 greatest_length = hole_bound * relative_root_of_area(mesh, components[i], unit) * unit;
+    for (std::size_t j = 0; j < all.size(); ++j)
+      if (j != longest && all[j].size() >= 3 && lengths[j] <= greatest_length &&
+          std::all_of(all[j].begin(), all[j].end(), [&](Index h) { return is_at_hole[h]; }) &&
+          is_round(mesh, all[j], lengths[j])) {
+        fill(all[j], mesh);
         ++result[i].holes;
-        result[i].faces += border.size();
+        result[i].faces += all[j].size();
       }
   }
   return result;

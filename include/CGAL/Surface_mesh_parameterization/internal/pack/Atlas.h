@@ -23,11 +23,23 @@ struct Atlas
   std::vector<Point_2> uv;                      // of the vertices
   Index number_of_virtual_faces = 0;            // that fill holes: the last ones
 
+  Index number_of_faces() const { return mesh.number_of_faces() - number_of_virtual_faces; }
+
   // Whether an edge lies between two faces of the surface.
   bool is_in_surface(Index h) const
   {
-    const Index n = mesh.number_of_faces() - number_of_virtual_faces;
-    return h / 3 < n && !mesh.is_border(h) && mesh.opposite[h] / 3 < n;
+    return h / 3 < number_of_faces() && !mesh.is_border(h) && mesh.opposite[h] / 3 < number_of_faces();
+  }
+
+  // The mesh without virtual faces; its vertices are those of the mesh.
+  Corner_mesh surface() const
+  {
+    Corner_mesh result = mesh;
+    result.vertex.resize(3 * number_of_faces());
+    result.opposite.resize(3 * number_of_faces());
+    for (Index& h : result.opposite)
+      h = h < 3 * number_of_faces() ? h : no_index;
+    return result;
   }
 };
 
@@ -58,8 +70,8 @@ void split_charts(const std::vector<Point_2>& corners, Atlas& atlas);
 
 // Packs those charts of an atlas that are wanted. Coordinates are rounded by `round` if that is not null. A chart
 // without flips stays so: where rounding makes a flip, vertices move, or the chart is scaled up, but not so far
-// that it meets another one. A chart for which that fails is not wanted any more. Returns how the charts fill the square,
-// or a side of 0 if they have no area.
+// that it meets another one. A chart for which that fails is not wanted any more. Returns how the charts fill the
+// square, or a side of 0 if they have no area.
 Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_options& options, Round_coordinate round);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

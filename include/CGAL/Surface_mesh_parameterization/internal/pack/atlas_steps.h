@@ -17,6 +17,7 @@
 
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -52,9 +53,9 @@ inline Parameterization_error error_in_mesh(const Parameterization_error& error,
   if (error.place == Parameterization_error::FACE)
     result.index = faces[error.index];
   else if (error.place == Parameterization_error::VERTEX)
-    for (Index h = 0; h < chart.number_of_halfedges(); ++h)
+    for (Index h = chart.number_of_halfedges(); h-- > 0;)
       if (chart.vertex[h] == error.index)
-        result.index = faces[h / 3];
+        result.index = faces[h / 3];      // the first one in the end: virtual faces come last
   return result;
 }
 
@@ -162,13 +163,28 @@ inline void divide_charts(Atlas& atlas, std::vector<bool>& has_map, const Pack_o
   }
 }
 
+// How much of the area that charts cover in the plane is not that of virtual faces.
+inline double part_of_surface(const Atlas& atlas, const std::vector<bool>& has_map)
+{
+  double all = 0, of_surface = 0;
+  for (std::size_t i = 0; i < atlas.charts.size() && atlas.number_of_virtual_faces > 0; ++i)
+    for (const Index f : atlas.charts[i])
+      if (has_map[i]) {
+        const double area = doubled_area(atlas.uv[atlas.mesh.vertex[3 * f]], atlas.uv[atlas.mesh.vertex[3 * f + 1]],
+                                         atlas.uv[atlas.mesh.vertex[3 * f + 2]]);
+        all += area;
+        of_surface += f < atlas.number_of_faces() ? area : 0;
+      }
+  return all > 0 ? of_surface / all : 1;
+}
+
 // Packs the charts that have a map. Those that have none afterwards, as rounding left no room for it, are told.
 inline void pack(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& options, Round_coordinate round,
                  Atlas_summary& result)
 {
   const std::vector<bool> had_map = has_map;
   const Packing packing = pack_atlas(atlas, has_map, options, round);
-  result.used_part = packing.used_part;
+  result.used_part = packing.used_part * part_of_surface(atlas, has_map);
   if (packing.side == 0)
     has_map.assign(has_map.size(), false);
   for (std::size_t i = 0; i < has_map.size(); ++i)
@@ -182,22 +198,31 @@ inline void pack(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& o
     }
 }
 
-// Takes virtual faces out of what is told.
+// Takes virtual faces out of what is told. A chart that only they joined becomes several, and one of nothing else is
+// none.
 inline void leave_out_virtual_faces(const Atlas& atlas, Atlas_summary& result)
 {
-  const Index number_of_faces = atlas.mesh.number_of_faces() - atlas.number_of_virtual_faces;
-  const auto go_to_surface = [&](Parameterization_error& error) {
-    if (error.place == Parameterization_error::FACE && error.index >= number_of_faces)
-      error.index = atlas.charts[result.chart_of_face[error.index]].front();
-  };
-  go_to_surface(result.error);
-  for (Atlas_summary::Chart& chart : result.charts) {
-    go_to_surface(chart.summary.error);
-    chart.faces = 0;
+  if (atlas.number_of_virtual_faces == 0)
+    return;
+  const std::vector<Atlas_summary::Chart> old_charts = std::move(result.charts);
+  const std::vector<std::size_t> old_chart_of_face = std::move(result.chart_of_face);
+  const std::vector<std::vector<Index>> pieces = connected_components(atlas.surface());
+  result.charts.clear();
+  result.chart_of_face.assign(atlas.number_of_faces(), 0);
+  for (const std::vector<Index>& faces : pieces) {
+    for (const Index f : faces)
+      result.chart_of_face[f] = result.charts.size();
+    Atlas_summary::Chart& chart = result.charts.emplace_back(old_charts[old_chart_of_face[faces.front()]]);
+    chart.faces = faces.size();
+    Parameterization_error& error = chart.summary.error;
+    if (error.place == Parameterization_error::FACE)
+      error.index = !std::binary_search(faces.begin(), faces.end(), Index(error.index)) ? faces.front() : error.index;
   }
-  result.chart_of_face.resize(number_of_faces);
-  for (const std::size_t chart : result.chart_of_face)
-    ++result.charts[chart].faces;
+  if (result.error.place == Parameterization_error::FACE) {
+    const auto failed = std::find_if(result.charts.begin(), result.charts.end(),
+                                     [](const Atlas_summary::Chart& chart) { return !chart.summary.is_ok(); });
+    result.error = failed == result.charts.end() ? Parameterization_error() : failed->summary.error;
+  }
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
