@@ -161,8 +161,7 @@ Mesh make_mesh(Polygon_soup soup, const Soup_options& options, std::size_t* left
       throw Input_error{ "has no faces but triangles that have a vertex twice", SMP::ERROR_EMPTY_MESH };
     if (left_out)
       *left_out += number;
-  }
-  if (!options.is_oriented)
+  } else
     check_manifold(soup);
   if (options.is_triangulated)
     triangulate(soup);

@@ -135,6 +135,17 @@ inline std::vector<bool> take_parts(const std::vector<Parts_with_map>& parts, At
   return has_map;
 }
 
+// A part of a chart, of so many faces, with its share of the chart's seconds.
+inline Atlas_summary::Chart part_of(const Atlas_summary::Chart& chart, std::size_t faces)
+{
+  Atlas_summary::Chart part = chart;
+  const double share = double(faces) / double(chart.faces);
+  part.faces = faces;
+  part.summary.seconds_hierarchy *= share;
+  part.summary.seconds_parameterize *= share;
+  return part;
+}
+
 // Divides the charts that have a map, so that they fill the square better.
 inline void divide_charts(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& pack_options,
                           double least_used_part, Atlas_summary& result)
@@ -155,11 +166,7 @@ inline void divide_charts(Atlas& atlas, std::vector<bool>& has_map, const Pack_o
   for (std::size_t i = 0; i < atlas.charts.size(); ++i) {
     const std::size_t old = division.old_charts[i];
     has_map.push_back(old_has_map[old]);
-    Atlas_summary::Chart& chart = result.charts.emplace_back(old_charts[old]);
-    chart.faces = atlas.charts[i].size();
-    const double share = double(chart.faces) / double(old_charts[old].faces);
-    chart.summary.seconds_hierarchy *= share;
-    chart.summary.seconds_parameterize *= share;
+    result.charts.push_back(part_of(old_charts[old], atlas.charts[i].size()));
   }
 }
 
@@ -212,11 +219,11 @@ inline void leave_out_virtual_faces(const Atlas& atlas, Atlas_summary& result)
   for (const std::vector<Index>& faces : pieces) {
     for (const Index f : faces)
       result.chart_of_face[f] = result.charts.size();
-    Atlas_summary::Chart& chart = result.charts.emplace_back(old_charts[old_chart_of_face[faces.front()]]);
-    chart.faces = faces.size();
-    Parameterization_error& error = chart.summary.error;
-    if (error.place == Parameterization_error::FACE)
-      error.index = !std::binary_search(faces.begin(), faces.end(), Index(error.index)) ? faces.front() : error.index;
+    result.charts.push_back(part_of(old_charts[old_chart_of_face[faces.front()]], faces.size()));
+    Parameterization_error& error = result.charts.back().summary.error;
+    if (error.place == Parameterization_error::FACE &&
+        !std::binary_search(faces.begin(), faces.end(), Index(error.index)))
+      error.index = faces.front();
   }
   if (result.error.place == Parameterization_error::FACE) {
     const auto failed = std::find_if(result.charts.begin(), result.charts.end(),
