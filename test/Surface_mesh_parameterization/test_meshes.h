@@ -218,9 +218,8 @@ inline Flat_mesh tube(Index rings, Index sectors, double length)
 }
 
 // A flat ramp around an axis, so many turns: its isometric image is a ring that overlaps itself after one turn.
-inline Flat_mesh ramp(Index n, double turns)
+inline Flat_mesh ramp(Index n, double turns, Index across = 4)
 {
-  constexpr Index across = 4;
   Flat_mesh m = grid(n, across, flat);
   for (Point_3& p : m.points) {     // both coordinates are at most 1, the second one across / n
     const double radius = 2 + p.y() * n / across, phi = -2 * CGAL_PI * turns * p.x();

@@ -1,12 +1,18 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Small holes, which atlases treat as parts of the surface.
+// Small holes, which atlases treat as parts of the surface, and runs on one chart, where there are many, at first.
 
+#include "distortion_runs.h"
+#include "one_to_one_maps.h"
 #include "surface_with_corner_map.h"
 #include "test_meshes.h"
 
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
@@ -19,8 +25,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace test_small_holes {
@@ -215,6 +223,71 @@ TEST(Hole_bound, is_from_0_to_1)
   for (const double bound : { -0.1, 1.1, std::numeric_limits<double>::quiet_NaN() })
     EXPECT_EQ(atlas_parameterization(surface.mesh, surface.uv, parameters::hole_bound(bound)).error.code,
               ERROR_WRONG_PARAMETER);
+}
+
+// ---- one chart ----
+
+template <class Method>
+class One_chart_of_sieve : public testing::Test
+{
+protected:
+  template <class NamedParameters>
+  static void run(Mapped_mesh& m, const NamedParameters& np)
+  {
+    ASSERT_EQ(m.parameterize(Hierarchical_parameterizer_3<Method>(np.summary(std::ref(m.summary)))), OK);
+  }
+};
+
+typedef testing::Types<MIPS_parameterizer_3<Surface_mesh>, Symmetric_Dirichlet_parameterizer_3<Surface_mesh>> Methods;
+TYPED_TEST_SUITE(One_chart_of_sieve, Methods, );
+
+// Without a triangle in every sixth cell of every sixth row of a grid with so many cells in a row.
+Flat_mesh with_hole_in_every_sixth_cell(Flat_mesh m, std::size_t n)
+{
+  std::vector<Index_triangle> triangles;
+  for (std::size_t i = 0; i < m.triangles.size(); ++i)
+    if (i % 2 != 0 || i / 2 % n % 6 != 3 || i / 2 / n % 6 != 3)
+      triangles.push_back(m.triangles[i]);
+  m.triangles = triangles;
+  return m;
+}
+
+// The run goes on from there with the surface alone, whose energy the last steps lower.
+TYPED_TEST(One_chart_of_sieve, starts_from_the_map_with_its_holes_filled)
+{
+  const Flat_mesh m = with_hole_in_every_sixth_cell(grid(80, 80, wavy), 80);
+  Mapped_mesh filled(m), open(m);
+  this->run(filled, parameters::fill_holes(true));
+  this->run(open, parameters::fill_holes(false));
+  ASSERT_EQ(open.summary.levels.size(), 1u);
+  const Level_summary& finest = open.summary.levels.back();
+  typedef std::conditional_t<std::is_same<TypeParam, MIPS_parameterizer_3<Surface_mesh>>::value, MIPS_energy_2,
+                             Symmetric_Dirichlet_energy_2>   Energy;
+  EXPECT_NEAR(finest.energy_start / finest.energy_end, energy<Energy>(filled) / energy<Energy>(open), 1e-9);
+  EXPECT_LT(finest.energy_end, finest.energy_start);
+  EXPECT_TRUE(open.is_valid());
+}
+
+// A hole or two, or large ones, coarse levels have room for.
+TYPED_TEST(One_chart_of_sieve, starts_on_the_coarsest_level_where_small_holes_are_few)
+{
+  for (const Flat_mesh& surface : { with_pinholes(grid(80, 80, wavy), 900), grid_with_holes(60) }) {
+    Mapped_mesh m(surface);
+    this->run(m, parameters::fill_holes(false));
+    EXPECT_GT(m.summary.levels.size(), 1u);
+  }
+}
+
+TYPED_TEST(One_chart_of_sieve, keeps_its_borders_apart)
+{
+  one_to_one::Mapped_mesh m(with_hole_in_every_sixth_cell(ramp(320, 1.2, 12), 320));
+  this->run(m, parameters::globally_injective(false));
+  EXPECT_GT(m.quality().overlaps, 0u);
+  this->run(m, parameters::globally_injective(true));
+  EXPECT_EQ(m.summary.levels.size(), 1u);
+  EXPECT_EQ(m.quality().flips, 0u);
+  EXPECT_EQ(m.quality().overlaps, 0u);
+  EXPECT_EQ(one_to_one::pairs_by_counting(m), 0u);
 }
 
 } // namespace test_small_holes

@@ -43,15 +43,19 @@ private:
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv);
   Error_code climb(Level& level, Level::Uv& uv);
 
-  // Goes on with borders kept apart from the finest level on which they were apart of themselves.
+  // Lets the method refine the map that the run starts from.
+  Error_code refine_start(Level& level, std::vector<Point_2> start, Level::Uv& uv);
+
+  // Sees to it that borders do not meet, where the method is to keep them apart and they do.
+  Error_code separate_borders(Level& level, Level::Uv& uv);
+
+  // Goes on with borders kept apart from the finest level on which they were apart of themselves, or from the start.
   Error_code climb_with_borders_apart(Level& level, Level::Uv& uv);
 
   // The same, unless the map lies over itself far. If it does so at all, and keeping the borders apart fails or costs
   // much energy, it stays as it was, too.
   Error_code separate_borders_if_that_pays(Level& level, Level::Uv& uv);
 
-  // Lets the method refine the map that the run starts from.
-  Error_code refine_start(Level& level, std::vector<Point_2> start, Level::Uv& uv);
   Error_code insert_vertices(const Level& level, Level::Uv& uv) const;
   Error_code refine(const Level& level, Level::Uv& uv);
   Error_code finish(const Level& level, Level::Uv& uv);
@@ -63,11 +67,13 @@ private:
   Parameterization_summary& m_summary;
   bool m_must_hold_places;
   double m_overlap_bound;
+  bool m_start_is_users;            // so that its borders, if they are apart, are kept apart from the first step on
   bool m_must_keep_apart;           // the method, the borders of the result
   Map_finisher m_finisher;
   CGAL::Real_timer m_timer_of_level;
   bool m_is_finished = false;
   bool m_watches_borders = false;
+  Level::Uv m_start;                // by rank, if its borders are not kept apart at first; empty: none
   Level::Uv m_map_apart;            // of the finest level so far on which no borders met; empty if there is none
   std::size_t m_level_apart = 0;
 };

@@ -8,9 +8,11 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/vertex_order.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_attempts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Kernel/global_functions.h>
 
 #include <cmath>
 #include <utility>
@@ -39,6 +41,7 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
     m_summary = Parameterization_summary();
     m_summary.seconds_hierarchy = seconds_hierarchy = timer.time() - seconds_parameterize;
 
+    find_start_with_filled_holes(hierarchy);
     Level::Uv uv_by_rank;
     uv_by_rank.reserve(hierarchy.number_of_vertices());
     Nested_iteration attempt(m_method, m_options, m_visitor, m_progress, m_summary);
@@ -61,6 +64,28 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
       return m_summary.error.code;
     surface = input_surface(hierarchy);
   }
+}
+
+// The number of holes of a level that are short for a surface of this area.
+inline std::size_t number_of_small_holes(const Level& level)
+{
+  constexpr double greatest_part_of_root_of_area = 0.1;
+  double area = 0;
+  for (const Level::Triangle& t : level.triangles()) {
+    const Point_3& p = level.point(t[0]);
+    area += 0.5 * std::sqrt(CGAL::cross_product(level.point(t[1]) - p, level.point(t[2]) - p).squared_length());
+  }
+  std::size_t number = 0;
+  for (const std::vector<Index>& border : level.rings().borders()) {
+    double length = 0;
+    for (std::size_t i = 0; i < border.size(); ++i) {
+      const Point_3 &p = level.point(border[i]), &next = level.point(border[i + 1 == border.size() ? 0 : i + 1]);
+      length += std::sqrt((next - p).squared_length());
+    }
+    number += !level.hierarchy().is_on_outer_border(border.front()) &&
+              length <= greatest_part_of_root_of_area * std::sqrt(area);
+  }
+  return number;
 }
 
 // The power of two by which the box of the fixed vertices' places is greater than that of the vertices, more or less.
@@ -89,13 +114,36 @@ bool Nested_iteration_attempts::find_start_at_scale_of_places(const Collapse_hie
     return false;
   for (Point_3& p : surface.points)
     p = Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent));
-  const Collapse_hierarchy_3 scaled(std::move(surface), m_options.hierarchy, m_method.loops());
+  return find_start(std::move(surface));
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void Nested_iteration_attempts::find_start_with_filled_holes(const Collapse_hierarchy_3& hierarchy)
+{
+  constexpr std::size_t least_vertices_at_hole = 3;
+  const auto exceeds_coarsest_size = [&](std::size_t n) { return n > m_options.hierarchy.coarsest_size; };
+  if (m_has_filled_holes || !m_start.empty() || !m_method.is_flip_free() ||
+      !exceeds_coarsest_size(hierarchy.number_of_vertices(0)) ||
+      !exceeds_coarsest_size(least_vertices_at_hole * number_of_small_holes(Level(hierarchy))))
+    return;
+  m_has_filled_holes = true;
+  Triangulated_surface_3 surface = input_surface(hierarchy);
+  const std::size_t number_of_vertices = surface.points.size();
+  fill_holes(surface);
+  if (find_start(std::move(surface)))
+    m_start.resize(number_of_vertices);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Nested_iteration_attempts::find_start(Triangulated_surface_3 surface)
+{
+  const Collapse_hierarchy_3 hierarchy(std::move(surface), m_options.hierarchy, m_method.loops());
   Parameterization_summary summary;
   Level::Uv uv;
-  // A visitor is not told of the maps of these levels: their points and places have no common unit.
-  if (Nested_iteration(m_method, m_options, nullptr, m_progress, summary).run(scaled, {}, uv) != OK)
+  // A visitor is not told of the maps of these levels: their surface is not the user's.
+  if (Nested_iteration(m_method, m_options, nullptr, m_progress, summary).run(hierarchy, {}, uv) != OK)
     return false;
-  m_start = in_input_order(scaled, uv);
+  m_start = in_input_order(hierarchy, uv);
   return true;
 }
 

@@ -25,7 +25,8 @@ Nested_iteration::Nested_iteration(Refinable_method& method, const Nested_iterat
                                    Parameterization_summary& summary)
   : m_method(method), m_visitor(visitor), m_progress(progress), m_summary(summary),
     m_must_hold_places(options.must_hold_places), m_overlap_bound(options.overlap_bound),
-    m_must_keep_apart(method.keep_borders_apart(true)), m_finisher(method, options, m_must_keep_apart, summary)
+    m_start_is_users(options.make_starting_map != nullptr), m_must_keep_apart(method.keep_borders_apart(true)),
+    m_finisher(method, options, m_must_keep_apart, summary)
 {
   m_timer_of_level.start();
 }
@@ -60,17 +61,14 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::parameterize_level_by_level(Level& level, Level::Uv& uv)
 {
   m_summary.levels.clear();
+  m_start = Level::Uv();
   m_method.keep_borders_apart(false);
   m_watches_borders = m_must_keep_apart;
   level.go_to(0);
   Error_code status = parameterize_coarsest(level, uv);
   if (status == OK)
     status = climb(level, uv);
-  if (status != OK || !m_watches_borders || m_map_apart.size() == uv.size())
-    return status;
-  if (m_overlap_bound == 1)
-    return climb_with_borders_apart(level, uv);
-  return separate_borders_if_that_pays(level, uv);
+  return status == OK ? separate_borders(level, uv) : status;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -100,6 +98,56 @@ Error_code Nested_iteration::climb(Level& level, Level::Uv& uv)
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::refine_start(Level& level, std::vector<Point_2> start, Level::Uv& uv)
+{
+  m_timer_of_level.reset();
+  level.go_to(level.hierarchy().number_of_levels() - 1);
+  start_stage(level);
+  uv = by_rank(level.hierarchy(), start);
+  start = std::vector<Point_2>();
+  if (is_free(level) && !bring_to_scale(level, m_must_keep_apart, uv))
+    return ERROR_NO_1_TO_1_MAPPING;
+  m_watches_borders = m_must_keep_apart && !m_start_is_users;
+  if (m_watches_borders) {
+    m_method.keep_borders_apart(false);
+    m_start = uv;
+  }
+  const Error_code status = refine(level, uv);
+  return status == OK ? separate_borders(level, uv) : status;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::separate_borders(Level& level, Level::Uv& uv)
+{
+  if (!m_watches_borders || m_map_apart.size() == uv.size())
+    return OK;
+  if (m_overlap_bound == 1)
+    return climb_with_borders_apart(level, uv);
+  return separate_borders_if_that_pays(level, uv);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::climb_with_borders_apart(Level& level, Level::Uv& uv)
+{
+  m_watches_borders = false;
+  m_method.keep_borders_apart(true);
+  if (!m_start.empty()) {
+    m_summary.levels.clear();
+    m_timer_of_level.reset();
+    uv.swap(m_start);
+    return refine(level, uv);
+  }
+  level.go_to(m_level_apart);
+  m_summary.levels.resize(m_map_apart.empty() ? 0 : m_level_apart + 1);
+  Error_code status = OK;
+  if (m_map_apart.empty())
+    status = parameterize_coarsest(level, uv);
+  else
+    uv.swap(m_map_apart);
+  return status == OK ? climb(level, uv) : status;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::separate_borders_if_that_pays(Level& level, Level::Uv& uv)
 {
   constexpr double greatest_ratio_of_energies = 1.02;
@@ -117,34 +165,6 @@ Error_code Nested_iteration::separate_borders_if_that_pays(Level& level, Level::
   uv.swap(free);
   m_summary.levels.swap(levels);
   return OK;
-}
-
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code Nested_iteration::climb_with_borders_apart(Level& level, Level::Uv& uv)
-{
-  m_watches_borders = false;
-  m_method.keep_borders_apart(true);
-  level.go_to(m_level_apart);
-  m_summary.levels.resize(m_map_apart.empty() ? 0 : m_level_apart + 1);
-  Error_code status = OK;
-  if (m_map_apart.empty())
-    status = parameterize_coarsest(level, uv);
-  else
-    uv.swap(m_map_apart);
-  return status == OK ? climb(level, uv) : status;
-}
-
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code Nested_iteration::refine_start(Level& level, std::vector<Point_2> start, Level::Uv& uv)
-{
-  m_timer_of_level.reset();
-  level.go_to(level.hierarchy().number_of_levels() - 1);
-  start_stage(level);
-  uv = by_rank(level.hierarchy(), start);
-  start = std::vector<Point_2>();
-  if (is_free(level) && !bring_to_scale(level, m_must_keep_apart, uv))
-    return ERROR_NO_1_TO_1_MAPPING;
-  return refine(level, uv);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
