@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
 
 #include <Eigen/Core>
+#include <Eigen/QR>
 
 #include <gtest/gtest.h>
 
@@ -96,9 +97,19 @@ struct Stabilized_biconjugate_gradients
   }
 };
 
+struct Minimal_residuals
+{
+  static constexpr bool needs_symmetry = false;
+  template <class System, class Vector>
+  std::size_t operator()(System& system, Vector& x, Vector& r, std::size_t most_iterations) const
+  {
+    return SMP::internal::generalized_minimal_residuals(system, x, r, most_iterations);
+  }
+};
+
 template <class Method>
 class Krylov_method : public testing::Test { };
-typedef testing::Types<Conjugate_gradients, Stabilized_biconjugate_gradients> Krylov_methods;
+typedef testing::Types<Conjugate_gradients, Stabilized_biconjugate_gradients, Minimal_residuals> Krylov_methods;
 TYPED_TEST_SUITE(Krylov_method, Krylov_methods, );
 
 TYPED_TEST(Krylov_method, solves_dense_systems)
@@ -148,6 +159,43 @@ TYPED_TEST(Krylov_method, stops_in_time)
   system.matrix.diagonal().setConstant(std::numeric_limits<double>::infinity());
   Dense_system::Vector_2 x(16, Dense_system::Value_2::zero()), r(16, Dense_system::Value_2::all(1));
   EXPECT_LE(TypeParam()(system, x, r, 100), 100u);
+}
+
+// After k iterations the residual is the least one that a combination of M^-1 r, M^-1 A M^-1 r, and so on, leaves; also
+// of a matrix with rows far from diagonally dominant.
+TEST(Minimal_residuals, are_minimal)
+{
+  Dense_system system{ laplacian(4, false) };
+  system.matrix.row(3) *= -1;
+  system.matrix(9, 9) = -0.01;
+  const Eigen::VectorXd inverse_diagonal = system.matrix.diagonal().cwiseInverse();
+  const Index n = system.number_of_rows();
+  Random random(5);
+  Dense_system::Vector_2 b(n);
+  for (auto& value : b)
+    value = { random(-1, 1), random(-1, 1) };
+  for (Index k = 1; k <= 8; ++k) {
+    Dense_system::Vector_2 x(n, Dense_system::Value_2::zero()), r = b;
+    ASSERT_EQ(SMP::internal::generalized_minimal_residuals(system, x, r, k), k);
+    const Dense_system::Vector_2 ax = system.times(x);
+    for (int c = 0; c < 2; ++c) {
+      Eigen::VectorXd right_side(n), residual(n), carried_along(n);
+      for (Index i = 0; i < n; ++i) {
+        right_side[i] = b[i][c];
+        residual[i] = b[i][c] - ax[i][c];
+        carried_along[i] = r[i][c];
+      }
+      Eigen::MatrixXd images(n, k);
+      Eigen::VectorXd v = right_side;
+      for (Index j = 0; j < k; ++j) {
+        v = (system.matrix * inverse_diagonal.cwiseProduct(v)).normalized();
+        images.col(j) = v;
+      }
+      const Eigen::VectorXd least = right_side - images * images.colPivHouseholderQr().solve(right_side);
+      EXPECT_NEAR(residual.norm(), least.norm(), 1e-9);
+      EXPECT_LE((residual - carried_along).norm(), 1e-12);
+    }
+  }
 }
 
 // The quadratic function x A x / 2 - b x falls by what the method tells, and the iteration ends when that does not pay.

@@ -35,8 +35,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// of its parameterizers, or as the solver of functions of `Polygon_mesh_processing`. The solution is the same, and
 /// time and memory grow in proportion to the mesh.
 ///
-/// The solver uses conjugate gradients if the matrix is symmetric, and BiCGSTAB otherwise. The preconditioner is a
-/// V-cycle with an incomplete factorization as smoother, and full multigrid gives the first guess. A row with only a
+/// The solver uses conjugate gradients if the matrix is symmetric, else BiCGSTAB if it is diagonally dominant, and GMRES
+/// if it is not. The preconditioner is a V-cycle with an incomplete factorization as smoother, and full multigrid gives the first guess. A row with only a
 /// diagonal entry holds a given value, and its unknown is eliminated. If the residual does not become small enough, or
 /// if the matrix does not couple neighbors in the mesh, so that its unknowns must have another order, a sparse LU
 /// factorization takes over. If that fails, too, the functions return `false` and leave the solution unchanged.

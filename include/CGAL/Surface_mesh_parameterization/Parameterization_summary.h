@@ -62,7 +62,8 @@ struct Linear_solver_summary
   std::size_t setups = 0;             ///< matrices for which the grids were set up
   std::size_t right_sides = 0;        ///< right-hand sides that were given
   std::size_t failures = 0;           ///< right-hand sides that no solver solved, of which the parameterizer was told
-  std::size_t iterations = 0;      ///< the most iterations for one right-hand side, of conjugate gradients or BiCGSTAB
+  /// the most iterations for one right-hand side, of conjugate gradients, BiCGSTAB or GMRES
+  std::size_t iterations = 0;
   /// the greatest relative residual of a solution, recomputed at the end; rows scaled to unit diagonal. It is at most
   /// the tolerance, but for direct solutions: of a nearly singular matrix, rounding leaves more
   double residual = 0;

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -156,6 +157,104 @@ std::size_t stabilized_biconjugate_gradients(System& system, Vector& x, Vector& 
     norm2 = go_along(system, omega, mr, t, x, r);
   }
   return iterations;
+}
+
+// The least squares problem of generalized minimal residuals: with the basis so far, A M^-1 V = V' H, and the
+// combination y of the basis makes |e - H y| least, where e has the first residual's norm on top. Rotations bring H to
+// triangular shape as it grows.
+template <class Product>
+class Projected_residual
+{
+public:
+  explicit Projected_residual(const Product& norm) : m_right_side(1, norm) { }
+
+  std::size_t size() const { return m_columns.size(); }
+
+  // The norm of the least residual.
+  Product norm() const { return abs(m_right_side.back()); }
+
+  // Adds a column of H, which has two entries more than there are columns.
+  void add(std::vector<Product> column)
+  {
+    for (std::size_t i = 0; i < m_rotations.size(); ++i)
+      m_rotations[i].turn(column[i], column[i + 1]);
+    Product &a = column[size()], &b = column[size() + 1];
+    const Product radius = sqrt(a * a + b * b);
+    m_rotations.push_back({ quotient(a, radius), quotient(b, radius) });
+    m_rotations.back().turn(a, b);
+    m_right_side.push_back(zero_product<Product>());
+    m_rotations.back().turn(m_right_side[size()], m_right_side[size() + 1]);
+    column.pop_back();
+    m_columns.push_back(std::move(column));
+  }
+
+  std::vector<Product> solution() const
+  {
+    std::vector<Product> y(m_right_side.begin(), m_right_side.end() - 1);
+    for (std::size_t k = size(); k-- > 0;) {
+      y[k] = quotient(y[k], m_columns[k][k]);
+      for (std::size_t i = 0; i < k; ++i)
+        y[i] -= y[k] * m_columns[k][i];
+    }
+    return y;
+  }
+
+private:
+  struct Rotation
+  {
+    Product cosine, sine;
+
+    void turn(Product& a, Product& b) const
+    {
+      const Product old_a = a;
+      a = cosine * old_a + sine * b;
+      b = cosine * b - sine * old_a;
+    }
+  };
+
+  std::vector<Rotation> m_rotations;
+  std::vector<std::vector<Product>> m_columns;
+  std::vector<Product> m_right_side;
+};
+
+// The flexible generalized minimal residuals of Saad (1993), preconditioned from the right: M may change from one
+// iteration to the next, and have rounding errors. Keeps two vectors for each iteration.
+template <class System, class Vector>
+std::size_t generalized_minimal_residuals(System& system, Vector& x, Vector& r, std::size_t most_iterations)
+{
+  typedef Product_of<Vector>   Product;
+  const Index n = system.number_of_rows();
+  const Loops& loops = system.loops();
+  const auto normalize = [&](Vector& v) {
+    const Product norm = sqrt(inner_product(loops, v, v)), inverse = quotient(Product::all(1), norm);
+    loops.for_each(0, n, [&](Index i) { v[i] = inverse * v[i]; });
+    return norm;
+  };
+  std::vector<Vector> basis(1, r), directions;
+  Projected_residual<Product> projected(normalize(basis.front()));
+  while (projected.size() < most_iterations && !system.is_finished(projected.norm() * projected.norm())) {
+    Vector next(n);
+    directions.push_back(system.precondition(basis.back()));
+    system.multiply(directions.back(), next, basis.back());
+    std::vector<Product> column;
+    for (const Vector& v : basis) {
+      const Product part = column.emplace_back(inner_product(loops, next, v));
+      loops.for_each(0, n, [&](Index i) { next[i] -= part * v[i]; });
+    }
+    column.push_back(normalize(next));
+    projected.add(std::move(column));
+    basis.push_back(std::move(next));
+  }
+
+  const std::vector<Product> y = projected.solution();
+  Vector step(n, Vector::value_type::zero()), product(n);
+  loops.for_each(0, n, [&](Index i) {
+    for (std::size_t k = 0; k < y.size(); ++k)
+      step[i] += y[k] * directions[k][i];
+  });
+  system.multiply(step, product, step);
+  go_along(system, Product::all(1), step, product, x, r);
+  return projected.size();
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -29,14 +29,19 @@ struct Linear_solver_options
   int most_starts = 3;
   // The most iterations in which the residual is not halved: of an indefinite matrix it may wander about for ever.
   int patience = 60;
+  // The same of minimal residuals, for matrices that are neither symmetric nor diagonally dominant, which never grow;
+  // and the most iterations for which they keep two vectors each, before they start again.
+  int patience_of_minimal_residuals = 10;
+  std::size_t most_residuals = 40;
   // Of a solution without iteration: of a nearly singular matrix, no solution has a small residual.
   double worst_backward_error = 1e-10;
   // From then on one right side has K-cycles: they take about three times as long, but where an energy hardly changes
   // with conformal motions, as that of least squares conformal maps, they save more than that in the end.
   std::size_t most_v_cycles = 100;
-  // A matrix is solved without multigrid if the entries of a row, beside the diagonal, have a sum of absolute values
-  // that is greater than this, relative to the diagonal.
+  // A matrix is solved without multigrid if more than so many rows are wild: the entries beside the diagonal have a sum
+  // of absolute values that is greater than this, relative to the diagonal. Each one takes an iteration or two.
   double greatest_row_sum = (std::numeric_limits<double>::infinity)();
+  std::size_t most_wild_rows = 40;
   // For what multigrid does not solve, and to be checked: if its residual is above the tolerance, a factorization takes
   // over. Null: factorize_rows().
   Make_direct_solver make_direct_solver = nullptr;

@@ -35,7 +35,7 @@ public:
               const std::vector<Mesh_unknown>& unknowns)
     : m_rows(std::move(rows))
   {
-    read_diagonal();
+    read_rows();
     m_is_symmetric = has_symmetric_free_part();
     collect_free_unknowns(hierarchy, unknowns);
   }
@@ -48,6 +48,9 @@ public:
   bool is_regular() const { return m_is_regular; }
 
   bool is_symmetric() const { return m_is_symmetric; }
+
+  // Whether in no row the entries beside the diagonal exceed it, in sum of absolute values.
+  bool is_diagonally_dominant() const { return m_is_diagonally_dominant; }
 
   // The free unknowns, in the order of the hierarchy's input, which suits the cache.
   const std::vector<Index>& free_unknowns() const { return m_free; }
@@ -156,18 +159,22 @@ public:
 private:
   double row_scale(Index i) const { return m_is_symmetric ? 1. : m_inverse_diagonal[i]; }
 
-  void read_diagonal()
+  void read_rows()
   {
+    constexpr double rounding = 1e-6;
     m_inverse_diagonal.assign(size(), 1);      // of a row that cannot be scaled by its diagonal
     m_is_fixed.assign(size(), true);
     for (Index i = 0; i < size(); ++i) {
-      double inverse = 0;
+      double inverse = 0, others = 0;
       m_rows->for_each_entry(i, [&](Index column, double value) {
         if (column == i)
           inverse = 1 / value;
-        else if (value != 0)
+        else if (value != 0) {
           m_is_fixed[i] = false;
+          others += std::abs(value);
+        }
       });
+      m_is_diagonally_dominant = m_is_diagonally_dominant && others * std::abs(inverse) <= 1 + rounding;
       if (std::isfinite(inverse) && inverse != 0)
         m_inverse_diagonal[i] = inverse;
       else
@@ -235,7 +242,7 @@ private:
   std::vector<bool> m_is_fixed;
   std::vector<Index> m_free;
   double m_free_part_scale = 1;
-  bool m_is_regular = true, m_is_symmetric = false;
+  bool m_is_regular = true, m_is_symmetric = false, m_is_diagonally_dominant = true;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -27,8 +27,9 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Solves a linear system whose unknowns sit at the vertices of a hierarchy, for as many right sides as it has
-// `columns`: conjugate gradients if it is symmetric, stabilized bi-conjugate gradients if not, preconditioned by
-// V-cycles, from the first guess of full multigrid. Where these do not arrive, it solves directly.
+// `columns`: conjugate gradients if it is symmetric; if not, stabilized bi-conjugate gradients, or minimal residuals if
+// it is not diagonally dominant. They are preconditioned by V-cycles, from the first guess of full multigrid. Where they
+// do not arrive, it solves directly.
 //
 // `Real` is the type of the grids' numbers: with single precision they take half the memory, and are exact enough for a
 // preconditioner.
@@ -153,8 +154,11 @@ private:
         m_least_excess = excess;
         m_idle_steps = 0;
       }
-      return !(excess > 1) || ++m_idle_steps > m_options.patience;
+      return !(excess > 1) || ++m_idle_steps > (has_minimal_residuals() ? m_options.patience_of_minimal_residuals
+                                                                        : m_options.patience);
     }
+
+    bool has_minimal_residuals() const { return !m_system.is_symmetric() && !m_system.is_diagonally_dominant(); }
 
     // M^-1 r
     Vector& precondition(const Vector& r)
@@ -180,7 +184,8 @@ private:
     // Tells of a relative residual.
     bool tell(double residual) const
     {
-      const std::size_t iterations = m_cycles / (m_system.is_symmetric() ? 1 : 2);
+      const bool is_biconjugate = !m_system.is_symmetric() && m_system.is_diagonally_dominant();
+      const std::size_t iterations = m_cycles / (is_biconjugate ? 2 : 1);
       const double part =
           part_of_iteration(residual, m_options.tolerance, iterations, m_options.most_iterations);
       return m_options.progress->tell(iterations, residual, part);
@@ -236,7 +241,9 @@ private:
       if (m_system.is_symmetric()) {
         Vector direction(x.size());
         result.iterations += conjugate_gradients(iteration, x, r, direction, left);
-      } else
+      } else if (iteration.has_minimal_residuals())
+        result.iterations += generalized_minimal_residuals(iteration, x, r, (std::min)(left, options.most_residuals));
+      else
         result.iterations += stabilized_biconjugate_gradients(iteration, x, r, left);
       m_system.compute_residual(b, x, r);
     }

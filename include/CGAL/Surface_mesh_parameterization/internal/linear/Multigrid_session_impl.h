@@ -84,13 +84,14 @@ bool Multigrid_session::set_up(const Sparse_matrix& matrix, const std::vector<In
   return matrix.column_dimension() == matrix.row_dimension() && set_up(std::move(rows), tied_vertices);
 }
 
-// Where rows are far from diagonally dominant, as those of authalic weights may be, the matrix is indefinite, and
+// Where many rows are far from diagonally dominant, as those of authalic weights may be, the matrix is indefinite, and
 // iterations arrive late or never.
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::suits_multigrid(const Sparse_rows<double>& rows) const
 {
   if (m_options.greatest_row_sum == (std::numeric_limits<double>::infinity)())
     return true;
+  std::size_t wild_rows = 0;
   for (Index i = 0; i < rows.number_of_rows(); ++i) {
     double diagonal = 0, sum = 0;
     rows.for_each_entry(i, [&](Index column, double value) {
@@ -99,10 +100,9 @@ bool Multigrid_session::suits_multigrid(const Sparse_rows<double>& rows) const
       else
         sum += std::abs(value);
     });
-    if (sum != 0 && !(sum <= m_options.greatest_row_sum * diagonal))
-      return false;
+    wild_rows += sum != 0 && !(sum <= m_options.greatest_row_sum * diagonal);
   }
-  return true;
+  return wild_rows <= m_options.most_wild_rows;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

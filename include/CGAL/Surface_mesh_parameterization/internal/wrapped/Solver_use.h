@@ -38,8 +38,8 @@ struct Plain_solver_use
   static constexpr bool has_positive_weights = false;     // see may_have_flips
   static constexpr double part_of_solution = 0.9;         // of what is left of a run, the time of a solution
 
-  // Of the matrices that are for multigrid, see Linear_solver_options. In between there are hardly any: cotangent
-  // weights of the worst triangles stay below a half of this, and authalic ones, where they are wild, pass it far.
+  // Of the matrices that are for multigrid, see Linear_solver_options. Cotangent weights of the worst triangles stay below
+  // a half of this.
   static constexpr double greatest_row_sum = 10;
 };
 
@@ -64,6 +64,7 @@ template <class M, class B, class S>
 struct Solver_use<Discrete_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs
 {
   static constexpr bool always_suits_multigrid = false;
+  static constexpr double greatest_row_sum = 3;
 };
 template <class M, class B, class S>
 struct Solver_use<Discrete_conformal_map_parameterizer_3<M, B, S>> : Solves_in_pairs
@@ -73,6 +74,7 @@ template <class M, class B, class S>
 struct Solver_use<Iterative_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs
 {
   static constexpr bool always_suits_multigrid = false;
+  static constexpr double greatest_row_sum = 3;
   static constexpr double part_of_solution = 0.1;
 };
 template <class M, class B, class S>
