@@ -21,7 +21,9 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <string>
+#include <vector>
 
 namespace test_solver_iterations {
 
@@ -91,6 +93,28 @@ TEST(Multigrid_solver_traits, copes_with_obtuse_triangles)
 {
   for (const Index n : { 60, 120 })
     EXPECT_LE(iterations(affine_image(grid(n, n, flat), 1, -4, 0, 1), Harmonic_edge_weights_3()), 12u) << n;
+}
+
+// Mean value weights of a surface, but for one row in every so many.
+struct Some_wild_weights
+{
+  std::size_t distance, rows = 0;
+
+  void operator()(const Point_3& v, const std::vector<Point_3>& ring, bool is_closed, std::vector<double>& weights)
+  {
+    Mean_value_edge_weights_3()(v, ring, is_closed, weights);
+    if (++rows % distance == 0)
+      weights[0] = -0.9 * std::accumulate(weights.begin() + 1, weights.end(), 0.);
+  }
+};
+
+// A row that is far from diagonally dominant costs a few iterations.
+TEST(Multigrid_solver_traits, copes_with_a_few_wild_rows)
+{
+  const Flat_mesh m = grid(120, 120, wavy);
+  const std::size_t rows = 119 * 119;
+  for (const std::size_t wild_rows : { 5, 10 })
+    EXPECT_LE(iterations(m, Some_wild_weights{ rows / wild_rows }), 10 + 3 * wild_rows) << wild_rows;
 }
 
 // Uniform weights do not feel that a mesh is stretched, and neither does the iteration.

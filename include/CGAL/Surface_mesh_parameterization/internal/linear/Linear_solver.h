@@ -39,7 +39,7 @@ struct Linear_solver_options
   // with conformal motions, as that of least squares conformal maps, they save more than that in the end.
   std::size_t most_v_cycles = 100;
   // A matrix is solved without multigrid if more than so many rows are wild: the entries beside the diagonal have a sum
-  // of absolute values that is greater than this, relative to the diagonal. Each one takes an iteration or two.
+  // of absolute values that is greater than this, relative to the diagonal. Each one takes a few iterations.
   double greatest_row_sum = (std::numeric_limits<double>::infinity)();
   std::size_t most_wild_rows = 40;
   // For what multigrid does not solve, and to be checked: if its residual is above the tolerance, a factorization takes
