@@ -17,8 +17,10 @@
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -41,6 +43,8 @@ namespace parameters = CGAL::parameters;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel        Epick;
 typedef CGAL::Surface_mesh<Epick::Point_3>                         Epick_surface_mesh;
 typedef CGAL::Polyhedron_3<Kernel>                                 Polyhedron;
+typedef CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>::type
+    Linear_cell_complex;
 
 template <class TriangleMesh>
 struct Model
@@ -68,7 +72,7 @@ protected:
   }
 };
 
-typedef testing::Types<Surface_mesh, Epick_surface_mesh, Polyhedron, Seam_mesh> Meshes;
+typedef testing::Types<Surface_mesh, Epick_surface_mesh, Polyhedron, Linear_cell_complex, Seam_mesh> Meshes;
 TYPED_TEST_SUITE(FaceGraph, Meshes, );
 
 TYPED_TEST(FaceGraph, is_parameterized_flat) { this->check(MIPS_parameterizer_3<TypeParam>()); }

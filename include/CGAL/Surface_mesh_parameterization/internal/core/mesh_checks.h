@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/detection.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -61,6 +62,8 @@ template <class Mesh>
 using Point_of = decltype(get(get(CGAL::vertex_point, std::declval<const Mesh&>()), std::declval<Vertex_of<Mesh>>()));
 template <class Point>
 using Coordinates_2 = decltype(std::declval<const Point&>().x(), std::declval<const Point&>().y());
+template <class Mesh>
+using Kernel_point_2 = typename CGAL::Kernel_traits<std::decay_t<Point_of<Mesh>>>::Kernel::Point_2;
 template <class Mesh> using Point_height = decltype(std::declval<Point_of<Mesh>>().z());
 
 // Of a property map.
@@ -163,6 +166,17 @@ struct Uv_map_check
   }
 };
 
+// Of a map that CGAL's parameterizers write, after the check above.
+template <class UVMap, class Mesh>
+struct Kernel_uv_map_check : std::is_convertible<Kernel_point_2<Mesh>, Detected<Value_of, UVMap>>
+{
+  static void tell()
+  {
+    static_assert(Kernel_uv_map_check::value, "uvmap has points of another kernel than the mesh: CGAL's parameterizers "
+                                              "write CGAL::Kernel_traits<Point_3>::Kernel::Point_2");
+  }
+};
+
 // Of a map that a call only reads.
 template <class UVMap, class Mesh>
 struct Readable_uv_map_check
@@ -245,6 +259,7 @@ struct Halfedge_uv_map_check
 using concept_checks::Halfedge_check;
 using concept_checks::Halfedge_uv_map_check;
 using concept_checks::Index_map_check;
+using concept_checks::Kernel_uv_map_check;
 using concept_checks::Mesh_check;
 using concept_checks::Mesh_descriptors;
 using concept_checks::Readable_halfedge_uv_map_check;

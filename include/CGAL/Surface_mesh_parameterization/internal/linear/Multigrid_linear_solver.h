@@ -184,8 +184,7 @@ private:
     // Tells of a relative residual.
     bool tell(double residual) const
     {
-      const bool is_biconjugate = !m_system.is_symmetric() && m_system.is_diagonally_dominant();
-      const std::size_t iterations = m_cycles / (is_biconjugate ? 2 : 1);
+      const std::size_t iterations = m_cycles / (m_system.is_symmetric() || has_minimal_residuals() ? 1 : 2);
       const double part =
           part_of_iteration(residual, m_options.tolerance, iterations, m_options.most_iterations);
       return m_options.progress->tell(iterations, residual, part);

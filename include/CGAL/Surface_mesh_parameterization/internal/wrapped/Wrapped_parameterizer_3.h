@@ -58,7 +58,9 @@ public:
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
                           VertexParameterizedMap vpmap, Others&&... others)
   {
-    typedef std::conjunction<Mesh_check<Triangle_mesh>, Uv_map_check<VertexUVMap, Triangle_mesh, true>>   Check;
+    typedef std::conjunction<Mesh_check<Triangle_mesh>, Uv_map_check<VertexUVMap, Triangle_mesh, true>,
+                             std::conditional_t<Use::is_shipped, Kernel_uv_map_check<VertexUVMap, Triangle_mesh>,
+                                                std::true_type>>   Check;
     if constexpr (Check::value)
       return parameterize_mesh(mesh, bhd, uvmap, vpmap, std::forward<Others>(others)...);
     else {
