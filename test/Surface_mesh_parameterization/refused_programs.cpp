@@ -293,7 +293,8 @@ SMP::Error_code wrong(Mesh& m, Halfedge h)
 #endif
 
 #ifdef MAP_OF_ANOTHER_KERNEL // uvmap has points of another kernel than the mesh
-SMP::Error_code wrong(Mesh& m, Halfedge h, Mesh::Property_map<Mesh::Vertex_index, CGAL::Simple_cartesian<float>::Point_2> uv)
+SMP::Error_code wrong(Mesh& m, Halfedge h,
+                      Mesh::Property_map<Mesh::Vertex_index, CGAL::Simple_cartesian<float>::Point_2> uv)
 {
   SMP::Hierarchical_parameterizer_3<SMP::Mean_value_coordinates_parameterizer_3<Mesh>> mean_value;
   return SMP::parameterize(m, mean_value, h, uv);
