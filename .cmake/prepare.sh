@@ -5,6 +5,8 @@ mkdir -p "$root/.build"
 
 # Without it ccache takes no source that has a precompiled header.
 export CCACHE_SLOPPINESS=pch_defines,time_macros
+# What a source includes ccache takes from the compiler, instead of preprocessing it first.
+export CCACHE_DEPEND=1
 
 # Two runs at a time would build in the same folder. Where there is no flock, nothing is locked.
 exec 9>"$root/.build/lock"
