@@ -64,9 +64,9 @@ po::options_description describe_options(Options& options, Words& words, Numbers
   add("cut", po::value(&words.cut),
       "auto (default): cut components that are closed or have handles along short seams; or none: leave them out. The "
       "default is none with --flat, --levels, --start and --hold");
-  add("least-used-part", po::value(&options.least_used_part)->default_value(0),
+  add("least-used-part", po::value<double>(),
       "divide charts by short cuts until they cover this part of the unit square, from 0 to 1, or no cut helps; 0.7 is "
-      "within reach of most surfaces. Makes an atlas of one component, too");
+      "within reach of most surfaces; 0: none. The default is 0.25. Makes an atlas of one component, too");
   add("distortion-bound", po::value<double>(),
       "cut surfaces until their mean symmetric Dirichlet energy, 4 without distortion, is within this bound, as far as "
       "50 branches of the seam lead; inf: only what must be cut. The default is 4.5 for surfaces that must be cut or "
@@ -214,7 +214,7 @@ void read_part(const std::string& components, const std::string& cut, Options& o
     throw Usage_error{ "unknown way to cut '" + cut + "'; there are: auto, none" };
   const std::string option_of_atlas = components == "all"           ? "--components all"
                                       : cut == "auto"               ? "--cut auto"
-                                      : options.least_used_part > 0 ? "--least-used-part"
+                                      : options.least_used_part     ? "--least-used-part"
                                       : options.distortion_bound    ? "--distortion-bound"
                                       : options.overlap_bound       ? "--overlap-bound"
                                       : options.hole_bound          ? "--hole-bound"
@@ -230,14 +230,16 @@ void read_part(const std::string& components, const std::string& cut, Options& o
     throw Usage_error{ option_of_atlas + ": not with " + option_of_one_chart + ", which takes one chart" };
   options.takes_all_components = components.empty() ? option_of_one_chart.empty() : components == "all";
   options.cuts = cut.empty() ? option_of_one_chart.empty() : cut == "auto";
-  options.makes_atlas = options.makes_atlas || options.least_used_part > 0 || options.distortion_bound ||
+  options.makes_atlas = options.makes_atlas || options.least_used_part || options.distortion_bound ||
                         options.overlap_bound || options.hole_bound || options.sharp_angle;
   if (options.sharp_angle && !options.distortion_bound)
     options.distortion_bound = 4.5;
   if (options.cuts)
     return;
-  if (options.distortion_bound || options.overlap_bound || options.sharp_angle)
-    throw Usage_error{ "--distortion-bound, --overlap-bound, --sharp-angle: not with --cut none" };
+  if (options.least_used_part.value_or(0) > 0 || options.distortion_bound || options.overlap_bound ||
+      options.sharp_angle)
+    throw Usage_error{ "--least-used-part, --distortion-bound, --overlap-bound, --sharp-angle: not with --cut none" };
+  options.least_used_part = 0;
   options.distortion_bound = std::numeric_limits<double>::infinity();
   options.overlap_bound = 1;
 }
@@ -274,7 +276,7 @@ void check_options(const Options& options)
   }
   if (!options.start.empty() && !options.levels.empty())
     throw Usage_error{ "--start: the levels below the finest, which --levels writes, have no maps then" };
-  if (!(options.least_used_part >= 0 && options.least_used_part <= 1))
+  if (options.least_used_part && !(*options.least_used_part >= 0 && *options.least_used_part <= 1))
     throw Usage_error{ "--least-used-part: a number from 0 to 1 expected" };
   if (options.distortion_bound && !(*options.distortion_bound >= 4))
     throw Usage_error{ "--distortion-bound: a number of at least 4 expected" };
@@ -336,7 +338,7 @@ bool read_options(int argc, char** argv, Options& options)
   if (!values.count("iterations"))
     options.iterations = options.method->iterations;
   const std::pair<const char*, std::optional<double>*> numbers_of_atlas[] = {
-    { "distortion-bound", &options.distortion_bound }, { "overlap-bound", &options.overlap_bound },
+    { "least-used-part", &options.least_used_part }, { "distortion-bound", &options.distortion_bound }, { "overlap-bound", &options.overlap_bound },
     { "hole-bound", &options.hole_bound }, { "sharp-angle", &options.sharp_angle } };
   for (const auto& [name, number] : numbers_of_atlas)
     if (values.count(name))

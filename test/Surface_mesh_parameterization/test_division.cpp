@@ -232,7 +232,7 @@ TEST(Division, fills_the_square)
 {
   for (const Flat_mesh& m : { legs(), plate_with_holes(3, 4), strip(), with_component(legs(), plate_with_holes(1, 4), 0.5, 9) }) {
     Surface whole(m), divided(m);
-    const Atlas_summary before = atlas_parameterization(whole.mesh, whole.uv);
+    const Atlas_summary before = atlas_parameterization(whole.mesh, whole.uv, parameters::least_used_part(0.));
     ASSERT_TRUE(before.is_ok());
     ASSERT_LT(before.used_part, 0.7);
     EXPECT_EQ(before.divisions, 0u);
@@ -245,6 +245,20 @@ TEST(Division, fills_the_square)
     expect_told(whole, before);
     expect_told(divided, summary);
   }
+}
+
+// A slender surface would leave nearly all of the square empty, so it is divided without being asked for. Others are not.
+TEST(Division, is_of_slender_surfaces_by_default)
+{
+  Surface slender(strip()), wide(legs());
+  const Atlas_summary divided = atlas_parameterization(slender.mesh, slender.uv),
+                      whole = atlas_parameterization(wide.mesh, wide.uv);
+  ASSERT_TRUE(divided.is_ok() && whole.is_ok());
+  EXPECT_GE(divided.used_part, 0.25);
+  EXPECT_GT(divided.divisions, 0u);
+  expect_one_to_one(slender);
+  EXPECT_GE(whole.used_part, 0.25);
+  EXPECT_EQ(whole.divisions, 0u);
 }
 
 // Each part has its area in space, at the same scale.
@@ -285,7 +299,7 @@ TEST(Division, does_its_best_for_all_of_the_square)
 {
   for (const Flat_mesh& m : { single_triangle(), tetrahedron(), legs() }) {
     Surface whole(m), divided(m);
-    const Atlas_summary before = atlas_parameterization(whole.mesh, whole.uv),
+    const Atlas_summary before = atlas_parameterization(whole.mesh, whole.uv, parameters::least_used_part(0.)),
                         after = atlas_parameterization(divided.mesh, divided.uv, parameters::least_used_part(1.));
     ASSERT_TRUE(before.is_ok() && after.is_ok());
     EXPECT_GE(after.used_part, before.used_part);

@@ -508,7 +508,7 @@ TEST(Program_atlas_options, that_need_one_chart_are_refused)
   for (const std::string arguments :
        { "--flat --components all", "--flat --cut auto", "--levels levels --components all", "--levels levels --cut auto",
          "--start in.off --components all", "--start in.off --cut auto", "--components some", "--cut some",
-         "--flat --least-used-part 0.7", "--least-used-part 1.5", "--least-used-part nan",
+         "--flat --least-used-part 0.7", "--cut none --least-used-part 0.7", "--least-used-part 1.5", "--least-used-part nan",
          "--flat --distortion-bound 5", "--cut none --distortion-bound 5", "--distortion-bound 3.9",
          "--distortion-bound nan", "--start in.off --overlap-bound 0.1", "--cut none --overlap-bound 0.1",
          "--overlap-bound -0.1", "--overlap-bound 1.1", "--overlap-bound nan", "--flat --sharp-angle 40",

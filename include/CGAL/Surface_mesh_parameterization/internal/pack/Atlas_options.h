@@ -22,7 +22,7 @@ struct Atlas_options
 {
   Cut_options cut;
   Pack_options pack;
-  double least_used_part = 0;       // of the square, by the charts; 0: they are not divided for it
+  double least_used_part = 0.25;    // of the square, by the charts; 0: they are not divided for it
   double overlap_bound = 0.2;       // the part of a chart that may lie over itself before the chart is divided
   double hole_bound = 0.1;          // of the length of a hole's border, by the root of the area; greater ones stay open
 
@@ -47,10 +47,10 @@ Atlas_options atlas_options_of(const NamedParameters& np)
   Atlas_options options;
   options.cut = cut_options_of(np);
   options.pack = pack_options_of(np);
-  options.least_used_part =
-      choose_parameter(get_parameter(np, internal_np::least_used_part), options.least_used_part);
-  const Bound overlap_bound = choose_parameter(get_parameter(np, internal_np::overlap_bound), Bound()),
+  const Bound least_used_part = choose_parameter(get_parameter(np, internal_np::least_used_part), Bound()),
+              overlap_bound = choose_parameter(get_parameter(np, internal_np::overlap_bound), Bound()),
               hole_bound = choose_parameter(get_parameter(np, internal_np::hole_bound), Bound());
+  options.least_used_part = least_used_part.value_or(options.least_used_part);
   options.overlap_bound = overlap_bound.value_or(options.overlap_bound);
   options.hole_bound = hole_bound.value_or(options.hole_bound);
   return options;
