@@ -3,6 +3,7 @@
 
 // Newton's method: the Hessian of a triangle, and steps of the whole map.
 
+#include "contacts.h"
 #include "exact_kernel.h"
 #include "hierarchies.h"
 #include "level_maps.h"
@@ -19,6 +20,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/corner_hessian.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/longest_step_of_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
@@ -323,6 +325,47 @@ TEST(Corner_hessian, that_lends_curvature_is_exact_down_to_half_the_scale)
     EXPECT_NEAR(h.to_v.xy(), d.hessian[1], 1e-9);
     EXPECT_NEAR(h.to_v.yy(), d.hessian[2], 1e-9);
   }
+}
+
+// The second derivative of the gradient along a direction, times the direction, is the third one of the energy.
+TYPED_TEST(Newton_of, knows_the_second_derivative_of_the_gradient)
+{
+  const Finest_level f(grid(9, 7, wavy));
+  const Level_energy_of<TypeParam> energy(f.level, Triangle_weight::AREA);
+  const Level::Uv uv = first_map(f.level);
+  Random random(3);
+  const Block_vectors direction = random_moves(uv.size(), random);
+  Block_vectors second(uv.size());
+  energy.differentiate_gradient_twice(uv, direction, 1e-4, second);
+  double third = 0;
+  for (Index v = 0; v < second.size(); ++v)
+    third += inner_product(second[v], direction[v]);
+  const double t = 1e-4;
+  const auto energy_at = [&](double s) { return energy(moved(uv, s, direction)); };
+  const double differences = (energy_at(2 * t) - 2 * energy_at(t) + 2 * energy_at(-t) - energy_at(-2 * t)) / (2 * t * t * t);
+  EXPECT_NEAR(third, differences, 1e-3 * std::abs(differences));
+}
+
+// A direction that turns a map stretches it; with the bend it goes along a circle.
+TYPED_TEST(Newton_of, bends_the_line_of_a_turn_to_a_circle)
+{
+  if (TypeParam::is_scale_invariant)
+    return;
+  const Finest_level f(grid(12, 9, flat));
+  const Level_energy_of<TypeParam> energy(f.level, Triangle_weight::AREA);
+  const Level::Uv uv = identity_map(f.level);
+  Block_vectors direction;
+  for (const Point_2& p : uv)
+    direction.emplace_back(-p.y(), p.x());
+  const Newton_options options;
+  Newton_system system(energy, options);
+  ASSERT_TRUE(system.assemble(uv, {}));
+  system.solve_for_bend(uv, direction, 0.01, { 1e-8, 0, 60 });
+  const Block_vectors bend = system.moves();
+  const double angle = 0.3, least = energy(uv), straight = energy(moved(uv, angle, direction)) - least,
+               bent = energy(moved(moved(uv, angle, direction), angle * angle, bend)) - least;
+  EXPECT_GT(straight, 0);
+  EXPECT_LT(std::abs(bent), 0.01 * straight);
 }
 
 } // namespace test_newton

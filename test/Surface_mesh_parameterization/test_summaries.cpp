@@ -76,12 +76,13 @@ TEST(Summary, tells_whether_the_run_has_converged)
 {
   constexpr double minimum_of_triangle = 2;
   int converged_runs = 0;
-  for (unsigned int seed = 0; seed < 40; ++seed) {
+  for (unsigned int seed = 0; seed < 10; ++seed) {
     SCOPED_TRACE(seed);
     Mapped_mesh mapped(half_collapsed_grid(12));
     const auto run = [&](bool from_map) {
       return mapped.parameterize(Hierarchical_parameterizer_3<MIPS>(
-          parameters::summary(std::ref(mapped.summary)).initial_map(from_map).random_seed(seed)));
+          parameters::summary(std::ref(mapped.summary)).initial_map(from_map).random_seed(seed)
+              .number_of_iterations(600)));
     };
     ASSERT_EQ(run(false), OK);
     if (!mapped.summary.converged)
@@ -92,7 +93,7 @@ TEST(Summary, tells_whether_the_run_has_converged)
     EXPECT_LT(energy - mapped.summary.energy, 0.01 * excess);
     ++converged_runs;
   }
-  EXPECT_GT(converged_runs, 0);
+  EXPECT_GT(converged_runs, 5);
 }
 
 // Stops at the given hierarchy, and counts what it is told after that.

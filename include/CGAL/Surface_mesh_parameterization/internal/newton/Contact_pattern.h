@@ -46,8 +46,9 @@ public:
     matrix.set_pattern(m_rings.number_of_vertices(), m_first.data(), m_columns.data());
   }
 
-  // The Hessian lacks the curvature of distances and angles themselves, which is indefinite. Instead the blocks on the
-  // diagonal get so much more: else steps are long along a contact, and the line search cuts them.
+  // The Hessian lacks the curvature of distances and angles themselves, which is indefinite. Instead it resists motions
+  // along a contact by this part of what it resists those across it: else steps are long there, and the line search
+  // cuts them. A contact that is moved as a whole is not resisted: where the map turns, that is far.
   static constexpr double damping = 0.05;
 
   // Adds the Hessian of the contacts' energies to the matrix of this pattern, whose blocks are those of the mesh as yet.
@@ -60,9 +61,11 @@ public:
         for (int j = 0; j < 3; ++j) {
           const Index v = c.vertices[i];
           const Block_vector &g = c.gradients[i], h = c.second * c.gradients[j];
-          const Block block(g.x * h.x, g.x * h.y, g.y * h.x, g.y * h.y);
+          const Block across(g.x * h.x, g.x * h.y, g.y * h.x, g.y * h.y),
+                      along(g.y * h.y, -g.y * h.x, -g.x * h.y, g.x * h.x);
+          const Block block = across + damping * along;
           if (i == j)
-            matrix.set_diagonal(v, matrix.unscaled_diagonal_block(v) + (1 + damping) * block);
+            matrix.set_diagonal(v, matrix.unscaled_diagonal_block(v) + block);
           else if (c.vertices[j] < v)
             matrix.block(v, c.vertices[j]) += block;
         }

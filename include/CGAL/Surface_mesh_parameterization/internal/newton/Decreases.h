@@ -50,6 +50,29 @@ private:
   std::size_t m_number_of_regular = 0;       // in a row
 };
 
+// Steps in a row that have not brought the energy below what it was before.
+class Lull
+{
+public:
+  explicit Lull(double energy) : m_least(energy) { }
+
+  // A step has led to `energy`; what it is lower by counts if it is more than `little`.
+  void add(double energy, double little)
+  {
+    if (energy < m_least - little) {
+      m_least = energy;
+      m_number_of_steps = 0;
+    } else
+      ++m_number_of_steps;
+  }
+
+  std::size_t number_of_steps() const { return m_number_of_steps; }
+
+private:
+  double m_least;
+  std::size_t m_number_of_steps = 0;
+};
+
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_DECREASES_H

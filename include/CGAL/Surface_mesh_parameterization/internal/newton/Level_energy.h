@@ -57,6 +57,11 @@ public:
   // see Jacobian_hessian.
   void assemble(const Level::Uv& uv, double indefinite_part, Block_vectors& gradient, Block_matrix& hessian) const;
 
+  // Writes the second derivative of the gradient at uv + t direction by t, at t = 0: by central differences of width
+  // `t`, which is less than that of a step along which triangles stay positive.
+  void differentiate_gradient_twice(const Level::Uv& uv, const Block_vectors& direction, double t,
+                                    Block_vectors& result) const;
+
   virtual std::unique_ptr<Vertex_relaxer> make_vertex_relaxer() const = 0;
 
 protected:
@@ -79,6 +84,9 @@ private:
 
   virtual void assemble_rows(Index begin, Index end, const Level::Uv& uv, double indefinite_part,
                              Block_vectors& gradient, Block_matrix& hessian) const = 0;
+
+  virtual void differentiate_rows_twice(Index begin, Index end, const Level::Uv& uv, const Block_vectors& direction,
+                                        double t, Block_vectors& result) const = 0;
 
   const Level& m_level;
   Triangle_weight m_weight;

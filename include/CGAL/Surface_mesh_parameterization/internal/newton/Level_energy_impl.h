@@ -40,6 +40,15 @@ void Level_energy::assemble(const Level::Uv& uv, double indefinite_part, Block_v
   });
 }
 
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void Level_energy::differentiate_gradient_twice(const Level::Uv& uv, const Block_vectors& direction, double t,
+                                                Block_vectors& result) const
+{
+  m_level.loops().for_each_block(0, Index(m_level.number_of_vertices()), [&](Index begin, Index end) {
+    differentiate_rows_twice(begin, end, uv, direction, t, result);
+  });
+}
+
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LEVEL_ENERGY_IMPL_H

@@ -98,6 +98,28 @@ private:
     }
   }
 
+  void differentiate_rows_twice(Index begin, Index end, const Level::Uv& uv, const Block_vectors& direction, double t,
+                                Block_vectors& result) const override
+  {
+    for (Index v = begin; v < end; ++v) {
+      level().prefetch_neighbors_after(v, uv);
+      const Level::Ring ring = level().one_ring(v);
+      const Rest_corners corners = level().rest_corners(v);
+      Block_vector sum(0, 0);
+      for (std::size_t i = 0; i < level().rings().number_of_triangles(v); ++i) {
+        const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+        const Rest_corner c = corners[i];
+        const auto gradient_at = [&, e = triangle_energy(c)](double s) {
+          const Block_vector da = s * (direction[a] - direction[v]), db = s * (direction[b] - direction[v]);
+          return corner_gradient(e, c, weight(c), uv[a] - uv[v] + Vector_2(da.x, da.y),
+                                 uv[b] - uv[v] + Vector_2(db.x, db.y));
+        };
+        sum += gradient_at(t) + gradient_at(-t) - 2 * gradient_at(0);
+      }
+      result[v] = sum / (t * t);
+    }
+  }
+
   // `row` is scratch.
   void assemble_row(Index v, const Level::Uv& uv, double indefinite_part, std::vector<Block>& row,
                     Block_vector& gradient, Block_matrix& hessian) const

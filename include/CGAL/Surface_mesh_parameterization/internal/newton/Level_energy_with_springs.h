@@ -96,6 +96,12 @@ private:
     }
   }
 
+  void differentiate_rows_twice(Index begin, Index end, const Level::Uv& uv, const Block_vectors& direction, double t,
+                                Block_vectors& result) const override
+  {
+    m_energy.differentiate_rows_twice(begin, end, uv, direction, t, result);     // springs are quadratic
+  }
+
   const Level_energy& m_energy;
   std::vector<Spring> m_springs;
 };

@@ -185,6 +185,7 @@ private:
     newton.fix_vertices(fixed_vertices(m_level));
     relaxation.set_turn_barrier(newton.turn_barrier());
     Decreases decreases(m_options.sudden_fall);
+    Lull lull(m_current);
     while (!m_is_stopped && iterations() < m_refinement.number_of_iterations && !m_summary.converged) {
       const double negligible =
           m_energy.is_flip_free() ? m_options.negligible_part * m_refinement.tolerance * excess() : 0;
@@ -200,8 +201,11 @@ private:
         sweep(relaxation);
       const double decrease = step.decrease + step.slack + (before_sweep - m_current);
       decreases.add(decrease, is_regular(step));
-      const bool has_arrived = !decreases.is_sudden() && (is_little(decrease, least_decrease) ||
-                                                          decreases.remainder() <= least_decrease * excess());
+      lull.add(m_current, little(least_decrease));
+      const bool is_at_rest = is_little(decrease, least_decrease) ||
+                              decreases.remainder() <= least_decrease * excess() ||
+                              (m_barrier && lull.number_of_steps() >= m_options.most_steps_without_fall),
+                 has_arrived = is_at_rest && !decreases.is_sudden();
       m_summary.converged = has_arrived && (has_barrier(newton) || !is_stuck(step, least_decrease));
       tell(part_done(decrease, least_decrease));
       if (has_arrived)

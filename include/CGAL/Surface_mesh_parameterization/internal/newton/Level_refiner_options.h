@@ -39,6 +39,9 @@ struct Level_refiner_options
   // Where borders are kept apart a step has to lower it by more than this part, whatever the tolerance is: they slide
   // along each other for long in the end, and gain less than what it costs to keep them apart.
   double least_decrease_with_barrier = 1e-4;
+  // There, too, so many steps in a row that do not lower the energy to less than ever are enough: they gain only what
+  // it costs to keep borders apart.
+  std::size_t most_steps_without_fall = 20;
   // On a surface that can be laid in the plane without distortion the excess has no bound from below. Less of it than
   // this part of the energy is not looked at closer.
   double least_excess = 1e-4;

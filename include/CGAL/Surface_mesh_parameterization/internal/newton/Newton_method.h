@@ -149,8 +149,12 @@ private:
       m_barrier->add_contacts(uv, m_contacts);
       energy += (*m_barrier)(uv);
     }
-    if (find_direction(uv, result))
-      search_line(uv, m_system.moves(), energy, -2 * result.predicted, result);
+    if (find_direction(uv, result)) {
+      const double slope = -2 * result.predicted;
+      search_line(uv, m_system.moves(), energy, slope, result);
+      if (is_worth_bending(result))
+        bend_step(uv, energy, slope, result);
+    }
     return result;
   }
 
@@ -246,6 +250,44 @@ private:
       uv.swap(trial);
       result.decrease = decrease;
       result.length *= 2;
+    }
+  }
+
+  // A part of the map that turns moves along circles, and what turns along straight lines is stretched: where long parts
+  // turn, this cuts steps short. An energy that scales do not change hardly minds.
+  bool is_worth_bending(const Step& step) const
+  {
+    return step.length < 1 && step.cycles >= m_options.least_cycles_before_bend && m_energy.is_flip_free() &&
+           !m_energy.is_scale_invariant();
+  }
+
+  // Replaces a step along a line by one along a parabola, if there is a longer one that lowers the energy more.
+  // Source: Transtrum, Sethna, Improvements to the Levenberg-Marquardt algorithm for nonlinear least-squares
+  // minimization, 2012 (geodesic acceleration).
+  void bend_step(Level::Uv& uv, double energy, double slope, Step& result)
+  {
+    const Block_vectors direction = m_system.moves();
+    if (result.length == 0)
+      m_trial = uv;
+    const Level::Uv& start = m_trial;
+    const double t = m_options.difference_for_bend * (std::min)(1., longest_step(start, direction));
+    const Newton_system::Accuracy accuracy = { m_accuracy.forcing, 0, m_options.most_cycles_of_bend };
+    result.cycles += m_system.solve_for_bend(start, direction, t, accuracy);
+    const Block_vectors& bend = m_system.moves();
+    Level::Uv trial(uv.size());
+    for (double length = 1; length > (std::max)(result.length, std::exp2(-m_options.most_halvings)); length *= 0.5) {
+      m_level.for_each_vertex([&](Index v) {
+        const Block_vector move = length * (direction[v] + length * bend[v]);
+        trial[v] = start[v] + Vector_2(move.x, move.y);
+      });
+      const double decrease = energy - objective(trial);
+      if (decrease > (std::max)(result.decrease, -m_options.sufficient_decrease * length * slope) &&
+          is_valid(start, trial)) {
+        uv.swap(trial);
+        result.decrease = decrease;
+        result.length = length;
+        return;
+      }
     }
   }
 

@@ -43,6 +43,10 @@ struct Newton_options
   // One that lowers it by more than this part has not gone far enough, where borders are kept apart.
   double good_part_of_prediction = 1.2;
   int most_halvings = 12;
+  // A step that was cut short, and whose direction took so many cycles, is bent. That takes up to so many cycles more,
+  // and a difference of this part of the step or of the way to the first triangle that vanishes.
+  std::size_t least_cycles_before_bend = 12, most_cycles_of_bend = 3;
+  double difference_for_bend = 0.01;
 
   // Of the barrier that keeps borders apart, relative to the mean weight of a triangle.
   double barrier_stiffness = 0.3;

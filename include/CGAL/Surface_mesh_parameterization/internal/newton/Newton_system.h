@@ -113,6 +113,17 @@ public:
     return cycles;
   }
 
+  // Finds half of the second derivative by t of the path that leads from `uv` down the valley of the model's minima,
+  // and begins with the direction that solve() found.
+  std::size_t solve_for_bend(const Level::Uv& uv, const Block_vectors& direction, double t, const Accuracy& accuracy)
+  {
+    m_energy.differentiate_gradient_twice(uv, direction, t, m_residual);
+    for (const Index v : m_fixed)
+      m_residual[v] = Block_vector(0, 0);
+    for_each_vertex([&](Index v) { m_residual[v] *= -0.5 * m_multigrid.matrix().scale[v]; });
+    return solve_for_residual(accuracy);
+  }
+
   // Makes the last solution that of solve() the best for the model among all combinations of it and the step that led
   // from `previous` to `uv`, as nonlinear conjugate gradients do: where the cycle is weak, in almost conformal
   // changes of an almost conformal map, this saves more than half of the steps.

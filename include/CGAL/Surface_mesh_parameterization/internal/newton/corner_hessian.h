@@ -177,22 +177,49 @@ private:
   }
 };
 
-// `va` and `vb` lead from V to A and B. The part `indefinite_part` of what makes the Hessian indefinite is kept.
+// The Jacobian of a triangle's map, with z and w as above. `va` and `vb` lead from V to A and B.
+struct Corner_jacobian
+{
+  // Gradients of the hat functions with V over the edge AB, which lies on the axis: V's is (0, g), B's is (bx, by), A's
+  // minus their sum.
+  double g, bx, by;
+  double zx, zy, wx, wy, determinant;
+
+  Corner_jacobian(const Rest_corner& corner, const Vector_2& va, const Vector_2& vb)
+  {
+    const double inverse_base = std::sqrt(0.5 * corner.height * corner.inverse_area);
+    g = inverse_base / corner.height;
+    bx = inverse_base;
+    by = -corner.foot * g;
+    const double ax = -bx, ay = -by - g;
+    zx = 0.5 * (va.x() * ax + va.y() * ay + vb.x() * bx + vb.y() * by);
+    zy = 0.5 * (va.y() * ax - va.x() * ay + vb.y() * bx - vb.x() * by);
+    wx = 0.5 * (va.x() * ax - va.y() * ay + vb.x() * bx - vb.y() * by);
+    wy = 0.5 * (va.y() * ax + va.x() * ay + vb.y() * bx + vb.x() * by);
+    determinant = 0.5 * corner.inverse_area * cross(va, vb);
+  }
+};
+
+// The gradient for V.
 // Precondition: the triangle is positive, or the energy takes others too.
+template <class Energy>
+Block_vector corner_gradient(const Energy& energy, const Rest_corner& corner, double weight, const Vector_2& va,
+                             const Vector_2& vb)
+{
+  const Corner_jacobian j(corner, va, vb);
+  const double a = j.zx * j.zx + j.zy * j.zy, b = j.wx * j.wx + j.wy * j.wy;
+  const Distortion_derivatives_2 e = energy.derivatives(2 * (a + b), j.determinant);
+  const double e_a = 2 * e.f + e.d, e_b = 2 * e.f - e.d;
+  return weight * j.g * Block_vector(e_b * j.wy - e_a * j.zy, e_a * j.zx - e_b * j.wx);
+}
+
+// The part `indefinite_part` of what makes the Hessian indefinite is kept.
+// Precondition: as above.
 template <class Energy>
 Corner_hessian corner_hessian(const Energy& energy, const Rest_corner& corner, double weight, const Vector_2& va,
                               const Vector_2& vb, double indefinite_part = 0)
 {
-  // Gradients of the hat functions with V over the edge AB, which lies on the axis: V's is (0, g), B's is (bx, by), A's
-  // minus their sum.
-  const double inverse_base = std::sqrt(0.5 * corner.height * corner.inverse_area);
-  const double g = inverse_base / corner.height, bx = inverse_base, by = -corner.foot * g, ax = -bx, ay = -by - g;
-
-  const double zx = 0.5 * (va.x() * ax + va.y() * ay + vb.x() * bx + vb.y() * by),
-               zy = 0.5 * (va.y() * ax - va.x() * ay + vb.y() * bx - vb.x() * by);
-  const double wx = 0.5 * (va.x() * ax - va.y() * ay + vb.x() * bx - vb.y() * by),
-               wy = 0.5 * (va.y() * ax + va.x() * ay + vb.y() * bx + vb.x() * by);
-  const double determinant = 0.5 * corner.inverse_area * cross(va, vb);
+  const auto [g, bx, by, zx, zy, wx, wy, determinant] = Corner_jacobian(corner, va, vb);
   const Jacobian_hessian h = Jacobian_hessian::of(energy, zx, zy, wx, wy, determinant, indefinite_part);
 
   // A move (x, y) of V changes z and w by g (y, -x) / 2 and g (-y, x) / 2; one of B by conj(G) (x + iy) / 2 and G (x +
