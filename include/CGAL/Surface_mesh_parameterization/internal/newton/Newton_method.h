@@ -7,16 +7,14 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/Turn_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Guarded_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/longest_step_of_triangles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -40,7 +38,7 @@ public:
   // `barrier`, if there is one, keeps the borders apart; its energy is minimized along with the level's.
   explicit Newton_method(const Level_energy& energy, Border_barrier* barrier = nullptr,
                          const Newton_options& options = Newton_options())
-    : m_energy(energy), m_level(energy.level()), m_options(options), m_barrier(barrier), m_turn_barrier(energy.level()),
+    : m_energy(energy), m_level(energy.level()), m_options(options), m_objective(energy, barrier),
       m_system(energy, m_options),
       m_accuracy{ energy.is_flip_free() ? m_options.greatest_forcing : m_options.forcing_with_flips, 0,
                   m_options.most_cycles_after_short_step }
@@ -48,7 +46,7 @@ public:
     m_system.set_indefinite_part(m_energy.is_flip_free() ? 0 : first_indefinite_part());
   }
 
-  const Turn_barrier& turn_barrier() const { return m_turn_barrier; }
+  const Turn_barrier& turn_barrier() const { return m_objective.turn_barrier(); }
 
   // Lets no step move the given vertices, see Newton_system.
   void fix_vertices(std::vector<Index> vertices) { m_system.fix_vertices(std::move(vertices)); }
@@ -58,8 +56,8 @@ public:
   {
     m_accuracy.negligible = negligible;
     Step result = try_step(uv, energy);
-    if (result.length == 0 && m_lost_gaps > 0 && lets_gaps_close()) {
-      m_turn_barrier.set_stiffness(m_options.first_slack * result.predicted / double(m_lost_gaps));
+    if (result.length == 0 && m_objective.lost_gaps() > 0 && m_objective.lets_gaps_close()) {
+      m_objective.set_stiffness_of_turns(m_options.first_slack * result.predicted / double(m_objective.lost_gaps()));
       result = try_step(uv, energy);
     }
     if (result.length == 0 && m_system.indefinite_part() > 0) {
@@ -86,7 +84,7 @@ public:
       return result;
     m_trial.resize(uv.size());
     go(uv, 1, m_system.moves(), m_trial);
-    if (m_energy(m_trial) <= m_energy(uv) + rounding && is_valid(uv, m_trial)) {
+    if (m_energy(m_trial) <= m_energy(uv) + rounding && m_objective.is_valid(uv, m_trial)) {
       uv.swap(m_trial);
       result.length = 1;
     }
@@ -123,32 +121,22 @@ private:
       m_system.set_indefinite_part(first_indefinite_part());
   }
 
-  // Whether nothing holds back a step that turns too far. Borders that are kept apart do.
-  bool lets_gaps_close() const { return !m_barrier && m_turn_barrier.stiffness() == 0; }
-
   // Where the map is as good as it gets with the barrier, a lower one serves.
   void lower_turn_barrier(Step& step)
   {
-    if (m_turn_barrier.stiffness() == 0)
+    const double stiffness = turn_barrier().stiffness();
+    if (stiffness == 0)
       return;
     if (step.length > 0)
-      step.slack = m_turn_barrier.stiffness() * double(m_contacts.size());
+      step.slack = stiffness * double(m_objective.contacts().size());
     if (step.predicted < step.slack)
-      m_turn_barrier.set_stiffness(m_options.decrease_of_slack * m_turn_barrier.stiffness());
+      m_objective.set_stiffness_of_turns(m_options.decrease_of_slack * stiffness);
   }
 
   Step try_step(Level::Uv& uv, double energy)
   {
     Step result;
-    m_lost_gaps = 0;
-    m_contacts.clear();
-    m_turn_barrier.add_contacts(uv, m_contacts);
-    energy += m_turn_barrier(uv);
-    if (m_barrier) {
-      m_barrier->set_gaps(uv);
-      m_barrier->add_contacts(uv, m_contacts);
-      energy += (*m_barrier)(uv);
-    }
+    energy += m_objective.find_contacts(uv);
     if (find_direction(uv, result)) {
       const double slope = -2 * result.predicted;
       search_line(uv, m_system.moves(), energy, slope, result);
@@ -161,7 +149,7 @@ private:
   // Computes the moves of a step, and what the model promises. Returns whether they lower the energy.
   bool find_direction(const Level::Uv& uv, Step& result)
   {
-    if (!m_system.assemble(uv, m_contacts)) {
+    if (!m_system.assemble(uv, m_objective.contacts())) {
       result.missed = m_system.decrease_by_relaxation();
       return false;
     }
@@ -174,48 +162,29 @@ private:
     return result.predicted > 0;
   }
 
-  // The energy that steps lower.
-  double objective(const Level::Uv& uv) const
-  {
-    return m_energy(uv) + m_turn_barrier(uv) + (m_barrier ? (*m_barrier)(uv) : 0);
-  }
-
-  // The least t > 0 at which a triangle, a gap or a distance that is kept vanishes on the way to uv + t direction.
-  double longest_step(const Level::Uv& uv, const Block_vectors& direction) const
-  {
-    double result = (std::numeric_limits<double>::infinity)();
-    if (m_energy.is_flip_free())
-      result = longest_step_of_triangles(m_level, uv, direction);
-    if (m_turn_barrier.stiffness() > 0)
-      result = (std::min)(result, m_turn_barrier.longest_step(uv, direction));
-    if (m_barrier)
-      result = (std::min)(result, m_barrier->longest_step(uv, direction));
-    return result;
-  }
-
   // Halves the step until the energy falls and the map is valid. Ends early at a trial that fails only by the angles at
   // the border, while no barrier holds them.
   void search_line(Level::Uv& uv, const Block_vectors& direction, double energy, double slope, Step& result)
   {
-    const double longest = m_options.part_of_longest_step * longest_step(uv, direction);
+    const double longest = m_options.part_of_longest_step * m_objective.longest_step(uv, direction);
     double length = (std::min)(1., longest);
     m_trial.resize(uv.size());
     for (int i = 0; i < m_options.most_halvings; ++i, length *= 0.5) {
       go(uv, length, direction, m_trial);
-      const double decrease = energy - objective(m_trial);
+      const double decrease = energy - m_objective(m_trial);
       if (!(decrease > -m_options.sufficient_decrease * length * slope))
         continue;
-      if (is_valid(uv, m_trial)) {
+      if (m_objective.is_valid(uv, m_trial)) {
         uv.swap(m_trial);
         result.decrease = decrease;
         result.length = length;
         if (!(decrease > m_options.poor_part_of_prediction * -0.5 * length * slope))
           shorten_step(uv, direction, energy, slope, result);
-        else if (m_barrier)
+        else if (m_objective.has_border_barrier())
           lengthen_step(uv, direction, energy, slope, longest, result);
         return;
       }
-      if (m_lost_gaps > 0 && lets_gaps_close())
+      if (m_objective.lost_gaps() > 0 && m_objective.lets_gaps_close())
         return;
     }
   }
@@ -227,8 +196,8 @@ private:
     const double promise = -result.length * slope, length = 0.5 * result.length * promise / (promise - result.decrease);
     Level::Uv trial(uv.size());
     go(m_trial, length, direction, trial);
-    const double decrease = energy - objective(trial);
-    if (decrease > result.decrease && is_valid(m_trial, trial)) {
+    const double decrease = energy - m_objective(trial);
+    if (decrease > result.decrease && m_objective.is_valid(m_trial, trial)) {
       uv.swap(trial);
       result.decrease = decrease;
       result.length = length;
@@ -244,8 +213,8 @@ private:
     while (2 * result.length <= longest &&
            result.decrease > m_options.good_part_of_prediction * -0.5 * result.length * slope) {
       go(m_trial, 2 * result.length, direction, trial);
-      const double decrease = energy - objective(trial);
-      if (!(decrease > result.decrease) || !is_valid(m_trial, trial))
+      const double decrease = energy - m_objective(trial);
+      if (!(decrease > result.decrease) || !m_objective.is_valid(m_trial, trial))
         return;
       uv.swap(trial);
       result.decrease = decrease;
@@ -270,7 +239,7 @@ private:
     if (result.length == 0)
       m_trial = uv;
     const Level::Uv& start = m_trial;
-    const double t = m_options.difference_for_bend * (std::min)(1., longest_step(start, direction));
+    const double t = m_options.difference_for_bend * (std::min)(1., m_objective.longest_step(start, direction));
     const Newton_system::Accuracy accuracy = { m_accuracy.forcing, 0, m_options.most_cycles_of_bend };
     result.cycles += m_system.solve_for_bend(start, direction, t, accuracy);
     const Block_vectors& bend = m_system.moves();
@@ -280,9 +249,9 @@ private:
         const Block_vector move = length * (direction[v] + length * bend[v]);
         trial[v] = start[v] + Vector_2(move.x, move.y);
       });
-      const double decrease = energy - objective(trial);
+      const double decrease = energy - m_objective(trial);
       if (decrease > (std::max)(result.decrease, -m_options.sufficient_decrease * length * slope) &&
-          is_valid(start, trial)) {
+          m_objective.is_valid(start, trial)) {
         uv.swap(trial);
         result.decrease = decrease;
         result.length = length;
@@ -297,23 +266,10 @@ private:
         [&](Index v) { end[v] = start[v] + Vector_2(length * direction[v].x, length * direction[v].y); });
   }
 
-  // Whether the map to which a step leads is valid.
-  bool is_valid(const Level::Uv& start, const Level::Uv& end)
-  {
-    if (!m_energy.is_flip_free())
-      return true;
-    m_lost_gaps = m_turn_barrier.number_of_lost_gaps(start, end);
-    return m_lost_gaps == 0 && is_map_valid(m_level.rings(), end, m_level.loops()) &&
-           (!m_barrier || m_barrier->keeps_apart(end));
-  }
-
   const Level_energy& m_energy;
   const Level& m_level;
   Newton_options m_options;
-  Border_barrier* m_barrier;
-  Turn_barrier m_turn_barrier;
-  Contacts m_contacts;
-  std::size_t m_lost_gaps = 0;      // by the last step that was tried
+  Guarded_energy m_objective;
   Newton_system m_system;
   Newton_system::Accuracy m_accuracy;
   Level::Uv m_trial;
