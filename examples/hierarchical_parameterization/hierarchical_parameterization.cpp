@@ -163,7 +163,7 @@ void write_files(const Options& options, const std::string& file, Input& input)
   Output_files files;
   std::size_t spoilt_triangles = 0;
   if (!options.output.empty())
-    spoilt_triangles = write_mesh(files, name_for_input(options.output, file), input);
+    spoilt_triangles = write_mesh(files, name_for_input(options.output, file), options.is_output_binary, input);
   if (!options.picture.empty())
     write_picture(files, name_for_input(options.picture, file), input);
   files.commit();

@@ -6,6 +6,7 @@
 #include "options.h"
 
 #include "errors.h"
+#include "has_suffix.h"
 #include "name_for_input.h"
 
 #include <CGAL/version.h>
@@ -58,6 +59,8 @@ po::options_description describe_options(Options& options, Words& words, Numbers
   add("output", po::value(&options.output),
       "write the mesh with its map as OBJ, PLY or binary glTF (.glb); as OBJ if the name has no ending. PLY has the "
       "vertex properties u and v, or the list texcoord of each face if corners of a vertex may have several places");
+  add("binary", po::bool_switch(&options.is_output_binary),
+      "write PLY in binary: two fifths shorter, in a third of the time. Then texcoord is a list of doubles");
   add("components", po::value(&words.components),
       "all (default): lay out every component, and pack the charts into the unit square; or largest: the one with the "
       "most faces. The default is largest with --flat, --levels, --start and --hold, which take one chart");
@@ -261,6 +264,8 @@ void check_several_inputs(const Options& options)
 // What does not go together.
 void check_options(const Options& options)
 {
+  if (options.is_output_binary && !has_suffix(options.output, ".ply"))
+    throw Usage_error{ "--binary: only an --output whose name ends in .ply can be binary" };
   if (!(options.tolerance >= 0))
     throw Usage_error{ "--tolerance: a number that is not negative expected" };
   if (options.is_globally_injective && !options.method->is_flip_free)

@@ -17,6 +17,7 @@ struct Options : Method_options, Input_options
   std::vector<std::string> inputs;
   const Method* method;
   std::string output, picture;      // see name_for_input()
+  bool is_output_binary;            // if it is PLY
   std::string report;
   int threads;
 };

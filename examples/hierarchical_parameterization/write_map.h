@@ -12,9 +12,9 @@
 class Output_files;
 struct Input;
 
-// Writes the mesh with its map: as PLY or glTF if the name says so, otherwise as OBJ. Returns how many triangles of the
-// map the rounding to floats has spoilt, in glTF.
-std::size_t write_mesh(Output_files& files, const std::string& name, Input& input);
+// Writes the mesh with its map: as PLY, which may be binary, or as glTF if the name says so, otherwise as OBJ. Returns
+// how many triangles of the map the rounding to floats has spoilt, in glTF.
+std::size_t write_mesh(Output_files& files, const std::string& name, bool is_binary, Input& input);
 
 // Draws the map as SVG.
 void write_picture(Output_files& files, const std::string& name, const Input& input);

@@ -107,6 +107,59 @@ inline Mapped_mesh read_PLY(const std::string& content)
   return m;
 }
 
+// Takes numbers from bytes in the order of this machine.
+class Byte_reader
+{
+public:
+  Byte_reader(const std::string& content, std::size_t begin) : m_content(content), m_at(begin) { }
+
+  template <class Number>
+  Number number()
+  {
+    Number result = 0;
+    EXPECT_LE(m_at + sizeof result, m_content.size());
+    if (m_at + sizeof result <= m_content.size())
+      std::memcpy(&result, m_content.data() + m_at, sizeof result);
+    m_at += sizeof result;
+    return result;
+  }
+
+  bool is_at_end() const { return m_at == m_content.size(); }
+
+private:
+  const std::string& m_content;
+  std::size_t m_at;
+};
+
+inline Mapped_mesh read_binary_PLY(const std::string& content, std::size_t number_of_vertices, std::size_t number_of_faces)
+{
+  const std::string end_of_header = "property list uchar double texcoord\nend_header\n";
+  const std::size_t header = content.find(end_of_header);
+  EXPECT_NE(header, std::string::npos);
+  EXPECT_EQ(content.find("ply\nformat binary_"), 0u);
+  Byte_reader bytes(content, header + end_of_header.size());
+  Mapped_mesh m;
+  for (std::size_t v = 0; v < number_of_vertices; ++v)
+    for (double& coordinate : m.points.emplace_back())
+      coordinate = bytes.number<double>();
+  for (std::size_t f = 0; f < number_of_faces; ++f) {
+    EXPECT_EQ(bytes.number<std::uint8_t>(), 3);
+    for (long& v : m.polygons.emplace_back(3))
+      v = bytes.number<std::int32_t>();
+    m.places.emplace_back();
+    if (const int size = bytes.number<std::uint8_t>(); size != 0) {
+      EXPECT_EQ(size, 6);
+      m.places.back().emplace();
+      for (Point_2& p : *m.places.back()) {
+        const double u = bytes.number<double>(), v = bytes.number<double>();
+        p = Point_2(u, v);
+      }
+    }
+  }
+  EXPECT_TRUE(bytes.is_at_end());
+  return m;
+}
+
 // Binary glTF 2.0, whose chunks and accessors are checked. The polygons are those of all primitives, in their order.
 class GLB
 {

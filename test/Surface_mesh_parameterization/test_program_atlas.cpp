@@ -305,6 +305,11 @@ TEST_P(Program_atlas, is_the_same_in_all_formats)
   const Mapped_mesh ply = read_PLY(runs.content("map.ply"));
   expect_same_mesh(ply, surface().mesh);
   EXPECT_EQ(ply.places, map.places);
+  ASSERT_EQ(runs.run("in.off" + method() + "--output map.ply --binary"), good);
+  const Mapped_mesh binary =
+      read_binary_PLY(runs.content("map.ply"), surface().mesh.points.size(), surface().mesh.polygons.size());
+  expect_same_mesh(binary, surface().mesh);
+  EXPECT_EQ(binary.places, map.places);
   if (can_write_GLB()) {
     ASSERT_EQ(runs.run("in.off" + method() + "--output map.glb"), good);
     expect_GLB(runs.content("map.glb"), map);
@@ -649,6 +654,27 @@ TEST(Program_atlas_options, pack_one_chart)
   ASSERT_EQ(runs.run("in.off --least-used-part 0.5 --output map.obj --report report.json"), good);
   EXPECT_GE(runs.report().at("atlas").at("used_part"), 0.5);
   expect_one_to_one(read_OBJ(runs.content("map.obj")));
+}
+
+// A binary map serves as a start like the same in text.
+TEST(Program_PLY, in_binary_holds_the_map_of_one_chart)
+{
+  const Runs runs(patch());
+  ASSERT_EQ(runs.run("in.off --output text.ply"), good);
+  ASSERT_EQ(runs.run("in.off --output binary.ply --binary"), good);
+  EXPECT_LT(runs.content("binary.ply").size(), runs.content("text.ply").size());
+  ASSERT_EQ(runs.run("in.off --start text.ply --output from_text.obj"), good);
+  ASSERT_EQ(runs.run("binary.ply --start binary.ply --output from_binary.obj"), good);
+  EXPECT_EQ(runs.content("from_binary.obj"), runs.content("from_text.obj"));
+}
+
+TEST(Program_PLY, alone_can_be_binary)
+{
+  const Runs runs(patch());
+  for (const std::string arguments : { "--binary", "--binary --output map.obj", "--binary --output map.glb" }) {
+    EXPECT_EQ(runs.run("in.off " + arguments), 1) << arguments;
+    EXPECT_NE(runs.error().find("--binary"), std::string::npos);
+  }
 }
 
 TEST(Program_atlas_options, hold_for_each_of_several_inputs)
