@@ -143,6 +143,38 @@ TEST(Multigrid_solver_traits, feels_no_scale)
   }
 }
 
+// The system with its rows negated, but for those that give a value.
+Known_system negative(const Known_system& system)
+{
+  Known_system result = system;
+  const auto rows = system.matrix.rows();
+  for (Index i = 0; i < rows->number_of_rows(); ++i)
+    if (rows->first[i + 1] - rows->first[i] > 1) {
+      result.right_side[i] *= -1;
+      for (Index k = rows->first[i]; k < rows->first[i + 1]; ++k)
+        result.matrix.set_coef(i, rows->columns[k], -rows->values[k]);
+    }
+  return result;
+}
+
+// Which many assemble from a Laplacian matrix.
+TEST(Multigrid_solver_traits, solves_the_negative_of_a_system_in_the_same_way)
+{
+  const Flat_mesh m = grid(30, 30, wavy);
+  for (Sparse_matrix matrix :
+       { edge_matrix(m, Uniform_edge_weights_3()), edge_matrix(m, Mean_value_edge_weights_3()) }) {
+    const Known_system system(std::move(matrix)), negated = negative(system);
+    Solver_on_mesh on(m), on_negated(m);
+    Vector x, x_of_negated;
+    double d;
+    EXPECT_TRUE(on.solver.linear_solver(system.matrix, system.right_side, x, d));
+    EXPECT_TRUE(on_negated.solver.linear_solver(negated.matrix, negated.right_side, x_of_negated, d));
+    EXPECT_EQ(x.values(), x_of_negated.values());
+    EXPECT_EQ(on.solver.summary().iterations, on_negated.solver.summary().iterations);
+    EXPECT_EQ(on_negated.solver.summary().direct_solutions, 0u);
+  }
+}
+
 TEST(Multigrid_solver_traits, factor_keeps_the_matrix_for_several_right_sides)
 {
   const Flat_mesh m = grid(20, 20, wavy);
@@ -633,6 +665,32 @@ TEST(Deferred_solution, tells_at_the_end_that_it_could_not_be_found)
     }
   }
   EXPECT_FALSE(d.session->finish());
+}
+
+// ---- what is not for multigrid ----
+
+TEST(Multigrid_session, finds_the_negative_of_a_matrix_no_wilder)
+{
+  internal::Linear_solver_options options;
+  options.greatest_row_sum = 2;
+  Deferring d(options);
+  const auto is_solved_directly = [&d](const Known_system& system) {
+    const std::size_t before = d.session->summary().direct_solutions;
+    Vector x;
+    EXPECT_TRUE(d.session->solve(system.matrix, system.right_side, x));
+    EXPECT_LT(system.error(x), 1e-7);
+    return d.session->summary().direct_solutions > before;
+  };
+  EXPECT_FALSE(is_solved_directly(d.system));
+  EXPECT_FALSE(is_solved_directly(negative(d.system)));
+
+  Sparse_matrix wild = d.system.matrix;       // indefinite
+  for (int i = 0; i < wild.row_dimension(); ++i)
+    if (i % 2 == 0)
+      wild.add_coef(i, i, -0.6 * wild.get_coef(i, i));
+  const Known_system wild_system(wild);
+  EXPECT_TRUE(is_solved_directly(wild_system));
+  EXPECT_TRUE(is_solved_directly(negative(wild_system)));
 }
 
 // ---- users ----

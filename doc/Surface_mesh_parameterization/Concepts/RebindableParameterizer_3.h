@@ -20,9 +20,9 @@
 /// - are solved by `linear_solver(A, B, X, D)`, or by `factor(A, D)` and `linear_solver(B, X)`. If one of these returns
 ///   `false`, `X` is unchanged.
 ///
-/// The matrix need not be symmetric. The solver sets up a matrix once for all right-hand sides. The same requirements
-/// hold for systems that are passed to a `Multigrid_solver_traits` without the adaptor, which knows no other order than
-/// that of its index map.
+/// The matrix need not be symmetric. A system and its negative, -A x = -b, are solved in the same way. The solver sets
+/// up a matrix once for all right-hand sides. The same requirements hold for systems that are passed to a
+/// `Multigrid_solver_traits` without the adaptor, which knows no other order than that of its index map.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Barycentric_mapping_parameterizer_3`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Discrete_authalic_parameterizer_3`

@@ -25,6 +25,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // An unknown whose row holds nothing but the diagonal is *fixed*: its value is known at once, and the free ones only
 // are unknowns of the grids, where such a row would spoil the Galerkin operators. The rows of a matrix that is not
 // symmetric are scaled to unit diagonal: those of mean value weights, for instance, grow like one over the edge length.
+// Those of a symmetric one change their signs if most diagonals are negative: many assemble -L x = -b, and conjugate
+// gradients need a positive definite matrix.
 class Mesh_system
 {
 public:
@@ -157,13 +159,14 @@ public:
   }
 
 private:
-  double row_scale(Index i) const { return m_is_symmetric ? 1. : m_inverse_diagonal[i]; }
+  double row_scale(Index i) const { return m_is_symmetric ? m_sign : m_inverse_diagonal[i]; }
 
   void read_rows()
   {
     constexpr double rounding = 1e-6;
     m_inverse_diagonal.assign(size(), 1);      // of a row that cannot be scaled by its diagonal
     m_is_fixed.assign(size(), true);
+    double sum_of_signs = 0;
     for (Index i = 0; i < size(); ++i) {
       double inverse = 0, others = 0;
       m_rows->for_each_entry(i, [&](Index column, double value) {
@@ -179,7 +182,9 @@ private:
         m_inverse_diagonal[i] = inverse;
       else
         m_is_regular = false;
+      sum_of_signs += m_is_fixed[i] ? 0 : std::copysign(1., inverse);
     }
+    m_sign = sum_of_signs < 0 ? -1 : 1;
   }
 
   // The entries below the diagonal of a row are met in their order when the rows above it are gone through. One without
@@ -242,6 +247,7 @@ private:
   std::vector<bool> m_is_fixed;
   std::vector<Index> m_free;
   double m_free_part_scale = 1;
+  double m_sign = 1;        // of most diagonals of free unknowns
   bool m_is_regular = true, m_is_symmetric = false, m_is_diagonally_dominant = true;
 };
 

@@ -85,13 +85,13 @@ bool Multigrid_session::set_up(const Sparse_matrix& matrix, const std::vector<In
 }
 
 // Where many rows are far from diagonally dominant, as those of authalic weights may be, the matrix is indefinite, and
-// iterations arrive late or never.
+// iterations arrive late or never. A matrix suits as well as its negative.
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::suits_multigrid(const Sparse_rows<double>& rows) const
 {
   if (m_options.greatest_row_sum == (std::numeric_limits<double>::infinity)())
     return true;
-  std::size_t wild_rows = 0;
+  std::size_t wild_rows = 0, wild_rows_of_negative = 0;
   for (Index i = 0; i < rows.number_of_rows(); ++i) {
     double diagonal = 0, sum = 0;
     rows.for_each_entry(i, [&](Index column, double value) {
@@ -101,8 +101,9 @@ bool Multigrid_session::suits_multigrid(const Sparse_rows<double>& rows) const
         sum += std::abs(value);
     });
     wild_rows += sum != 0 && !(sum <= m_options.greatest_row_sum * diagonal);
+    wild_rows_of_negative += sum != 0 && !(sum <= -m_options.greatest_row_sum * diagonal);
   }
-  return wild_rows <= m_options.most_wild_rows;
+  return (std::min)(wild_rows, wild_rows_of_negative) <= m_options.most_wild_rows;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
