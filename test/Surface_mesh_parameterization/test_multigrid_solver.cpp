@@ -326,6 +326,29 @@ TEST(Multigrid_solver_traits, fails_with_a_singular_matrix_and_leaves_the_soluti
   expect_failure([&](Vector& x) { return on.solver.linear_solver(system.matrix, system.right_side, x, d); });
 }
 
+// Of a Laplacian matrix whose values are given nowhere, a right side must have the sum 0.
+TEST(Multigrid_solver_traits, fails_where_there_is_no_solution)
+{
+  for (const Flat_mesh& m : { grid(3, 3, wavy), grid(30, 30, wavy), delaunay_patch(2000, 1, wavy) }) {
+    const std::size_t n = m.points.size();
+    Sparse_matrix laplacian(n);
+    for (const auto& t : m.triangles)
+      for (int i = 0; i < 3; ++i) {
+        laplacian.add_coef(t[i], t[i], 2);
+        laplacian.add_coef(t[i], t[(i + 1) % 3], -1);
+        laplacian.add_coef(t[(i + 1) % 3], t[i], -1);
+      }
+    Vector b(n);
+    Random random(5);
+    for (std::size_t i = 0; i < n; ++i)
+      b[i] = random(-1, 2);
+    Solver_on_mesh on(m);
+    double d;
+    expect_failure([&](Vector& x) { return on.solver.linear_solver(laplacian, b, x, d); });
+    EXPECT_EQ(on.solver.summary().failures, 1u);
+  }
+}
+
 TEST(Multigrid_solver_traits, tells_when_the_direct_solver_took_over)
 {
   const Flat_mesh m = delaunay_patch(2000, 1, wavy);
@@ -380,6 +403,29 @@ TEST(Multigrid_solver_traits, solves_directly_what_has_0_on_the_diagonal)
     for (int i = 0; i < 3; ++i)
       EXPECT_NEAR(found[i], x[i], 1e-14);
   }
+}
+
+// Such a diagonal must not scale its row. The third row says that two unknowns are equal.
+TEST(Multigrid_solver_traits, solves_directly_what_has_next_to_nothing_on_the_diagonal)
+{
+  for (const double nothing : { 0., 1e-12, -1e-18, 1e-100 })
+    for (const double scale : { 1., 1e-150, 1e150 }) {
+      internal::Sparse_matrix a(3);
+      a.set_coef(0, 0, 2, true);
+      a.set_coef(0, 2, 1, true);
+      a.set_coef(1, 1, 2, true);
+      a.set_coef(1, 2, -1, true);
+      a.set_coef(2, 0, scale, true);
+      a.set_coef(2, 1, -scale, true);
+      a.set_coef(2, 2, nothing * scale, true);
+      const auto solver = internal::make_multigrid_linear_solver<1>(nullptr, a.rows(), {}, {});
+      const double b[3] = { 0.1, 0.3, 0 }, x[3] = { 0.1, 0.1, -0.1 };
+      double found[3] = {};
+      EXPECT_TRUE(solver->solve({ b }, { found }, internal::Linear_solver_options()).is_solved)
+          << nothing << ' ' << scale;
+      for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(found[i], x[i], 1e-10);
+    }
 }
 
 // A matrix that lacks one entry of a symmetric one, above the diagonal or below, or has another value there.

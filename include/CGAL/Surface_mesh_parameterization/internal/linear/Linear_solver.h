@@ -33,8 +33,11 @@ struct Linear_solver_options
   // and the most iterations for which they keep two vectors each, before they start again.
   int patience_of_minimal_residuals = 10;
   std::size_t most_residuals = 40;
-  // Of a solution without iteration: of a nearly singular matrix, no solution has a small residual.
+  // Of a solution without iteration: of a nearly singular matrix, none has a residual below the tolerance.
   double worst_backward_error = 1e-10;
+  // The relative residual, as above, of the solution that a factorization gives. Of a matrix that is regular only by
+  // rounding, that solution is huge: next to its terms any residual is small, and the backward error tells nothing.
+  double worst_residual = 1e-3;
   // From then on one right side has K-cycles: they take about three times as long, but where an energy hardly changes
   // with conformal motions, as that of least squares conformal maps, they save more than that in the end.
   std::size_t most_v_cycles = 100;

@@ -163,26 +163,28 @@ private:
 
   void read_rows()
   {
-    constexpr double rounding = 1e-6;
-    m_inverse_diagonal.assign(size(), 1);      // of a row that cannot be scaled by its diagonal
+    constexpr double rounding = 1e-6, greatest_row_sum = 1e10;
+    m_inverse_diagonal.assign(size(), 1);
     m_is_fixed.assign(size(), true);
     double sum_of_signs = 0;
     for (Index i = 0; i < size(); ++i) {
-      double inverse = 0, others = 0;
+      double diagonal = 0, others = 0;
       m_rows->for_each_entry(i, [&](Index column, double value) {
         if (column == i)
-          inverse = 1 / value;
+          diagonal = value;
         else if (value != 0) {
           m_is_fixed[i] = false;
           others += std::abs(value);
         }
       });
+      double inverse = 1 / diagonal;
+      m_is_regular = m_is_regular && std::isfinite(inverse) && inverse != 0;
       m_is_diagonally_dominant = m_is_diagonally_dominant && others * std::abs(inverse) <= 1 + rounding;
+      sum_of_signs += m_is_fixed[i] ? 0 : std::copysign(1., inverse);
+      if (others * std::abs(inverse) > greatest_row_sum)      // the diagonal does not tell how large the row is
+        inverse = std::copysign(1 / others, inverse);
       if (std::isfinite(inverse) && inverse != 0)
         m_inverse_diagonal[i] = inverse;
-      else
-        m_is_regular = false;
-      sum_of_signs += m_is_fixed[i] ? 0 : std::copysign(1., inverse);
     }
     m_sign = sum_of_signs < 0 ? -1 : 1;
   }
@@ -243,7 +245,7 @@ private:
 
   Loops m_loops;
   std::shared_ptr<const Rows> m_rows;
-  std::vector<double> m_inverse_diagonal;
+  std::vector<double> m_inverse_diagonal;     // of the other entries, in sum, where the diagonal is next to nothing
   std::vector<bool> m_is_fixed;
   std::vector<Index> m_free;
   double m_free_part_scale = 1;

@@ -286,7 +286,7 @@ private:
     result.residual = greatest(quotient(m_system.norm(r), start));
     const bool is_factorization = m_has_scaled_rows || !options.make_direct_solver;
     result.is_solved = m_system.backward_error(b, x) <= options.worst_backward_error &&
-                       (is_factorization || result.residual <= options.tolerance);
+                       result.residual <= (is_factorization ? options.worst_residual : options.tolerance);
   }
 
   Mesh_system m_system;
