@@ -348,6 +348,26 @@ TEST(Wrapped_authalic, takes_its_own_solver_where_weights_are_wild)
   EXPECT_EQ(own_solutions(delaunay_patch(700, 3, wavy)), 2);      // u and v
 }
 
+// Of which only the user knows how it is made.
+struct Solver_with_argument : Default_solver
+{
+  explicit Solver_with_argument(int /*argument*/) { }
+};
+
+TEST(Wrapped_authalic, factorizes_where_it_cannot_make_its_own_solver)
+{
+  typedef Discrete_authalic_parameterizer_3<Surface_mesh, CGAL::Default, Solver_with_argument> Parameterizer;
+  Parameterizer flat(Parameterizer::Border_parameterizer(), Solver_with_argument(1));
+  for (const Flat_mesh& m : { grid(14, 14, wavy), delaunay_patch(700, 3, wavy) }) {
+    Surface_mesh mesh = make<Surface_mesh>(m);
+    Wrapped_map<Surface_mesh> expected(mesh), found(mesh);
+    EXPECT_EQ(expected.parameterize(flat, longest_border(mesh)), OK);
+    Hierarchical_parameterizer_3<Parameterizer> parameterizer(parameters::flip_policy(Flip_policy::KEEP));
+    EXPECT_EQ(found.parameterize(parameterizer, longest_border(mesh)), OK);
+    found.expect_equal(expected, tolerance);
+  }
+}
+
 // Solves nothing, and says that it did.
 struct Lying_solver : Default_solver
 {
