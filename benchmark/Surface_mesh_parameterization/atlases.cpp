@@ -126,7 +126,8 @@ void run(int argc, char* argv[])
      "numbers of components of generated meshes")
     ("handles", po::value<std::vector<int>>()->default_value({ 0, 1, 5, 20 }, "0, 1, 5, 20"),
      "numbers of handles of generated meshes")
-    ("least-used-part", po::value<double>()->default_value(0.25), "divide charts until they cover this part of the square");
+    ("least-used-part", po::value<double>()->default_value(0.25),
+     "divide charts until they cover this part of the square");
   const po::variables_map values =
       parse(argc, argv, options, "atlases [MESH.off ...] [--components N]... [--handles N]... [--least-used-part P]");
   const auto files = values["mesh"].as<std::vector<std::string>>();

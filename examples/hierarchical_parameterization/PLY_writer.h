@@ -24,8 +24,8 @@ public:
   // Writes the first two lines. What follows in the header is text.
   CGAL::Surface_mesh_parameterization::internal::Text_writer& begin_header()
   {
-    const std::string_view format = !m_is_binary ? "ascii" : is_little_endian() ? "binary_little_endian" : "binary_big_endian";
-    return m_out << "ply\nformat " << format << " 1.0\n";
+    const std::string_view binary = is_little_endian() ? "binary_little_endian" : "binary_big_endian";
+    return m_out << "ply\nformat " << (m_is_binary ? binary : "ascii") << " 1.0\n";
   }
 
   void coordinate(double value) { number(value, value); }

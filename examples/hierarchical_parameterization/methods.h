@@ -37,7 +37,7 @@ struct Method_options
   std::string levels;       // a folder, or empty
   std::string start;        // a file with a map to start from, or empty
   std::string hold;         // a file with places of vertices, or empty
-  std::optional<double> least_used_part, distortion_bound, overlap_bound, hole_bound;   // of an atlas; none: the defaults
+  std::optional<double> least_used_part, distortion_bound, overlap_bound, hole_bound;     // of an atlas; none: defaults
   std::optional<double> sharp_angle;                          // in degrees; none: no edge is a seam as it is sharp
   bool flat, quiet, is_globally_injective, fills_holes;
   SMP::Flip_policy flip_policy;

@@ -131,7 +131,8 @@ private:
   std::size_t m_at;
 };
 
-inline Mapped_mesh read_binary_PLY(const std::string& content, std::size_t number_of_vertices, std::size_t number_of_faces)
+inline Mapped_mesh read_binary_PLY(const std::string& content, std::size_t number_of_vertices,
+                                   std::size_t number_of_faces)
 {
   const std::string end_of_header = "property list uchar double texcoord\nend_header\n";
   const std::size_t header = content.find(end_of_header);

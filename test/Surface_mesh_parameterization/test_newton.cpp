@@ -341,8 +341,8 @@ TYPED_TEST(Newton_of, knows_the_second_derivative_of_the_gradient)
   for (Index v = 0; v < second.size(); ++v)
     third += inner_product(second[v], direction[v]);
   const double t = 1e-4;
-  const auto energy_at = [&](double s) { return energy(moved(uv, s, direction)); };
-  const double differences = (energy_at(2 * t) - 2 * energy_at(t) + 2 * energy_at(-t) - energy_at(-2 * t)) / (2 * t * t * t);
+  const auto odd_part = [&](double s) { return energy(moved(uv, s, direction)) - energy(moved(uv, -s, direction)); };
+  const double differences = (odd_part(2 * t) - 2 * odd_part(t)) / (2 * t * t * t);
   EXPECT_NEAR(third, differences, 1e-3 * std::abs(differences));
 }
 
