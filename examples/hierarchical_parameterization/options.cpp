@@ -344,8 +344,8 @@ bool read_options(int argc, char** argv, Options& options)
     options.iterations = options.method->iterations;
   const std::pair<const char*, std::optional<double>*> numbers_of_atlas[] = {
     { "least-used-part", &options.least_used_part }, { "distortion-bound", &options.distortion_bound },
-    { "overlap-bound", &options.overlap_bound },
-    { "hole-bound", &options.hole_bound }, { "sharp-angle", &options.sharp_angle } };
+    { "overlap-bound", &options.overlap_bound }, { "hole-bound", &options.hole_bound },
+    { "sharp-angle", &options.sharp_angle } };
   for (const auto& [name, number] : numbers_of_atlas)
     if (values.count(name))
       *number = values[name].as<double>();
