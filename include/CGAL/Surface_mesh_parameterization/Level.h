@@ -80,6 +80,10 @@ public:
   /// whether the level is the input
   bool is_finest() const { return m_index + 1 == hierarchy().number_of_levels(); }
 
+  /// whether the map of the level only has to be a good start: for that of a finer level, or for a map that may be
+  /// given up. On the finest level a method is called once more where the draft turns out to be what is wanted
+  bool is_draft() const { return m_is_draft || !is_finest(); }
+
   /// number of vertices: their ranks are the numbers below it
   std::size_t number_of_vertices() const { return m_rings.number_of_vertices(); }
 
@@ -145,6 +149,9 @@ public:
   bool progressed(const Level_summary& summary, double part) const;
 
   /// \cond SKIP_IN_MANUAL
+  // Asks for a draft of the finest level, or no longer.
+  void set_draft(bool yes) { m_is_draft = yes; }
+
   const internal::One_rings& rings() const { return m_rings; }
   const internal::Loops& loops() const { return m_loops; }
 
@@ -165,6 +172,7 @@ public:
 private:
   const Collapse_hierarchy_3* m_hierarchy;
   std::size_t m_index;
+  bool m_is_draft = false;                // the finest level, if that is the one
   std::vector<Triangle> m_triangles;      // of a level below the finest
   internal::Loops m_loops;
   internal::Run_progress* m_progress;

@@ -12,8 +12,9 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Moves new border vertices of a level until no two border edges cross. Precondition: the map is valid, and without the
 // new vertices no two cross.
 //
-// A new vertex V goes toward the vertex that it collapsed onto, which lies on the closure of the kernel of V's star, so
-// that no triangle flips on the way; and its two edges approach the coarse border edge. Returns whether that was
+// A new vertex V goes toward a point of the coarse border edge in whose place it and its two border edges come: as far
+// along as V is in space, if that lies in the closure of the kernel of V's star, so that no triangle flips on the way.
+// If not, toward one nearer to the vertex that V collapsed onto, which itself lies there. Returns whether that was
 // enough.
 bool separate_borders(const Level& level, Level::Uv& uv);
 

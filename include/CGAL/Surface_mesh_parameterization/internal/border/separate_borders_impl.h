@@ -9,9 +9,38 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
+
+// The point of the coarse border edge that a new border vertex goes toward.
+inline Point_2 point_of_coarse_edge(const Level& level, Level::Uv& uv, Index v)
+{
+  constexpr int most_halvings = 6;
+  const Level::Ring ring = level.one_ring(v);
+  const Index kept = level.hierarchy().kept_vertex(v);
+  if (ring.front() != kept && ring.back() != kept)
+    return uv[kept];
+  const Index other = ring.front() == kept ? ring.back() : ring.front();
+  const double to_kept = std::sqrt((level.point(kept) - level.point(v)).squared_length()),
+               to_other = std::sqrt((level.point(other) - level.point(v)).squared_length());
+  double part = to_kept / (to_kept + to_other);
+  if (!(part < 1))
+    return uv[kept];
+  const auto point = [&] { return uv[kept] + part * (uv[other] - uv[kept]); };
+  const Point_2 place = uv[v];
+  const bool is_ear = ring.size() == 2;
+  bool is_valid = is_ear;
+  for (int i = 0; i < most_halvings && !is_valid; ++i) {
+    uv[v] = point();
+    is_valid = is_star_valid(level.rings(), uv, v);
+    if (!is_valid)
+      part /= 2;
+  }
+  uv[v] = place;
+  return is_valid ? point() : uv[kept];
+}
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool separate_borders(const Level& level, Level::Uv& uv)
@@ -36,8 +65,8 @@ bool separate_borders(const Level& level, Level::Uv& uv)
     std::sort(to_move.begin(), to_move.end());
     to_move.erase(std::unique(to_move.begin(), to_move.end()), to_move.end());
     for (const Index v : to_move) {
-      const Point_2& kept = uv[level.hierarchy().kept_vertex(v)];
-      uv[v] = kept + part_of_way * (uv[v] - kept);
+      const Point_2 end = point_of_coarse_edge(level, uv, v);
+      uv[v] = end + part_of_way * (uv[v] - end);
       if (!is_star_valid(level.rings(), uv, v))
         return false;
     }

@@ -40,7 +40,7 @@ public:
 
 private:
   Error_code parameterize_level_by_level(Level& level, Level::Uv& uv);
-  Error_code parameterize_coarsest(const Level& level, Level::Uv& uv);
+  Error_code parameterize_coarsest(Level& level, Level::Uv& uv);
   Error_code climb(Level& level, Level::Uv& uv);
 
   // Lets the method refine the map that the run starts from.
@@ -53,11 +53,17 @@ private:
   Error_code climb_with_borders_apart(Level& level, Level::Uv& uv);
 
   // The same, unless the map lies over itself far. If it does so at all, and keeping the borders apart fails or costs
-  // much energy, it stays as it was, too.
+  // much energy, it stays as it was, too: a draft, which has not converged.
   Error_code separate_borders_if_that_pays(Level& level, Level::Uv& uv);
 
   Error_code insert_vertices(const Level& level, Level::Uv& uv) const;
-  Error_code refine(const Level& level, Level::Uv& uv);
+  Error_code refine(Level& level, Level::Uv& uv);
+
+  // The finest level, where borders met on the one before: they will most likely meet again, and its map be given up. A
+  // draft of it tells, and is refined to the end if they do not.
+  Error_code refine_draft(Level& level, Level::Uv& uv, Level_summary& summary);
+
+  Error_code refine_once(const Level& level, Level::Uv& uv, Level_summary& summary);
   Error_code finish(const Level& level, Level::Uv& uv);
   void start_stage(const Level& level);
 
@@ -73,8 +79,9 @@ private:
   CGAL::Real_timer m_timer_of_level;
   bool m_is_finished = false;
   bool m_watches_borders = false;
+  bool m_is_apart = true;           // no borders met on the last level, if they are watched
   Level::Uv m_start;                // by rank, if its borders are not kept apart at first; empty: none
-  Level::Uv m_map_apart;            // of the finest level so far on which no borders met; empty if there is none
+  Level::Uv m_map_apart;            // of the last level below the finest on which no borders met; empty: there is none
   std::size_t m_level_apart = 0;
 };
 

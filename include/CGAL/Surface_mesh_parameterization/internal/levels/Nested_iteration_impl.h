@@ -72,7 +72,7 @@ Error_code Nested_iteration::parameterize_level_by_level(Level& level, Level::Uv
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code Nested_iteration::parameterize_coarsest(const Level& level, Level::Uv& uv)
+Error_code Nested_iteration::parameterize_coarsest(Level& level, Level::Uv& uv)
 {
   m_timer_of_level.reset();
   start_stage(level);
@@ -119,7 +119,7 @@ Error_code Nested_iteration::refine_start(Level& level, std::vector<Point_2> sta
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::separate_borders(Level& level, Level::Uv& uv)
 {
-  if (!m_watches_borders || m_map_apart.size() == uv.size())
+  if (!m_watches_borders || m_is_apart)
     return OK;
   if (m_overlap_bound == 1)
     return climb_with_borders_apart(level, uv);
@@ -177,7 +177,7 @@ Error_code Nested_iteration::insert_vertices(const Level& level, Level::Uv& uv) 
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code Nested_iteration::refine(const Level& level, Level::Uv& uv)
+Error_code Nested_iteration::refine(Level& level, Level::Uv& uv)
 {
   m_summary.levels.emplace_back();
   Level_summary& summary = m_summary.levels.back();
@@ -185,19 +185,46 @@ Error_code Nested_iteration::refine(const Level& level, Level::Uv& uv)
   summary.faces = level.number_of_faces();
   if (level.is_finest())
     m_finisher.remember_start(uv);
+  const bool begins_with_draft = level.is_finest() && m_watches_borders && !m_is_apart;
+  const Error_code status =
+      begins_with_draft ? refine_draft(level, uv, summary) : refine_once(level, uv, summary);
+  if (status != OK)
+    return status;
+  if (m_visitor && !m_visitor->level_parameterized(level, uv, summary))
+    m_progress.stop();
+  return m_progress.is_stopped() ? ERROR_STOPPED : OK;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::refine_draft(Level& level, Level::Uv& uv, Level_summary& summary)
+{
+  level.set_draft(true);
+  Error_code status = refine_once(level, uv, summary);
+  level.set_draft(false);
+  summary.converged = false;
+  if (status == OK && m_is_apart) {
+    const double energy_start = summary.energy_start;
+    status = refine_once(level, uv, summary);
+    summary.energy_start = energy_start;
+  }
+  return status;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Nested_iteration::refine_once(const Level& level, Level::Uv& uv, Level_summary& summary)
+{
   const Error_code status = m_method.refine(level, uv, summary);
   summary.seconds = m_timer_of_level.time();
   if (m_progress.is_stopped() || (status == OK && !level.progressed(summary, 1)))
     return ERROR_STOPPED;
-  if (status != OK)
-    return status;
-  if (m_watches_borders && !has_crossings(border_edges(level.rings()), uv)) {
-    m_map_apart = uv;
-    m_level_apart = level.index();
+  if (status == OK && m_watches_borders) {
+    m_is_apart = !has_crossings(border_edges(level.rings()), uv);
+    if (m_is_apart && !level.is_finest()) {
+      m_map_apart = uv;
+      m_level_apart = level.index();
+    }
   }
-  if (m_visitor && !m_visitor->level_parameterized(level, uv, summary))
-    m_progress.stop();
-  return m_progress.is_stopped() ? ERROR_STOPPED : OK;
+  return status;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -273,7 +273,7 @@ Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, L
   if (status == ERROR_STOPPED)
     return status;
   const double value = summary.energy_end * energy.unit();
-  if (level.is_finest() && (status != OK || (!is_experiment && is_far_above_minimum(energy, value))))
+  if (!level.is_draft() && (status != OK || (!is_experiment && is_far_above_minimum(energy, value))))
     start_again_from_first_map(energy, uv, options, summary, status);
   if (status == OK && scales_to_area) {
     scale_to_area(level, options.is_globally_injective, uv);

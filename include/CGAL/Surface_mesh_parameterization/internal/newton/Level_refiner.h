@@ -180,7 +180,7 @@ private:
   {
     const double tolerance = m_barrier ? (std::max)(m_refinement.tolerance, m_options.least_decrease_with_barrier)
                                        : m_refinement.tolerance,
-                 least_decrease = m_level.is_finest() ? tolerance : m_options.decrease_on_coarse_levels;
+                 least_decrease = m_level.is_draft() ? m_options.decrease_of_drafts : tolerance;
     Newton_method newton(m_energy, m_barrier.get(), m_options.newton);
     newton.fix_vertices(fixed_vertices(m_level));
     relaxation.set_turn_barrier(newton.turn_barrier());
@@ -219,7 +219,7 @@ private:
   bool has_barrier(const Newton_method& newton) const { return m_barrier || newton.turn_barrier().stiffness() > 0; }
 
   // Whether the tolerance is below what energies in doubles tell.
-  bool asks_for_last_digits() const { return m_level.is_finest() && m_refinement.tolerance < m_options.rounding; }
+  bool asks_for_last_digits() const { return !m_level.is_draft() && m_refinement.tolerance < m_options.rounding; }
 
   // The energy is above its minimum by the square of what the map is off: maps of the same energy in doubles may differ
   // by 1e-8, and by more where some motions hardly cost energy.

@@ -26,9 +26,9 @@ struct Level_refiner_options
   // Where borders are kept apart, Newton's method runs on every level that is a multiple of so many levels, at least 1,
   // below the finest.
   std::size_t stride_with_barrier = 2;
-  // Levels below the finest only have to hand on a good start: they have converged when a Newton step lowers the excess
-  // energy by less than this part.
-  double decrease_on_coarse_levels = 5e-3;
+  // Drafts, as are the maps of all levels below the finest, only have to be good starts: they have converged when a
+  // Newton step lowers the excess energy by less than this part.
+  double decrease_of_drafts = 5e-3;
   // A few triangles that are about to vanish can hold up a step of the whole map, or are where its quadratic model
   // fails: these are for a sweep, after steps that are shorter than that, or lower the excess energy by more than that
   // part, or by more than that part of what the step before did.
