@@ -93,16 +93,23 @@ inline double shrinkage(const Level& level, const Level::Uv& uv, Index v)
   return area > 0 ? area / (std::max)(image_area, 0.) : 0;
 }
 
+// Above it, distortions are not known so well that they could be compared.
+constexpr double great_distortion = 2 * Symmetric_Dirichlet_energy_2::minimum;
+
 // The least mean symmetric Dirichlet energy of a level, about, from a map without flips. Infinite if it was not found.
 inline double least_distortion(const Level_energy& energy, Level::Uv& uv)
 {
+  constexpr double tolerance_of_great_distortion = 1e-2, tolerance = 2e-3;
   Refinement_options options;
-  options.tolerance = 1e-2;
   options.number_of_iterations = 50;
-  Level_summary summary;
-  return minimize_flip_free(energy, false, uv, options, summary) == OK
-             ? energy(uv) / energy.unit()
-             : (std::numeric_limits<double>::infinity)();
+  const auto minimum = [&](double t) {
+    options.tolerance = t;
+    Level_summary summary;
+    return minimize_flip_free(energy, false, uv, options, summary) == OK ? energy(uv) / energy.unit()
+                                                                         : (std::numeric_limits<double>::infinity)();
+  };
+  const double distortion = minimum(tolerance_of_great_distortion);
+  return distortion > great_distortion ? distortion : minimum(tolerance);
 }
 
 // Finds where a coarse mesh of disk type is distorted most, and cuts it from there to the border, again and again.
@@ -120,20 +127,9 @@ public:
   std::vector<Index> run()
   {
     std::vector<Index> extremities;
-    unsigned int failures = 0;
-    while (m_state.distortion > m_options.distortion_bound && extremities.size() < m_options.most_branches) {
-      const Index tip = candidate();
-      if (tip == no_index)
-        break;
-      State other = with_branch(tip);
-      const bool is_good = failures == m_options.most_failures || is_gain(other.distortion);
-      if (is_good) {
-        extremities.push_back(m_state.sample.fine_vertex[tip]);
-        m_state = std::move(other);
-      } else if (++failures == m_options.most_failures)
-        m_state.is_tried.assign(m_state.is_tried.size(), false);
-      else
-        give_up_around(tip);
+    for (const double least_gain : { m_options.least_gain, m_options.least_gain_of_many }) {
+      add_branches(least_gain, extremities);
+      m_state.is_tried.assign(m_state.is_tried.size(), false);
     }
     return extremities;
   }
@@ -215,12 +211,31 @@ private:
     return result;
   }
 
-  // Great distortions are not known so well that they could be compared.
-  bool is_gain(double other_distortion) const
+  // Cuts where that lowers the distortion above its minimum by a part, until too often it does not.
+  void add_branches(double least_gain, std::vector<Index>& extremities)
   {
-    constexpr double least_gain = 0.02, minimum = Symmetric_Dirichlet_energy_2::minimum;
+    unsigned int failures = 0;
+    while (m_state.distortion > m_options.distortion_bound && extremities.size() < m_options.most_branches &&
+           failures < m_options.most_failures) {
+      const Index tip = candidate();
+      if (tip == no_index)
+        break;
+      State other = with_branch(tip);
+      if (is_gain(other.distortion, least_gain)) {
+        extremities.push_back(m_state.sample.fine_vertex[tip]);
+        m_state = std::move(other);
+      } else {
+        give_up_around(tip);
+        ++failures;
+      }
+    }
+  }
+
+  bool is_gain(double other_distortion, double least_gain) const
+  {
+    constexpr double minimum = Symmetric_Dirichlet_energy_2::minimum;
     return !(m_state.distortion - other_distortion < least_gain * (m_state.distortion - minimum)) ||
-           m_state.distortion > 2 * minimum;
+           m_state.distortion > great_distortion;
   }
 
   // Looks elsewhere: not nearer to the tip than half its way to the border.
