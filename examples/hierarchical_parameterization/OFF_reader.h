@@ -16,7 +16,7 @@
 #include <string_view>
 
 // Reads Geomview's OFF, text or binary: [ST][C][N][4]OFF. Of a vertex, texture coordinates, color and normal are
-// skipped, of a face the color.
+// skipped, of a face the color. A face may go over several lines.
 class OFF_reader
 {
 public:
@@ -76,11 +76,8 @@ private:
       vertices = counts[0];
       faces = counts[1];
     } else {
-      m_file.skip_comments();
-      if (m_file.read(vertices)) {
-        m_file.skip_comments();
-        m_file.read(faces);
-      }
+      if (read_on(vertices))
+        read_on(faces);
       m_file.skip_line();
     }
     if (vertices < 0 || faces < 0)
@@ -112,8 +109,6 @@ private:
   Polygon_soup::Polygon read_face(std::size_t f)
   {
     long long size = -1;
-    if (!m_is_binary)
-      m_file.skip_comments();
     bool is_read = read_index(size) && size >= 0;
     Polygon_soup::Polygon polygon;
     for (long long i = 0, v; is_read && i < size; ++i)
@@ -131,6 +126,15 @@ private:
     return polygon;
   }
 
+  // The next number of a text, on this line or a later one. Returns whether there was one.
+  bool read_on(long long& number)
+  {
+    if (m_file.read(number))
+      return true;
+    m_file.skip_comments();
+    return m_file.read(number);
+  }
+
   // A binary file is big endian.
   bool read_float(double& number)
   {
@@ -143,7 +147,7 @@ private:
   bool read_index(long long& index)
   {
     if (!m_is_binary)
-      return m_file.read(index);
+      return read_on(index);
     std::int32_t value = -1;
     const bool is_read = m_file.read_binary(value, is_little_endian());
     index = value;

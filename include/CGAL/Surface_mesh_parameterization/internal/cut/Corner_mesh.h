@@ -53,6 +53,7 @@ struct Corner_mesh
 // The length of an edge in space, and of several.
 double length(const Corner_mesh& mesh, Index h);
 double length(const Corner_mesh& mesh, const std::vector<Index>& halfedges);
+double length_of_borders(const Corner_mesh& mesh);
 
 double area_of_face(const Corner_mesh& mesh, Index f);
 

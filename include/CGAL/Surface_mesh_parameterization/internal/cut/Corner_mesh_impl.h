@@ -32,6 +32,16 @@ double length(const Corner_mesh& mesh, const std::vector<Index>& halfedges)
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+double length_of_borders(const Corner_mesh& mesh)
+{
+  double sum = 0;
+  for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    if (mesh.is_border(h))
+      sum += length(mesh, h);
+  return sum;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 double area_of_face(const Corner_mesh& mesh, Index f)
 {
   return 0.5 * doubled_area(mesh.points[mesh.vertex[3 * f]], mesh.points[mesh.vertex[3 * f + 1]],

@@ -18,10 +18,8 @@ struct Cut_options
   double least_length_of_border = 0.5;      // of one that is not short, by that of a circle of the surface's area
   bool joins_borders = false;               // whether the result is a disk without holes
   std::size_t most_branches = 50;           // paths to extremities
-  // A branch has to lower the distortion above its minimum by the first part, or by the second one, as on surfaces of
-  // many limbs, once so many have failed. Once so many more have, there are no further ones.
-  double least_gain = 0.02, least_gain_of_many = 0.005;
-  unsigned int most_failures = 8;
+  double least_gain = 0.01;                 // of a branch, of the distortion above its minimum
+  unsigned int most_failures = 8;           // branches that gain less, of each way to find them
   std::size_t sample_size = 2000;           // vertices of the coarse level on which extremities are found
 
   bool is_valid() const { return distortion_bound >= Symmetric_Dirichlet_energy_2::minimum; }

@@ -6,7 +6,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
-#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
@@ -15,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Cut_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Shortest_paths.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/least_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/seam_paths.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/vertex_order.h>
@@ -71,77 +71,47 @@ inline Sample coarsest_level(const Collapse_hierarchy_3& hierarchy)
   return sample;
 }
 
-inline bool is_next_to_border(const Level& level, Index v)
-{
-  const Level::Ring ring = level.one_ring(v);
-  return std::any_of(ring.begin(), ring.end(), [&](Index w) { return level.rings().is_border(w); });
-}
-
-// By how much Tutte's map shrinks the surface around a vertex, most at the tips of long limbs; -1 at a vertex on a
-// border.
-inline double shrinkage(const Level& level, const Level::Uv& uv, Index v)
-{
-  if (level.rings().is_border(v))
-    return -1;
-  const Level::Ring ring = level.one_ring(v);
-  double area = 0, image_area = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
-    area += doubled_area(level.point(v), level.point(a), level.point(b));
-    image_area += doubled_area(uv[v], uv[a], uv[b]);
-  }
-  return area > 0 ? area / (std::max)(image_area, 0.) : 0;
-}
-
-// Above it, distortions are not known so well that they could be compared.
-constexpr double great_distortion = 2 * Symmetric_Dirichlet_energy_2::minimum;
-
-// The least mean symmetric Dirichlet energy of a level, about, from a map without flips. Infinite if it was not found.
-inline double least_distortion(const Level_energy& energy, Level::Uv& uv)
-{
-  constexpr double tolerance_of_great_distortion = 1e-2, tolerance = 2e-3;
-  Refinement_options options;
-  options.number_of_iterations = 50;
-  const auto minimum = [&](double t) {
-    options.tolerance = t;
-    Level_summary summary;
-    return minimize_flip_free(energy, false, uv, options, summary) == OK ? energy(uv) / energy.unit()
-                                                                         : (std::numeric_limits<double>::infinity)();
-  };
-  const double distortion = minimum(tolerance_of_great_distortion);
-  return distortion > great_distortion ? distortion : minimum(tolerance);
-}
-
 // Finds where a coarse mesh of disk type is distorted most, and cuts it from there to the border, again and again.
 class Extremity_search
 {
 public:
   Extremity_search(Sample sample, const Cut_options& options)
-    : m_options(options), m_state{ std::move(sample), {}, {}, {}, {}, 0 }
+    : m_options(options), m_state{ std::move(sample), {}, {}, {}, {}, {}, 0 },
+      m_first_length_of_borders(length_of_borders(m_state.sample.mesh))
   {
     m_state.is_tried.assign(m_state.sample.mesh.number_of_vertices(), false);
     measure(m_state);
   }
 
-  // Returns the extremities, vertices of the fine mesh, in the order in which they were found.
-  std::vector<Index> run()
+  // Returns the extremities, vertices of the fine mesh, in the order in which they were found. None is looked for once
+  // the cuts are longer than a bound.
+  //
+  // Tutte's map shrinks tips of long limbs most. Those next to the border come last, where there are no others, as on a
+  // surface of few vertices. Where this finds no more of them, the map of least distortion tells what is left.
+  std::vector<Index> run(double longest_seam)
   {
     std::vector<Index> extremities;
-    for (const double least_gain : { m_options.least_gain, m_options.least_gain_of_many }) {
-      add_branches(least_gain, extremities);
-      m_state.is_tried.assign(m_state.is_tried.size(), false);
-    }
+    const auto is_inner_and_shrunk = [](const State& s, Index v) {
+      return std::pair<bool, double>(!s.is_next_to_border[v], s.shrinkage_by_Tutte[v]);
+    };
+    const auto is_shrunk = [](const State& s, Index v) { return s.shrinkage[v]; };
+    add_branches(is_inner_and_shrunk, longest_seam, extremities);
+    m_state.is_tried.assign(m_state.is_tried.size(), false);
+    add_branches(is_shrunk, longest_seam, extremities);
     return extremities;
   }
 
   double distortion() const { return m_state.distortion; }
+
+  // The length of the branches.
+  double seam_length() const { return 0.5 * (length_of_borders(m_state.sample.mesh) - m_first_length_of_borders); }
 
 private:
   struct State
   {
     Sample sample;
     std::vector<bool> is_tried;           // by vertex: whether a branch from about there gained too little
-    std::vector<double> shrinkage;        // by vertex
+    std::vector<double> shrinkage_by_Tutte, shrinkage;      // by vertex; by Tutte's map, and by `uv`
     std::vector<bool> is_next_to_border;  // by vertex
     std::vector<Point_2> uv;              // by vertex: a map of little distortion; none if it is not known
     double distortion;
@@ -152,43 +122,42 @@ private:
   {
     const std::size_t n = state.sample.mesh.number_of_vertices();
     const Collapse_hierarchy_3 hierarchy = make_hierarchy(state.sample.mesh, n);
-    const Level level(hierarchy);
+    Level level(hierarchy);
     Level::Uv uv;
-    state.shrinkage.assign(n, -1);
+    state.shrinkage_by_Tutte.assign(n, -1);
     state.distortion = (std::numeric_limits<double>::infinity)();
     if (compute_Tutte_embedding(level, uv) == ERROR_CANNOT_SOLVE_LINEAR_SYSTEM)
       return;
+    state.shrinkage = state.shrinkage_by_Tutte = shrinkages(level, uv);
     state.is_next_to_border.assign(n, false);
-    for (Index v = 0; v < n; ++v) {
-      state.shrinkage[hierarchy.input_vertex(v)] = internal::shrinkage(level, uv, v);
+    for (Index v = 0; v < n; ++v)
       state.is_next_to_border[hierarchy.input_vertex(v)] = internal::is_next_to_border(level, v);
-    }
 
-    const Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, Triangle_weight::AREA);
-    if (!state.uv.empty())
+    bool has_map = false;
+    if (!state.uv.empty()) {
       uv = by_rank(hierarchy, state.uv);
-    else {
-      scale_to_area(level, false, uv);
+      has_map = open_cuts(level, uv);
+    }
+    if (!has_map) {
+      const Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, Triangle_weight::AREA);
       if (choose_first_map(energy, Refinement_options(), uv) != OK)
         return;
     }
-    state.distortion = least_distortion(energy, uv);
+    state.distortion = least_distortion(level, has_map, uv);
+    state.shrinkage = shrinkages(level, uv);
     state.uv = in_input_order(hierarchy, uv);
     if (!std::isfinite(state.distortion))
       state.uv.clear();
   }
 
-  // The vertex that is shrunk most. One next to the border only where there is no other, as on a surface of few
-  // vertices.
-  Index candidate() const
+  // The vertex of the greatest rank that no branch was tried from; none on the border.
+  template <class Rank>
+  Index candidate(const Rank& rank) const
   {
-    const auto is_worse = [this](Index v, Index w) {
-      const bool is_inner_v = !m_state.is_next_to_border[v], is_inner_w = !m_state.is_next_to_border[w];
-      return std::make_pair(is_inner_v, m_state.shrinkage[v]) < std::make_pair(is_inner_w, m_state.shrinkage[w]);
-    };
     Index result = no_index;
-    for (Index v = 0; v < m_state.shrinkage.size(); ++v)
-      if (m_state.shrinkage[v] >= 0 && !m_state.is_tried[v] && (result == no_index || is_worse(result, v)))
+    for (Index v = 0; v < m_state.shrinkage_by_Tutte.size(); ++v)
+      if (m_state.shrinkage_by_Tutte[v] >= 0 && !m_state.is_tried[v] &&
+          (result == no_index || rank(m_state, result) < rank(m_state, v)))
         result = v;
     return result;
   }
@@ -196,7 +165,7 @@ private:
   // The sample, cut from a vertex to the border.
   State with_branch(Index tip) const
   {
-    State result{ m_state.sample, {}, {}, {}, {}, 0 };
+    State result{ m_state.sample, {}, {}, {}, {}, {}, 0 };
     Shortest_paths paths(m_state.sample.mesh);
     paths.add_sources(border_places(paths));
     const std::vector<Index> old_vertices = sever(result.sample.mesh, paths.path_to(paths.place(tip)));
@@ -211,17 +180,18 @@ private:
     return result;
   }
 
-  // Cuts where that lowers the distortion above its minimum by a part, until too often it does not.
-  void add_branches(double least_gain, std::vector<Index>& extremities)
+  // Cuts from where the rank is greatest, until too often that gains too little.
+  template <class Rank>
+  void add_branches(const Rank& rank, double longest_seam, std::vector<Index>& extremities)
   {
     unsigned int failures = 0;
     while (m_state.distortion > m_options.distortion_bound && extremities.size() < m_options.most_branches &&
-           failures < m_options.most_failures) {
-      const Index tip = candidate();
+           failures < m_options.most_failures && seam_length() < longest_seam) {
+      const Index tip = candidate(rank);
       if (tip == no_index)
         break;
       State other = with_branch(tip);
-      if (is_gain(other.distortion, least_gain)) {
+      if (is_gain(other.distortion)) {
         extremities.push_back(m_state.sample.fine_vertex[tip]);
         m_state = std::move(other);
       } else {
@@ -231,10 +201,10 @@ private:
     }
   }
 
-  bool is_gain(double other_distortion, double least_gain) const
+  bool is_gain(double other_distortion) const
   {
     constexpr double minimum = Symmetric_Dirichlet_energy_2::minimum;
-    return !(m_state.distortion - other_distortion < least_gain * (m_state.distortion - minimum)) ||
+    return !(m_state.distortion - other_distortion < m_options.least_gain * (m_state.distortion - minimum)) ||
            m_state.distortion > great_distortion;
   }
 
@@ -253,6 +223,7 @@ private:
 
   Cut_options m_options;
   State m_state;
+  double m_first_length_of_borders;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -16,7 +16,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -33,13 +33,10 @@ void settle_borders(Corner_mesh& mesh, const Cut_options& options)
 // The length of all borders, as a part of that of a circle whose area is the surface's.
 inline double relative_length_of_borders(const Corner_mesh& mesh)
 {
-  double length_of_borders = 0, area = 0;
-  for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
-    if (mesh.is_border(h))
-      length_of_borders += length(mesh, h);
+  double area = 0;
   for (Index f = 0; f < mesh.number_of_faces(); ++f)
     area += area_of_face(mesh, f);
-  return length_of_borders / std::sqrt(4 * CGAL_PI * area);
+  return length_of_borders(mesh) / std::sqrt(4 * CGAL_PI * area);
 }
 
 // Whether a mesh of disk type lies in the plane without distortion. Coarse levels do not tell: those of a developable
@@ -75,7 +72,10 @@ public:
     return distortion() <= bound;
   }
 
-  void find_extremities() { m_extremities = m_search.run(); }
+  // Finds where cuts lower the distortion most, as long as they are shorter than a bound.
+  void find_extremities(double longest_seam) { m_extremities = m_search.run(longest_seam); }
+
+  double length_of_branches() const { return m_search.seam_length(); }
 
   // The mesh, cut from the extremities to its borders.
   Corner_mesh cut()
@@ -91,29 +91,35 @@ private:
   bool m_unfolds = false;
 };
 
-// Cuts a mesh of disk type that exceeds a bound from extremities to its borders. Several borders are joined before if
-// that is enough, as on a pipe with two open ends, or serves better than extremities alone.
+// Finds cuts from extremities of a mesh of disk type to its borders; of several borders, also with these joined before,
+// if that is enough, as on a pipe with two open ends, or takes shorter cuts.
+inline void find_cuts(Cut_candidate& best, const Cut_options& options)
+{
+  constexpr double any_length = (std::numeric_limits<double>::infinity)();
+  if (borders(best.mesh()).size() == 1) {
+    best.find_extremities(any_length);
+    return;
+  }
+  Corner_mesh joined_mesh = best.mesh();
+  join_borders(joined_mesh);
+  const double length_of_joins = 0.5 * (length_of_borders(joined_mesh) - length_of_borders(best.mesh()));
+  Cut_candidate joined(std::move(joined_mesh), options);
+  if (joined.is_within(options.distortion_bound)) {
+    best = std::move(joined);
+    return;
+  }
+  joined.find_extremities(any_length);
+  const bool is_enough = joined.is_within(options.distortion_bound);
+  best.find_extremities(is_enough ? length_of_joins + joined.length_of_branches() : any_length);
+  if (!best.is_within(options.distortion_bound) && joined.distortion() < best.distortion())
+    best = std::move(joined);
+}
+
 inline void cut_distorted(Corner_mesh& mesh, double bound, const Cut_options& options, Component_cut& result)
 {
   Cut_candidate best(std::move(mesh), options);
-  if (!best.is_within(bound)) {
-    std::optional<Cut_candidate> joined;
-    if (borders(best.mesh()).size() > 1) {
-      Corner_mesh joined_mesh = best.mesh();
-      join_borders(joined_mesh);
-      joined.emplace(std::move(joined_mesh), options);
-    }
-    if (joined && joined->is_within(options.distortion_bound))
-      best = std::move(*joined);
-    else {
-      best.find_extremities();
-      if (joined && !best.is_within(options.distortion_bound)) {
-        joined->find_extremities();
-        if (joined->distortion() < best.distortion())
-          best = std::move(*joined);
-      }
-    }
-  }
+  if (!best.is_within(bound))
+    find_cuts(best, options);
   result.branches = best.number_of_extremities();
   result.distortion = best.distortion();
   mesh = best.cut();
