@@ -114,6 +114,11 @@ void print_advice(const Input& input, const Options& options, const Run_record& 
     std::cerr << one_line(input.name) << ": the map is distorted far (symmetric Dirichlet " << energy.str()
               << ", 4 without distortion); --atlas cuts the surface\n";
   }
+  if (run.quality->overlaps > 0 && !options.is_globally_injective)
+    std::cerr << one_line(input.name) << ": the map lies over itself at " << run.quality->overlaps
+              << " pairs of triangles; "
+              << (options.method->is_flip_free ? "--globally-injective keeps borders apart, " : "")
+              << "--atlas divides it\n";
   if (input.number_of_borders > many_borders && !options.fills_holes)
     std::cerr << one_line(input.name) << ": has " << input.number_of_borders
               << " borders; --fill-holes treats holes as parts of the surface, which is quicker\n";

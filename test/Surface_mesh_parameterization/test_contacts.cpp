@@ -1,7 +1,7 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The barrier at the full turn, and what contacts do to Newton's method.
+// The barrier at the full turn, what contacts do to Newton's method, and how new border vertices give way.
 
 #include "contacts.h"
 #include "hierarchies.h"
@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/Turn_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/separate_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Contact_pattern.h>
@@ -229,6 +230,43 @@ TEST(Newton_with_border_barrier, leads_borders_apart_in_a_few_steps)
   EXPECT_TRUE(summary.converged);
   EXPECT_LE(summary.iterations, 45u);
   EXPECT_FALSE(has_crossings(border_edges(level.rings()), uv));
+}
+
+// A square with a slit. A new vertex on one side of it, moved across the other side, goes back to the straight border
+// that it left, and not into its corner.
+TEST(Border_separation, leads_new_vertices_back_to_the_coarse_border)
+{
+  constexpr Index n = 16;
+  const Flat_mesh slit = part(grid(n, n, flat), [](const Point_3& p) {
+    return !(n * p.x() > 7 && n * p.x() < 8 && n * p.y() < 13);
+  });
+  const Collapse_hierarchy_3 hierarchy = small_hierarchy(slit);
+  int moved = 0;
+  for (std::size_t i = 1; i < hierarchy.number_of_levels(); ++i) {
+    const Level level(hierarchy, i);
+    const double unit = std::ldexp(1. / n, level.scale_exponent());
+    Level::Uv flat_map;
+    for (Index v = 0; v < level.number_of_vertices(); ++v)
+      flat_map.emplace_back(level.point(v).x(), level.point(v).y());
+    if (!is_map_valid(level.rings(), flat_map))
+      continue;
+    const auto is_on_side = [&](Index v) { return level.is_border(v) && flat_map[v].x() == 7 * unit; };
+    for (Index v = Index(level.first_new_vertex()); v < level.number_of_vertices(); ++v) {
+      const Point_2 place = flat_map[v];
+      Level::Uv uv = flat_map;
+      uv[v] = Point_2(8.3 * unit, place.y());
+      const bool is_straight =
+          is_on_side(v) && is_on_side(level.one_ring(v).front()) && is_on_side(level.one_ring(v).back());
+      if (!is_straight || !is_star_valid(level.rings(), uv, v) || !has_crossings(border_edges(level.rings()), uv))
+        continue;
+      ASSERT_TRUE(separate_borders(level, uv));
+      EXPECT_FALSE(has_crossings(border_edges(level.rings()), uv));
+      EXPECT_TRUE(is_map_valid(level.rings(), uv));
+      EXPECT_NEAR(uv[v].y(), place.y(), 1e-9 * unit);
+      ++moved;
+    }
+  }
+  EXPECT_GT(moved, 5);
 }
 
 } // namespace test_contacts

@@ -5,6 +5,7 @@
 
 #include "closed_meshes.h"
 #include "generated_meshes.h"
+#include "hostile_meshes.h"
 #include "surface_with_corner_map.h"
 #include "test_meshes.h"
 
@@ -15,6 +16,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -48,6 +51,29 @@ TEST(Distorted_disk, is_cut_where_its_border_is_short)
     EXPECT_LT(energy(cut), 4.6);
     expect_one_to_one(cut);
     expect_one_to_one(whole);
+  }
+}
+
+// A ball with six limbs. A first cut leads from one tip to another, and one from each of the other four is enough.
+TEST(Closed_surface, is_cut_from_each_limb_once)
+{
+  const auto radius = [](const Point_3& p) {
+    double result = 1;
+    for (const double cosine : { p.x(), p.y(), p.z() }) {
+      const double angle = std::acos((std::min)(1., std::abs(cosine)));
+      result += 2 * std::exp(-angle * angle / 0.09);
+    }
+    return result;
+  };
+  for (const int subdivisions : { 3, 4, 5 }) {
+    Surface surface(moved(flat_mesh(hostile_meshes::octasphere(subdivisions)), [&](const Point_3& p) {
+      const double length = std::sqrt((p - CGAL::ORIGIN).squared_length());
+      const Point_3 unit = CGAL::ORIGIN + (p - CGAL::ORIGIN) / length;
+      return CGAL::ORIGIN + radius(unit) * (unit - CGAL::ORIGIN);
+    }));
+    const Cut_summary cut = cut_to_disk(surface.mesh, surface.seams);
+    EXPECT_EQ(cut.components[0].branches, 4u);
+    EXPECT_LE(cut.components[0].distortion, 4.5);
   }
 }
 

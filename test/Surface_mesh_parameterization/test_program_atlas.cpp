@@ -588,6 +588,15 @@ TEST(Program_advice, is_given_until_it_is_followed)
   EXPECT_NE(error_of("").find("26 borders; --fill-holes"), std::string::npos);
   for (const std::string arguments : { "--fill-holes", "--atlas" })
     EXPECT_EQ(error_of(arguments), "");
+  const Mesh ribbon = moved(grid(100, 2), [](double x, double y, double) {
+    const double angle = 2.6 * pi * x / 100, radius = 1 + 0.4 * y / 2;
+    return Point{ radius * std::cos(angle), radius * std::sin(angle), 0.2 * angle };
+  });
+  runs.write_input("in.off", ribbon);
+  EXPECT_NE(error_of("").find("pairs of triangles; --globally-injective"), std::string::npos);
+  EXPECT_EQ(error_of("--method lscm").find("--globally-injective"), std::string::npos);
+  for (const std::string arguments : { "--globally-injective", "--atlas" })
+    EXPECT_EQ(error_of(arguments), "");
 }
 
 // At the edges of an octahedron the surface turns by 70.5 degrees.

@@ -118,7 +118,8 @@ const Row off_files[] = {
   { "old_line_ends.off", [] { return with_line_ends(OFF(patch()), "\r"); }, good, ok },
   { "comments.off", [] { return with_line_ends(OFF(patch()), " # comment\n\n# comment\n"); }, good, ok },
   { "faces_over_several_lines.off",
-    as_is("OFF\n5\n4 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n1 2 1\n3\n0\n1\n4\n3 1 2\n4\n3 2 3 4 # color\n3\n3 0 4\n"), good, ok },
+    as_is("OFF\n5\n4 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n1 2 1\n"
+          "3\n0\n1\n4\n3 1 2\n4\n3 2 3 4 # color\n3\n3 0 4\n"), good, ok },
   { "corner_missing.off", as_is("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"), bad_input, unreadable, "face 0" },
   { "byte_order_mark.off", [] { return "\xef\xbb\xbf" + OFF(patch()); }, good, ok },
   { "wrong_ending.obj", [] { return OFF(patch()); }, bad_input, unreadable, "line 2" },

@@ -95,8 +95,10 @@ std::vector<bool> read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, cons
 /// A component with handles is cut along a short system of loops, two for each handle; a closed one without handles
 /// along a path between two places that are far from each other. Then the seam grows branches, until the map of least
 /// symmetric Dirichlet energy would be within a bound: each from the place that Tutte's map shrinks most, the tip of a
-/// limb, by the shortest path of edges to what is cut already. This is decided on a coarse level of the component's
-/// hierarchy. If extremities do not lead there, and the component has several borders, these are joined first.
+/// limb, by the shortest path of edges to what is cut already. Branches that gain little are given up; where no others
+/// are found, the map of least energy tells what is shrunk most. This is decided on a coarse level of the component's
+/// hierarchy. If the component has several borders, these are joined first where that is enough, or takes the shorter
+/// seam.
 /// Components that are disks already, with or without holes, are cut the same way where they would exceed a greater
 /// bound; unless the caller gives a bound, this is looked for only if their border is shorter than half of a circle of
 /// the same area: others are hardly ever distorted so far.

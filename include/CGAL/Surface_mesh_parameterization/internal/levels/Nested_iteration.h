@@ -60,7 +60,7 @@ private:
   Error_code refine(Level& level, Level::Uv& uv);
 
   // The finest level, where borders met on the one before: they will most likely meet again, and its map be given up. A
-  // draft of it tells, and is refined to the end if they do not.
+  // draft of it tells. If they do not, the result is the same as without it.
   Error_code refine_draft(Level& level, Level::Uv& uv, Level_summary& summary);
 
   Error_code refine_once(const Level& level, Level::Uv& uv, Level_summary& summary);

@@ -198,16 +198,17 @@ Error_code Nested_iteration::refine(Level& level, Level::Uv& uv)
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::refine_draft(Level& level, Level::Uv& uv, Level_summary& summary)
 {
+  const Level::Uv start = uv;
+  const Level_summary summary_at_start = summary;
   level.set_draft(true);
-  Error_code status = refine_once(level, uv, summary);
+  const Error_code status = refine_once(level, uv, summary);
   level.set_draft(false);
   summary.converged = false;
-  if (status == OK && m_is_apart) {
-    const double energy_start = summary.energy_start;
-    status = refine_once(level, uv, summary);
-    summary.energy_start = energy_start;
-  }
-  return status;
+  if (status != OK || !m_is_apart)
+    return status;
+  uv = start;
+  summary = summary_at_start;
+  return refine_once(level, uv, summary);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
