@@ -32,7 +32,7 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// A free border may overlap itself, unless the named parameter `globally_injective` is true. Then no border meets
 /// itself or another one, by exact predicates. If the map without this parameter is such a map, it is the result, unless
-/// borders meet on the last two levels on the way to it. Otherwise a barrier term (Smith and Schaefer 2015) is added to the energy where borders come near each other.
+/// borders meet on the level below and in a draft of it. Otherwise a barrier term (Smith and Schaefer 2015) is added to the energy where borders come near each other.
 ///
 /// Without the adaptor the method starts from Tutte's map onto a circle, or from the unfolded surface if that is a map
 /// of less energy. If neither is a map in doubles, it starts from the result on a level that is coarse enough. With
