@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstdio>
 #include <random>
+#include <utility>
 
 typedef Mesh::Property_map<Mesh::Halfedge_index, Point_2>   Corner_map;
 
@@ -95,13 +96,18 @@ double diagonal(const Mesh& mesh)
   return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
 
+struct Atlas_bounds
+{
+  double least_used_part, overlap;
+};
+
 template <template <class...> class Method>
-void measure_atlas(const std::string& name, Mesh mesh, bool is_mips, double least_used_part)
+void measure_atlas(const std::string& name, Mesh mesh, bool is_mips, const Atlas_bounds& bounds)
 {
   const Corner_map uv = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
   const Peak_memory memory;
-  const SMP::Atlas_summary summary =
-      SMP::atlas_parameterization<Method>(mesh, uv, SMP::parameters::least_used_part(least_used_part));
+  const SMP::Atlas_summary summary = SMP::atlas_parameterization<Method>(
+      mesh, uv, SMP::parameters::least_used_part(bounds.least_used_part).overlap_bound(bounds.overlap));
   const double bytes = memory.growth().value_or(0);
   check(summary.error.code);
   std::size_t handles = 0;
@@ -117,6 +123,22 @@ void measure_atlas(const std::string& name, Mesh mesh, bool is_mips, double leas
   std::fflush(stdout);
 }
 
+template <class Measure>
+void measure_parts(const Measure& measure)
+{
+  const std::pair<const char*, test_meshes::Flat_mesh> parts[] = {
+    { "heat sink, 20 fins", test_meshes::heat_sink(20) },
+    { "heat sink, 40 fins", test_meshes::heat_sink(40) },
+    { "perforated plate, 64 holes", test_meshes::perforated_plate(8) },
+    { "Menger sponge, 2 steps", test_meshes::menger_sponge(2) },
+    { "Menger sponge, 3 steps", test_meshes::menger_sponge(3) }
+  };
+  for (const auto& [name, part] : parts) {
+    Mesh mesh;
+    add(part, 1, 0, mesh);
+    measure(name, mesh);
+  }
+}
 
 void run(int argc, char* argv[])
 {
@@ -127,15 +149,20 @@ void run(int argc, char* argv[])
     ("handles", po::value<std::vector<int>>()->default_value({ 0, 1, 5, 20 }, "0, 1, 5, 20"),
      "numbers of handles of generated meshes")
     ("least-used-part", po::value<double>()->default_value(0.25),
-     "divide charts until they cover this part of the square");
+     "divide charts until they cover this part of the square")
+    ("overlap-bound", po::value<double>()->default_value(0.2),
+     "divide charts that would lie over themselves with more than this part of their triangles")
+    ("parts", po::bool_switch(), "mechanical parts, made of cubes");
   const po::variables_map values =
-      parse(argc, argv, options, "atlases [MESH.off ...] [--components N]... [--handles N]... [--least-used-part P]");
+      parse(argc, argv, options,
+            "atlases [MESH.off ...] [--components N]... [--handles N]... [--parts] [--least-used-part P] "
+            "[--overlap-bound P]");
   const auto files = values["mesh"].as<std::vector<std::string>>();
 
-  const double least_used_part = values["least-used-part"].as<double>();
+  const Atlas_bounds bounds = { values["least-used-part"].as<double>(), values["overlap-bound"].as<double>() };
   const auto measure = [&](const std::string& name, const Mesh& mesh) {
-    measure_atlas<SMP::Symmetric_Dirichlet_parameterizer_3>(name, mesh, false, least_used_part);
-    measure_atlas<SMP::MIPS_parameterizer_3>(name + ", MIPS", mesh, true, least_used_part);
+    measure_atlas<SMP::Symmetric_Dirichlet_parameterizer_3>(name, mesh, false, bounds);
+    measure_atlas<SMP::MIPS_parameterizer_3>(name + ", MIPS", mesh, true, bounds);
   };
 
   std::printf("%-28s %9s %6s %4s %7s %7s %7s %7s %7s %6s %5s %5s %8s %6s\n", "", "triangles", "charts", "hdls", "seam",
@@ -146,7 +173,10 @@ void run(int argc, char* argv[])
     mesh.collect_garbage();
     measure(file.substr(file.find_last_of('/') + 1), mesh);
   }
-  const auto is_wanted = [&](const char* option) { return files.empty() || !values[option].defaulted(); };
+  if (values["parts"].as<bool>())
+    measure_parts(measure);
+  const bool makes_all = files.empty() && !values["parts"].as<bool>();
+  const auto is_wanted = [&](const char* option) { return makes_all || !values[option].defaulted(); };
   if (is_wanted("handles"))
     for (const int n : values["handles"].as<std::vector<int>>()) {
       const std::size_t handles = checked_count("handles", n, 0, 1000);

@@ -16,7 +16,7 @@
 #include <string_view>
 
 // Reads Geomview's OFF, text or binary: [ST][C][N][4]OFF. Of a vertex, texture coordinates, color and normal are
-// skipped, of a face the color. A face may go over several lines.
+// skipped, of a face the color. In a text, the corners of a face may go over several lines, each vertex has its own.
 class OFF_reader
 {
 public:

@@ -15,25 +15,25 @@
 // Surfaces without a border, and of several components.
 namespace test_meshes {
 
-// The surface of a plate of cubes with a row of square holes through it: as many handles. A side of a hole has
-// `refinement` edges.
-inline Flat_mesh plate_with_holes(Index holes, Index refinement)
+typedef std::array<int, 3>   Cell;
+
+// The surface of the cubes of a box for which `is_cube(cell)` holds. It is no manifold where two of them touch in an
+// edge or a corner alone.
+template <class Is_cube>
+Flat_mesh surface_of_cubes(const Cell& size, double length, const Is_cube& is_cube)
 {
-  typedef std::array<int, 3>   Cell;
-  const int n = int(refinement);
-  const Cell size = { (2 * int(holes) + 1) * n, 3 * n, n };
   const auto is_solid = [&](const Cell& c) {
     for (std::size_t i = 0; i < 3; ++i)
       if (c[i] < 0 || c[i] >= size[i])
         return false;
-    return !(c[0] / n % 2 == 1 && c[1] / n == 1);
+    return bool(is_cube(c));
   };
   Flat_mesh m;
   std::map<Cell, Index> vertices;
   const auto vertex = [&](const Cell& c) {
     const auto [place, is_new] = vertices.try_emplace(c, Index(m.points.size()));
     if (is_new)
-      m.points.emplace_back(double(c[0]) / n, double(c[1]) / n, double(c[2]) / n);
+      m.points.emplace_back(length * c[0], length * c[1], length * c[2]);
     return place->second;
   };
   for (int x = 0; x < size[0]; ++x)
@@ -58,6 +58,41 @@ inline Flat_mesh plate_with_holes(Index holes, Index refinement)
             m.triangles.push_back({ square[0], square[2], square[3] });
           }
   return m;
+}
+
+// A plate with a row of square holes through it: as many handles. A side of a hole has `refinement` edges.
+inline Flat_mesh plate_with_holes(Index holes, Index refinement)
+{
+  const int n = int(refinement);
+  return surface_of_cubes({ (2 * int(holes) + 1) * n, 3 * n, n }, 1. / n,
+                          [n](const Cell& c) { return !(c[0] / n % 2 == 1 && c[1] / n == 1); });
+}
+
+// The same with a square of holes, one cube thick.
+inline Flat_mesh perforated_plate(int holes_in_row)
+{
+  return surface_of_cubes({ 2 * holes_in_row + 1, 2 * holes_in_row + 1, 1 }, 1,
+                          [](const Cell& c) { return c[0] % 2 == 0 || c[1] % 2 == 0; });
+}
+
+// A plate with parallel fins.
+inline Flat_mesh heat_sink(int fins)
+{
+  return surface_of_cubes({ 2 * fins - 1, 10, 6 }, 1, [](const Cell& c) { return c[2] == 0 || c[0] % 2 == 0; });
+}
+
+// Of a cube, the middle of each side and of the whole are left out of 27 parts, and so on with the parts.
+inline Flat_mesh menger_sponge(int steps)
+{
+  int n = 1;
+  for (int i = 0; i < steps; ++i)
+    n *= 3;
+  return surface_of_cubes({ n, n, n }, 1, [n](const Cell& c) {
+    for (int part = 1; part < n; part *= 3)
+      if ((c[0] / part % 3 == 1) + (c[1] / part % 3 == 1) + (c[2] / part % 3 == 1) > 1)
+        return false;
+    return true;
+  });
 }
 
 inline Flat_mesh tetrahedron()

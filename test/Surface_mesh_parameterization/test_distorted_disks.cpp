@@ -20,6 +20,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace test_distorted_disks {
 
@@ -54,27 +55,47 @@ TEST(Distorted_disk, is_cut_where_its_border_is_short)
   }
 }
 
-// A ball with six limbs. A first cut leads from one tip to another, and one from each of the other four is enough.
+// A ball with six limbs, scaled.
+Flat_mesh ball_with_limbs(int subdivisions, double scale)
+{
+  return moved(flat_mesh(hostile_meshes::octasphere(subdivisions)), [scale](const Point_3& p) {
+    const auto direction = (p - CGAL::ORIGIN) / std::sqrt((p - CGAL::ORIGIN).squared_length());
+    double radius = 1;
+    for (const double cosine : { direction.x(), direction.y(), direction.z() }) {
+      const double angle = std::acos((std::min)(1., std::abs(cosine)));
+      radius += 2 * std::exp(-angle * angle / 0.09);
+    }
+    return CGAL::ORIGIN + scale * radius * direction;
+  });
+}
+
+// A first cut leads from one tip to another, and one from each of the other four is enough.
 TEST(Closed_surface, is_cut_from_each_limb_once)
 {
-  const auto radius = [](const Point_3& p) {
-    double result = 1;
-    for (const double cosine : { p.x(), p.y(), p.z() }) {
-      const double angle = std::acos((std::min)(1., std::abs(cosine)));
-      result += 2 * std::exp(-angle * angle / 0.09);
-    }
-    return result;
-  };
   for (const int subdivisions : { 3, 4, 5 }) {
-    Surface surface(moved(flat_mesh(hostile_meshes::octasphere(subdivisions)), [&](const Point_3& p) {
-      const double length = std::sqrt((p - CGAL::ORIGIN).squared_length());
-      const Point_3 unit = CGAL::ORIGIN + (p - CGAL::ORIGIN) / length;
-      return CGAL::ORIGIN + radius(unit) * (unit - CGAL::ORIGIN);
-    }));
+    Surface surface(ball_with_limbs(subdivisions, 1));
     const Cut_summary cut = cut_to_disk(surface.mesh, surface.seams);
     EXPECT_EQ(cut.components[0].branches, 4u);
     EXPECT_LE(cut.components[0].distortion, 4.5);
   }
+}
+
+// With three holes, which may be joined.
+TEST(Distorted_disk, is_cut_alike_at_all_scales)
+{
+  std::vector<double> lengths;
+  for (const double scale : { std::exp2(-10), 1., std::exp2(10) }) {
+    Flat_mesh m = ball_with_limbs(4, scale);
+    for (const std::size_t f : { 1000u, 500u, 3u })
+      m.triangles.erase(m.triangles.begin() + f);
+    Surface surface(m);
+    const Cut_summary cut = cut_to_disk(surface.mesh, surface.seams);
+    EXPECT_EQ(cut.components[0].borders, 3u);
+    EXPECT_GT(cut.seam_length, 0);
+    lengths.push_back(cut.seam_length / scale);
+  }
+  EXPECT_EQ(lengths[0], lengths[1]);
+  EXPECT_EQ(lengths[2], lengths[1]);
 }
 
 // A tube with two open ends lies flat after one cut along it, and seams lead nowhere else.

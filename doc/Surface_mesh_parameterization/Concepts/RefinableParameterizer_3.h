@@ -69,8 +69,8 @@ public:
 
   /// optional, for a method that can keep the borders of a map from meeting: switches this off and on. Nested iteration
   /// switches it off first. If borders meet in the result, it switches it on, and goes on from the finest level on
-  /// which they did not; a visitor sees the levels above it a second time. Whether they do is found out by a draft of the
-  /// finest level, see `Level::is_draft()`, if they met on the level before.
+  /// which they did not; a visitor sees the levels above it a second time. If they met on the level before the finest
+  /// one, it asks for a draft of that first, see `Level::is_draft()`, which a method may ignore.
   ///
   /// \return whether the method was asked to keep borders apart
   bool keep_borders_apart(bool yes);

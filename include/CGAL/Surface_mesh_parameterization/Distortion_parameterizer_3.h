@@ -31,8 +31,9 @@ namespace CGAL::Surface_mesh_parameterization {
 /// of the surface.
 ///
 /// A free border may overlap itself, unless the named parameter `globally_injective` is true. Then no border meets
-/// itself or another one, by exact predicates. If the map without this parameter is such a map, it is the result, unless
-/// borders meet on the level below and in a draft of it. Otherwise a barrier term (Smith and Schaefer 2015) is added to the energy where borders come near each other.
+/// itself or another one, by exact predicates. If the map without this parameter is such a map, it is the result,
+/// unless borders meet on the level below and in a draft of the finest level. Otherwise a barrier term (Smith and
+/// Schaefer 2015) is added to the energy where borders come near each other.
 ///
 /// Without the adaptor the method starts from Tutte's map onto a circle, or from the unfolded surface if that is a map
 /// of less energy. If neither is a map in doubles, it starts from the result on a level that is coarse enough. With
@@ -184,7 +185,7 @@ private:
     const Error_code status = internal::minimize_flip_free(
         energy, Energy::is_scale_invariant && level.is_finest(), uv, m_options, summary);
     if constexpr (!internal::is_finite_energy<E>)
-      if (status == OK && level.is_finest() && !std::isfinite(energy(uv)))
+      if (status == OK && !level.is_draft() && !std::isfinite(energy(uv)))
         return ERROR_NO_1_TO_1_MAPPING;
     return status;
   }

@@ -80,8 +80,9 @@ public:
   /// whether the level is the input
   bool is_finest() const { return m_index + 1 == hierarchy().number_of_levels(); }
 
-  /// whether the map of the level only has to be a good start: for that of a finer level, or for a map that may be
-  /// given up. On the finest level a method is called once more where the draft turns out to be what is wanted
+  /// whether the map of the level only has to be a good start: for that of a finer level, or as a draft of one that may
+  /// be given up. Where a draft of the finest level shows that it is not, the method is called again, from the same
+  /// start
   bool is_draft() const { return m_is_draft || !is_finest(); }
 
   /// number of vertices: their ranks are the numbers below it
@@ -172,7 +173,7 @@ public:
 private:
   const Collapse_hierarchy_3* m_hierarchy;
   std::size_t m_index;
-  bool m_is_draft = false;                // the finest level, if that is the one
+  bool m_is_draft = false;                // what is asked for on the finest level
   std::vector<Triangle> m_triangles;      // of a level below the finest
   internal::Loops m_loops;
   internal::Run_progress* m_progress;

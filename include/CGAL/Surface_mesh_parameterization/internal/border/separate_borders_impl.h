@@ -6,40 +6,31 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/separate_borders.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Vertex_inserter.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The point of the coarse border edge that a new border vertex goes toward.
+// The point of the coarse border edge that a new border vertex goes toward; `uv` is left as it was.
 inline Point_2 point_of_coarse_edge(const Level& level, Level::Uv& uv, Index v)
 {
   constexpr int most_halvings = 6;
-  const Level::Ring ring = level.one_ring(v);
-  const Index kept = level.hierarchy().kept_vertex(v);
-  if (ring.front() != kept && ring.back() != kept)
-    return uv[kept];
-  const Index other = ring.front() == kept ? ring.back() : ring.front();
-  const double to_kept = std::sqrt((level.point(kept) - level.point(v)).squared_length()),
-               to_other = std::sqrt((level.point(other) - level.point(v)).squared_length());
-  double part = to_kept / (to_kept + to_other);
-  if (!(part < 1))
-    return uv[kept];
-  const auto point = [&] { return uv[kept] + part * (uv[other] - uv[kept]); };
-  const Point_2 place = uv[v];
-  const bool is_ear = ring.size() == 2;
+  const Collapse_hierarchy_3& hierarchy = level.hierarchy();
+  const Point_2 place = uv[v], kept = uv[hierarchy.kept_vertex(v)];
+  const bool is_ear = level.number_of_triangles(v) == 1;
+  Point_2 result = stored_place(uv, hierarchy.parent_triangle(v), hierarchy.barycentric_coordinates(v));
   bool is_valid = is_ear;
   for (int i = 0; i < most_halvings && !is_valid; ++i) {
-    uv[v] = point();
+    uv[v] = result;
     is_valid = is_star_valid(level.rings(), uv, v);
     if (!is_valid)
-      part /= 2;
+      result = CGAL::midpoint(kept, result);
   }
   uv[v] = place;
-  return is_valid ? point() : uv[kept];
+  return is_valid ? result : kept;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -19,7 +19,7 @@ struct Cut_options
   bool joins_borders = false;               // whether the result is a disk without holes
   std::size_t most_branches = 50;           // paths to extremities
   double least_gain = 0.01;                 // of a branch, of the distortion above its minimum
-  unsigned int most_failures = 8;           // branches that gain less, of each way to find them
+  unsigned int most_failures = 8;           // branches that gain less, before a search ends
   std::size_t sample_size = 2000;           // vertices of the coarse level on which extremities are found
 
   bool is_valid() const { return distortion_bound >= Symmetric_Dirichlet_energy_2::minimum; }

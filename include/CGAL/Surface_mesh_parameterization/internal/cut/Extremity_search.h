@@ -22,8 +22,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -52,8 +50,9 @@ inline Sample coarsest_level(const Collapse_hierarchy_3& hierarchy)
   const Level level(hierarchy);
   Sample sample;
   std::vector<std::pair<std::pair<Index, Index>, Index>> edges;       // ends in order, halfedge
+  const double unit = std::ldexp(1., -level.scale_exponent());      // of the level, in the user's
   for (Index v = 0; v < level.number_of_vertices(); ++v) {
-    sample.mesh.points.push_back(level.point(v));
+    sample.mesh.points.push_back(CGAL::ORIGIN + unit * (level.point(v) - CGAL::ORIGIN));
     sample.fine_vertex.push_back(hierarchy.input_vertex(v));
   }
   for (const Level::Triangle& t : level.triangles())
@@ -84,20 +83,20 @@ public:
   }
 
   // Returns the extremities, vertices of the fine mesh, in the order in which they were found. None is looked for once
-  // the cuts are longer than a bound.
+  // the cuts are as long as a bound, which the last one may exceed.
   //
   // Tutte's map shrinks tips of long limbs most. Those next to the border come last, where there are no others, as on a
   // surface of few vertices. Where this finds no more of them, the map of least distortion tells what is left.
   std::vector<Index> run(double longest_seam)
   {
     std::vector<Index> extremities;
-    const auto is_inner_and_shrunk = [](const State& s, Index v) {
+    const auto priority_by_Tutte = [](const State& s, Index v) {
       return std::pair<bool, double>(!s.is_next_to_border[v], s.shrinkage_by_Tutte[v]);
     };
-    const auto is_shrunk = [](const State& s, Index v) { return s.shrinkage[v]; };
-    add_branches(is_inner_and_shrunk, longest_seam, extremities);
+    const auto priority_by_map = [](const State& s, Index v) { return s.shrinkage[v]; };
+    add_branches(priority_by_Tutte, longest_seam, extremities);
     m_state.is_tried.assign(m_state.is_tried.size(), false);
-    add_branches(is_shrunk, longest_seam, extremities);
+    add_branches(priority_by_map, longest_seam, extremities);
     return extremities;
   }
 
@@ -120,6 +119,7 @@ private:
   // Fills in what maps of the sample tell: Tutte's, and one of least distortion, which begins at the one that is there.
   static void measure(State& state)
   {
+    const std::vector<Point_2> start = std::exchange(state.uv, {});
     const std::size_t n = state.sample.mesh.number_of_vertices();
     const Collapse_hierarchy_3 hierarchy = make_hierarchy(state.sample.mesh, n);
     Level level(hierarchy);
@@ -134,8 +134,8 @@ private:
       state.is_next_to_border[hierarchy.input_vertex(v)] = internal::is_next_to_border(level, v);
 
     bool has_map = false;
-    if (!state.uv.empty()) {
-      uv = by_rank(hierarchy, state.uv);
+    if (!start.empty()) {
+      uv = by_rank(hierarchy, start);
       has_map = open_cuts(level, uv);
     }
     if (!has_map) {
@@ -145,19 +145,18 @@ private:
     }
     state.distortion = least_distortion(level, has_map, uv);
     state.shrinkage = shrinkages(level, uv);
-    state.uv = in_input_order(hierarchy, uv);
-    if (!std::isfinite(state.distortion))
-      state.uv.clear();
+    if (std::isfinite(state.distortion))
+      state.uv = in_input_order(hierarchy, uv);
   }
 
-  // The vertex of the greatest rank that no branch was tried from; none on the border.
-  template <class Rank>
-  Index candidate(const Rank& rank) const
+  // The vertex of the greatest priority that no branch was tried from; none on the border.
+  template <class Priority>
+  Index candidate(const Priority& priority) const
   {
     Index result = no_index;
     for (Index v = 0; v < m_state.shrinkage_by_Tutte.size(); ++v)
       if (m_state.shrinkage_by_Tutte[v] >= 0 && !m_state.is_tried[v] &&
-          (result == no_index || rank(m_state, result) < rank(m_state, v)))
+          (result == no_index || priority(m_state, result) < priority(m_state, v)))
         result = v;
     return result;
   }
@@ -180,14 +179,14 @@ private:
     return result;
   }
 
-  // Cuts from where the rank is greatest, until too often that gains too little.
-  template <class Rank>
-  void add_branches(const Rank& rank, double longest_seam, std::vector<Index>& extremities)
+  // Cuts from where the priority is greatest, until too often that gains too little.
+  template <class Priority>
+  void add_branches(const Priority& priority, double longest_seam, std::vector<Index>& extremities)
   {
     unsigned int failures = 0;
     while (m_state.distortion > m_options.distortion_bound && extremities.size() < m_options.most_branches &&
            failures < m_options.most_failures && seam_length() < longest_seam) {
-      const Index tip = candidate(rank);
+      const Index tip = candidate(priority);
       if (tip == no_index)
         break;
       State other = with_branch(tip);
@@ -204,7 +203,9 @@ private:
   bool is_gain(double other_distortion) const
   {
     constexpr double minimum = Symmetric_Dirichlet_energy_2::minimum;
-    return !(m_state.distortion - other_distortion < m_options.least_gain * (m_state.distortion - minimum)) ||
+    if (!std::isfinite(m_state.distortion) || !std::isfinite(other_distortion))
+      return !std::isfinite(m_state.distortion);
+    return m_state.distortion - other_distortion >= m_options.least_gain * (m_state.distortion - minimum) ||
            m_state.distortion > great_distortion;
   }
 

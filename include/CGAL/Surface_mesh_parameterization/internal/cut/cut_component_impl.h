@@ -68,7 +68,10 @@ public:
   // Whether no more cuts are needed, also because the surface is developable.
   bool is_within(double bound)
   {
-    m_unfolds = m_unfolds || (distortion() > bound && m_extremities.empty() && unfolds(m_mesh));
+    if (distortion() > bound && m_extremities.empty() && !m_was_unfolded) {
+      m_was_unfolded = true;
+      m_unfolds = unfolds(m_mesh);
+    }
     return distortion() <= bound;
   }
 
@@ -88,6 +91,7 @@ private:
   Corner_mesh m_mesh;
   Extremity_search m_search;
   std::vector<Index> m_extremities;
+  bool m_was_unfolded = false;      // was tried
   bool m_unfolds = false;
 };
 
@@ -110,11 +114,14 @@ inline void find_cuts(Cut_candidate& best, const Cut_options& options)
   }
   joined.find_extremities(any_length);
   const bool is_enough = joined.is_within(options.distortion_bound);
-  best.find_extremities(is_enough ? length_of_joins + joined.length_of_branches() : any_length);
-  if (!best.is_within(options.distortion_bound) && joined.distortion() < best.distortion())
+  const double length = is_enough ? length_of_joins + joined.length_of_branches() : any_length;
+  best.find_extremities(length);
+  const bool is_best = best.is_within(options.distortion_bound) && best.length_of_branches() <= length;
+  if (!is_best && (is_enough || joined.distortion() < best.distortion()))
     best = std::move(joined);
 }
 
+// Cuts a mesh of disk type that exceeds a bound.
 inline void cut_distorted(Corner_mesh& mesh, double bound, const Cut_options& options, Component_cut& result)
 {
   Cut_candidate best(std::move(mesh), options);

@@ -54,8 +54,8 @@ inline std::vector<double> shrinkages(const Level& level, const Level::Uv& uv)
   return result;
 }
 
-// In the map of a level that was cut less, the sides of a cut coincide. That is a full turn at its end, and no map: moves
-// them apart there. Returns whether the result is a map.
+// In the map of a level that was cut less, the sides of a cut coincide, which is a full turn at its end, and no map:
+// moves them apart there. Returns whether the result is a map.
 inline bool open_cuts(const Level& level, Level::Uv& uv)
 {
   constexpr double part_of_way = 0.1;
@@ -77,16 +77,14 @@ inline bool open_cuts(const Level& level, Level::Uv& uv)
   return is_map_valid(level.rings(), uv, level.loops());
 }
 
-// Above it, distortions are not known so well that they could be compared.
+// Distortions above this are not known so well that they could be compared.
 constexpr double great_distortion = 2 * Symmetric_Dirichlet_energy_2::minimum;
-
-// Above it, another start may lead to less.
-constexpr double hopeless_distortion = 1000 * Symmetric_Dirichlet_energy_2::minimum;
 
 // The least mean symmetric Dirichlet energy of a level, about, from a map without flips. Infinite if it was not found.
 // From the map of a level that was cut less, a draft is the beginning.
 inline double least_distortion(Level& level, bool begins_with_draft, Level::Uv& uv)
 {
+  constexpr double hopeless_distortion = 1000 * Symmetric_Dirichlet_energy_2::minimum;      // another start may help
   const Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, Triangle_weight::AREA);
   Refinement_options options;
   options.number_of_iterations = 50;

@@ -18,6 +18,7 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Level::go_to(std::size_t index)
 {
   m_index = index;
+  m_is_draft = false;
   const std::size_t vertices = hierarchy().number_of_vertices(index);
   // On the way up the arrays grow into memory that is reserved but not yet used: where they were allocated anew for
   // every level, the system would have to clear that memory again and again.

@@ -53,14 +53,15 @@ private:
   Error_code climb_with_borders_apart(Level& level, Level::Uv& uv);
 
   // The same, unless the map lies over itself far. If it does so at all, and keeping the borders apart fails or costs
-  // much energy, it stays as it was, too: a draft, which has not converged.
+  // much energy, it stays as it was, too. It may be a draft, which has not converged.
   Error_code separate_borders_if_that_pays(Level& level, Level::Uv& uv);
 
   Error_code insert_vertices(const Level& level, Level::Uv& uv) const;
   Error_code refine(Level& level, Level::Uv& uv);
 
-  // The finest level, where borders met on the one before: they will most likely meet again, and its map be given up. A
-  // draft of it tells. If they do not, the result is the same as without it.
+  // Whether the level is the finest one, and borders met on the one before: they will most likely meet again, and its
+  // map be given up. A draft of it tells. If they do not, the result is the same as without it.
+  bool begins_with_draft(const Level& level) const { return level.is_finest() && m_watches_borders && !m_is_apart; }
   Error_code refine_draft(Level& level, Level::Uv& uv, Level_summary& summary);
 
   Error_code refine_once(const Level& level, Level::Uv& uv, Level_summary& summary);

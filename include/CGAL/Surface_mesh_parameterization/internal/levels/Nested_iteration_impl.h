@@ -62,6 +62,7 @@ Error_code Nested_iteration::parameterize_level_by_level(Level& level, Level::Uv
 {
   m_summary.levels.clear();
   m_start = Level::Uv();
+  m_is_apart = true;
   m_method.keep_borders_apart(false);
   m_watches_borders = m_must_keep_apart;
   level.go_to(0);
@@ -102,7 +103,6 @@ Error_code Nested_iteration::refine_start(Level& level, std::vector<Point_2> sta
 {
   m_timer_of_level.reset();
   level.go_to(level.hierarchy().number_of_levels() - 1);
-  start_stage(level);
   uv = by_rank(level.hierarchy(), start);
   start = std::vector<Point_2>();
   if (is_free(level) && !bring_to_scale(level, m_must_keep_apart, uv))
@@ -111,7 +111,9 @@ Error_code Nested_iteration::refine_start(Level& level, std::vector<Point_2> sta
   if (m_watches_borders) {
     m_method.keep_borders_apart(false);
     m_start = uv;
+    m_is_apart = !has_crossings(border_edges(level.rings()), uv);
   }
+  start_stage(level);
   const Error_code status = refine(level, uv);
   return status == OK ? separate_borders(level, uv) : status;
 }
@@ -185,9 +187,8 @@ Error_code Nested_iteration::refine(Level& level, Level::Uv& uv)
   summary.faces = level.number_of_faces();
   if (level.is_finest())
     m_finisher.remember_start(uv);
-  const bool begins_with_draft = level.is_finest() && m_watches_borders && !m_is_apart;
   const Error_code status =
-      begins_with_draft ? refine_draft(level, uv, summary) : refine_once(level, uv, summary);
+      begins_with_draft(level) ? refine_draft(level, uv, summary) : refine_once(level, uv, summary);
   if (status != OK)
     return status;
   if (m_visitor && !m_visitor->level_parameterized(level, uv, summary))
@@ -204,10 +205,12 @@ Error_code Nested_iteration::refine_draft(Level& level, Level::Uv& uv, Level_sum
   const Error_code status = refine_once(level, uv, summary);
   level.set_draft(false);
   summary.converged = false;
-  if (status != OK || !m_is_apart)
+  if (status == ERROR_STOPPED || (status == OK && !m_is_apart))
     return status;
   uv = start;
   summary = summary_at_start;
+  m_is_apart = true;
+  start_stage(level);
   return refine_once(level, uv, summary);
 }
 
@@ -240,14 +243,15 @@ Error_code Nested_iteration::finish(const Level& level, Level::Uv& uv)
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Nested_iteration::start_stage(const Level& level)
 {
-  constexpr double factor_of_finest_level = 10, part_of_end = 0.1;
+  constexpr double factor_of_finest_level = 10, factor_of_draft = 3, part_of_end = 0.1;
   const Collapse_hierarchy_3& hierarchy = level.hierarchy();
   const double work = double(level.number_of_vertices());
   double rest = (factor_of_finest_level + part_of_end) * double(hierarchy.number_of_vertices());
   for (std::size_t i = level.index(); i + 1 < hierarchy.number_of_levels(); ++i)
     rest += double(hierarchy.number_of_vertices(i));
-  m_progress.start_stage((level.is_finest() ? factor_of_finest_level : 1) * work / rest, level.index(),
-                         hierarchy.number_of_levels(), level.number_of_vertices());
+  const double factor = begins_with_draft(level) ? factor_of_draft : level.is_finest() ? factor_of_finest_level : 1;
+  m_progress.start_stage(factor * work / rest, level.index(), hierarchy.number_of_levels(),
+                         level.number_of_vertices());
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
