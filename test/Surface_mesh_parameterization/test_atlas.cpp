@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -450,6 +451,54 @@ TEST(Packing, keeps_fine_margins)
     expect_one_to_one(surface);
     EXPECT_GT(distance(surface.charts()[0][0], surface.charts()[1][0]), margin);
   }
+}
+
+// A row of squares that winds back to its first one, whose corner it meets but for a gap; if that is negative, the
+// squares overlap.
+internal::Chart almost_closed_ring(double gap)
+{
+  const int path[][2] = { { 0, 0 },  { 0, -1 }, { 1, -1 }, { 2, -1 }, { 3, -1 },
+                          { 3, 0 }, { 3, 1 },  { 2, 1 },  { 1, 1 } };
+  internal::Chart chart;
+  std::map<std::pair<int, int>, Index> vertices;
+  const auto vertex = [&](int x, int y) {
+    const auto [place, is_new] = vertices.try_emplace({ x, y }, Index(chart.points.size()));
+    if (is_new)
+      chart.points.emplace_back(x, y);
+    return place->second;
+  };
+  for (const auto& [x, y] : path) {
+    chart.triangles.push_back({ vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1) });
+    chart.triangles.push_back({ vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1) });
+    if (x == 0 && y == 0) {
+      chart.points[vertices[{ 1, 1 }]] = internal::Point_2(1 - gap, 1 - gap);
+      vertices.erase({ 1, 1 });      // the last square has its own
+    }
+  }
+  return chart;
+}
+
+TEST(Packing, parts_borders_that_rounding_lets_meet)
+{
+  const auto overlaps = [](const internal::Chart& chart) {
+    std::vector<internal::Triangle_2> triangles;
+    for (const internal::Index_triangle& t : chart.triangles)
+      triangles.push_back({ chart.points[t[0]], chart.points[t[1]], chart.points[t[2]] });
+    return internal::number_of_overlapping_pairs(triangles);
+  };
+  const internal::Chart apart = almost_closed_ring(1e-15), meeting = almost_closed_ring(-1e-15);
+  ASSERT_EQ(overlaps(apart), 0u);
+  ASSERT_GT(overlaps(meeting), 0u);
+  internal::Chart parted = meeting;
+  EXPECT_TRUE(internal::part_borders(parted, apart.points, nullptr));
+  EXPECT_EQ(overlaps(parted), 0u);
+  EXPECT_TRUE(internal::is_positive(parted));
+  for (std::size_t i = 0; i < parted.points.size(); ++i)
+    EXPECT_LT((parted.points[i] - meeting.points[i]).squared_length(), 1e-15);
+  // Borders that met before are not rounding's.
+  internal::Chart left = meeting;
+  EXPECT_TRUE(internal::part_borders(left, meeting.points, nullptr));
+  EXPECT_EQ(left.points, meeting.points);
 }
 
 // A chart that becomes a segment when it is turned does not spoil the others.

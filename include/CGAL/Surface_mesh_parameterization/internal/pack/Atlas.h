@@ -68,9 +68,13 @@ void make_charts(const std::vector<Point_2>& corners, Atlas& atlas);
 // The same of a mesh that has been severed between the charts.
 void split_charts(const std::vector<Point_2>& corners, Atlas& atlas);
 
+// Moves border vertices of a chart a little into it, where rounding has made borders meet that do not in its shape.
+// Returns whether that is done, or they met before.
+bool part_borders(Chart& chart, const std::vector<Point_2>& shape, Round_coordinate round);
+
 // Packs those charts of an atlas that are wanted. Coordinates are rounded by `round` if that is not null. A chart
 // without flips stays so: where rounding makes a flip, vertices move, or the chart is scaled up, but not so far
-// that it meets another one. A chart for which that fails is not wanted any more. Returns how the charts fill the
+// that it meets another one. Borders that do not meet stay so, too. A chart for which that fails is not wanted any more. Returns how the charts fill the
 // square, or a side of 0 if they have no area.
 Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_options& options, Round_coordinate round);
 

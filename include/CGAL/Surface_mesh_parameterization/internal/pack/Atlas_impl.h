@@ -5,12 +5,14 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_IMPL_H
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/turn_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Origin.h>
@@ -19,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -171,6 +174,37 @@ inline bool round_places_repaired(Chart& chart, const Corner_mesh& mesh, Round_c
   return repair_map(surface_of(mesh), false, chart.points, unused_number) == OK && round_places(chart, round);
 }
 
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool part_borders(Chart& chart, const std::vector<Point_2>& shape, Round_coordinate round)
+{
+  constexpr double first_part_of_way = 1e-9, greatest_part_of_way = 0.1;
+  const One_rings rings(chart.points.size(), chart.triangles);
+  const std::vector<Border_edge> edges = border_edges(rings);
+  if (!has_crossings(edges, chart.points) || has_crossings(edges, shape))
+    return true;
+  const auto move_inward = [&](Index v, double part_of_way) {
+    const Point_2 start = chart.points[v];
+    Vector_2 sum(0, 0);
+    for (const Index w : rings[v])
+      sum = sum + (chart.points[w] - start);
+    const Point_2 end = start + part_of_way / double(rings[v].size()) * sum;
+    chart.points[v] = round ? Point_2(round(end.x(), 0), round(end.y(), 0)) : end;
+    if (!is_star_valid(rings, chart.points, v))
+      chart.points[v] = start;
+  };
+  for (double part = first_part_of_way; part <= greatest_part_of_way; part *= 10) {
+    std::set<Index> meeting;
+    for_each_crossing(edges, chart.points, [&](std::size_t i, std::size_t j) {
+      meeting.insert({ edges[i].source, edges[i].target, edges[j].source, edges[j].target });
+    });
+    if (meeting.empty())
+      return true;
+    for (const Index v : meeting)
+      move_inward(v, part);
+  }
+  return !has_crossings(edges, chart.points);
+}
+
 // Whether the wanted charts lie in a square, and do not overlap.
 inline bool are_apart(const Atlas& atlas, const std::vector<bool>& is_wanted, double side)
 {
@@ -223,10 +257,12 @@ Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_option
     chart.points = scaled_places(std::move(chart.points), scale);
     const std::vector<Point_2> exact = chart.points;
     if (was_positive[i]) {
+      const std::vector<Point_2> shape = map_of(atlas, faces);
       is_wanted[number] =
-          round_places(chart, round) ||
-          round_places_enlarged(chart, scaled_places(map_of(atlas, faces), scale), round, most_distance) ||
-          round_places_repaired(chart, component_of(atlas.mesh, faces, scratch), round);
+          (round_places(chart, round) ||
+           round_places_enlarged(chart, scaled_places(shape, scale), round, most_distance) ||
+           round_places_repaired(chart, component_of(atlas.mesh, faces, scratch), round)) &&
+          part_borders(chart, shape, round);
       if (is_wanted[number] && !is_near(chart.points, exact, most_distance))
         strayed.push_back(number);
     } else
