@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/move_inward.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
@@ -59,21 +60,10 @@ inline std::vector<double> shrinkages(const Level& level, const Level::Uv& uv)
 inline bool open_cuts(const Level& level, Level::Uv& uv)
 {
   constexpr double part_of_way = 0.1;
-  const auto move_inward = [&](Index v) {
-    const Level::Ring ring = level.one_ring(v);
-    Vector_2 sum(0, 0);
-    for (const Index w : ring)
-      sum = sum + (uv[w] - uv[v]);
-    const Point_2 start = uv[v];
-    uv[v] = start + part_of_way / double(ring.size()) * sum;
-    if (!is_star_valid(level.rings(), uv, v))
-      uv[v] = start;
-  };
   for (Index v = 0; v < level.number_of_vertices(); ++v)
-    if (level.is_border(v) && turns_too_far(level.rings(), Place_of_vertex{ uv }, v)) {
-      move_inward(level.one_ring(v).front());
-      move_inward(level.one_ring(v).back());
-    }
+    if (level.is_border(v) && turns_too_far(level.rings(), Place_of_vertex{ uv }, v))
+      for (const Index w : { level.one_ring(v).front(), level.one_ring(v).back() })
+        move_inward(level.rings(), w, part_of_way, uv);
   return is_map_valid(level.rings(), uv, level.loops());
 }
 

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/turn_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/move_inward.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Origin.h>
@@ -182,16 +182,6 @@ bool part_borders(Chart& chart, const std::vector<Point_2>& shape, Round_coordin
   const std::vector<Border_edge> edges = border_edges(rings);
   if (!has_crossings(edges, chart.points) || has_crossings(edges, shape))
     return true;
-  const auto move_inward = [&](Index v, double part_of_way) {
-    const Point_2 start = chart.points[v];
-    Vector_2 sum(0, 0);
-    for (const Index w : rings[v])
-      sum = sum + (chart.points[w] - start);
-    const Point_2 end = start + part_of_way / double(rings[v].size()) * sum;
-    chart.points[v] = round ? Point_2(round(end.x(), 0), round(end.y(), 0)) : end;
-    if (!is_star_valid(rings, chart.points, v))
-      chart.points[v] = start;
-  };
   for (double part = first_part_of_way; part <= greatest_part_of_way; part *= 10) {
     std::set<Index> meeting;
     for_each_crossing(edges, chart.points, [&](std::size_t i, std::size_t j) {
@@ -200,7 +190,7 @@ bool part_borders(Chart& chart, const std::vector<Point_2>& shape, Round_coordin
     if (meeting.empty())
       return true;
     for (const Index v : meeting)
-      move_inward(v, part);
+      move_inward(rings, v, part, chart.points, round);
   }
   return !has_crossings(edges, chart.points);
 }
