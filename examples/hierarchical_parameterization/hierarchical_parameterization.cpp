@@ -116,7 +116,7 @@ void print_advice(const Input& input, const Options& options, const Run_record& 
   }
   if (run.quality->overlaps > 0 && !options.is_globally_injective)
     std::cerr << one_line(input.name) << ": the map lies over itself at " << run.quality->overlaps
-              << " pairs of triangles; "
+              << (run.quality->overlaps == 1 ? " pair of triangles; " : " pairs of triangles; ")
               << (options.method->is_flip_free ? "--globally-injective keeps borders apart, " : "")
               << "--atlas divides it\n";
   if (input.number_of_borders > many_borders && !options.fills_holes)

@@ -74,8 +74,8 @@ bool part_borders(Chart& chart, const std::vector<Point_2>& shape, Round_coordin
 
 // Packs those charts of an atlas that are wanted. Coordinates are rounded by `round` if that is not null. A chart
 // without flips stays so: where rounding makes a flip, vertices move, or the chart is scaled up, but not so far
-// that it meets another one. Borders that do not meet stay so, too. A chart for which that fails is not wanted any more. Returns how the charts fill the
-// square, or a side of 0 if they have no area.
+// that it meets another one. A chart whose borders do not meet stays so, too. One for which that fails is not wanted
+// any more. Returns how the charts fill the square, or a side of 0 if they have no area.
 Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_options& options, Round_coordinate round);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
