@@ -322,6 +322,25 @@ inline Mesh hub(long n, double amplitude)
   return m;
 }
 
+// An interior vertex with n triangles and so many rings, five times up and down.
+inline Mesh wheel(long n, long rings, double slope)
+{
+  Mesh m;
+  m.add_point(0, 0, 0);
+  for (long j = 1; j <= rings; ++j)
+    for (long i = 0; i < n; ++i) {
+      const double angle = 2 * pi * double(i) / double(n), r = double(j);
+      m.add_point(r * std::cos(angle), r * std::sin(angle), slope * r * std::sin(5 * angle));
+    }
+  const auto vertex = [&](long i, long j) { return 1 + (j - 1) * n + i % n; };
+  for (long i = 0; i < n; ++i) {
+    m.polygons.push_back({ 0, vertex(i, 1), vertex(i + 1, 1) });
+    for (long j = 1; j < rings; ++j)
+      m.add_quad(vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1), vertex(i + 1, j));
+  }
+  return m;
+}
+
 // A border vertex with n triangles whose angles sum to `turns` full turns, on a spiral staircase.
 inline Mesh staircase_fan(long n, double turns)
 {

@@ -84,6 +84,20 @@ struct Known_system
   }
 };
 
+// The system with its rows negated, but for those that give a value.
+inline Known_system negative(const Known_system& system)
+{
+  Known_system result = system;
+  const auto rows = system.matrix.rows();
+  for (Index i = 0; i < rows->number_of_rows(); ++i)
+    if (rows->first[i + 1] - rows->first[i] > 1) {
+      result.right_side[i] *= -1;
+      for (Index k = rows->first[i]; k < rows->first[i + 1]; ++k)
+        result.matrix.set_coef(i, rows->columns[k], -rows->values[k]);
+    }
+  return result;
+}
+
 // A mesh with a solver on it, whose unknowns have the order of the vertices.
 struct Solver_on_mesh
 {

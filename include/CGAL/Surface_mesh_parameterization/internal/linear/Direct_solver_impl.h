@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
 
 #include <Eigen/Core>
+#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
@@ -58,6 +59,37 @@ private:
 template <class Real>
 using Eigen_matrix = Eigen::SparseMatrix<Real, Eigen::ColMajor, std::ptrdiff_t>;
 
+// Minimum degree of A + A^T, for matrices of meshes: their entries have places that are symmetric, or nearly so. A row
+// of a vertex of high valence costs no more than its entries then. Eigen's default for L U, an order for A^T A, fills
+// the matrix for such a row, and takes more entries for any other mesh.
+template <class Index_type>
+struct Minimum_degree_ordering
+{
+  typedef Eigen::AMDOrdering<Index_type>              Ordering;
+  typedef typename Ordering::PermutationType          PermutationType;
+
+  template <class Matrix>
+  void operator()(const Matrix& matrix, PermutationType& permutation) const
+  {
+    PermutationType inverse;      // what Cholesky factorizations take
+    Ordering()(matrix, inverse);
+    permutation = inverse.inverse();
+  }
+};
+
+// L U by pivots on the diagonal, which keep that order, but where one is small next to its column.
+template <class Real>
+class Sparse_LU
+  : public Eigen::SparseLU<Eigen_matrix<Real>, Minimum_degree_ordering<std::ptrdiff_t>>
+{
+public:
+  Sparse_LU()
+  {
+    constexpr double least_pivot = 1e-3;
+    this->setPivotThreshold(Real(least_pivot));
+  }
+};
+
 template <class Solver>
 std::unique_ptr<Direct_solver> factorize_by_Eigen(Index n, const std::vector<Matrix_entry>& entries)
 {
@@ -83,7 +115,7 @@ std::unique_ptr<Direct_solver> factorize(Index n, const std::vector<Matrix_entry
   };
   if (!is_full(has_row) || !is_full(has_column))
     return nullptr;
-  return factorize_by_Eigen<Eigen::SparseLU<Eigen_matrix<Real>>>(n, entries);
+  return factorize_by_Eigen<Sparse_LU<Real>>(n, entries);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

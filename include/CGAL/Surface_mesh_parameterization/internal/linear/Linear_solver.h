@@ -33,10 +33,13 @@ struct Linear_solver_options
   // and the most iterations for which they keep two vectors each, before they start again.
   int patience_of_minimal_residuals = 10;
   std::size_t most_residuals = 40;
+  // An iteration may come as near to the solution as rounding allows, and its residual stay above the tolerance: then
+  // its backward error is below this.
+  double rounding_error = 1e-15;
   // Of a solution without iteration: of a nearly singular matrix, none has a residual below the tolerance.
   double worst_backward_error = 1e-10;
-  // The relative residual, as above, of the solution that a factorization gives. Of a matrix that is regular only by
-  // rounding, that solution is huge: next to its terms any residual is small, and the backward error tells nothing.
+  // The relative residual, as above, of such solutions. Of a matrix that is regular only by rounding, the solution is
+  // huge: next to its terms any residual is small, and the backward error tells nothing.
   double worst_residual = 1e-3;
   // From then on one right side has K-cycles: they take about three times as long, but where an energy hardly changes
   // with conformal motions, as that of least squares conformal maps, they save more than that in the end.
@@ -46,7 +49,7 @@ struct Linear_solver_options
   double greatest_row_sum = (std::numeric_limits<double>::infinity)();
   std::size_t most_wild_rows = 40;
   // For what multigrid does not solve, and to be checked: if its residual is above the tolerance, a factorization takes
-  // over. Null: factorize_rows().
+  // over. Null: a factorization at once.
   Make_direct_solver make_direct_solver = nullptr;
   bool may_solve_directly = true;       // if not, what multigrid does not solve stays unsolved
   Run_progress* progress = nullptr;     // is told of each iteration, and may end them unsolved; may be null

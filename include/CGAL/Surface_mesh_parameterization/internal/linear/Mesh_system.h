@@ -85,7 +85,7 @@ public:
 
   double inverse_diagonal(Index i) const { return m_inverse_diagonal[i]; }
 
-  // All rows of a regular matrix, each scaled to unit diagonal.
+  // All rows, each scaled to unit diagonal, or to entries of sum 1 where the diagonal is next to nothing.
   Rows rows_of_unit_diagonal() const
   {
     Rows result = *m_rows;

@@ -5,7 +5,6 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_MULTIGRID_LINEAR_SOLVER_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
-#include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Values.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
@@ -14,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Scalar_multigrid.h>
 
 #include <algorithm>
@@ -123,109 +123,11 @@ private:
     return result;
   }
 
-  // The system as the Krylov methods see it.
-  class Iteration
-  {
-  public:
-    Iteration(const Multigrid_linear_solver& solver, const Value& target, const Linear_solver_options& options)
-      : m_system(solver.m_system), m_multigrid(*solver.m_multigrid), m_space(m_multigrid),
-        m_correction(m_system.size()), m_target(target), m_options(options)
-    { }
-
-    Index number_of_rows() const { return m_system.size(); }
-    const Loops& loops() const { return m_system.loops(); }
-    Value row_times(Index i, const Vector& x) const { return m_system.row_times(i, x); }
-    Value multiply(const Vector& x, Vector& y, const Vector& z) const { return multiply_by_rows(*this, x, y, z); }
-    Value squared_size(Index i, const Value& r) const { return m_system.squared_size(i, r); }
-
-    // Incomplete factors may be indefinite, and the iteration arrives all the same.
-    Value direction_factor(const Value& product, const Value& last_product) const
-    {
-      return quotient(product, last_product);
-    }
-    bool is_solved(const Vector& r) const { return is_less_or_equal(m_system.norm(r), m_target); }
-
-    bool is_finished(const Value& squared_norm)
-    {
-      const double excess = greatest(quotient(sqrt(squared_norm), m_target));
-      if (m_options.progress && !tell(m_options.tolerance * excess))
-        return true;
-      if (excess < m_least_excess / 2) {
-        m_least_excess = excess;
-        m_idle_steps = 0;
-      }
-      return !(excess > 1) || ++m_idle_steps > (has_minimal_residuals() ? m_options.patience_of_minimal_residuals
-                                                                        : m_options.patience);
-    }
-
-    bool has_minimal_residuals() const { return !m_system.is_symmetric() && !m_system.is_diagonally_dominant(); }
-
-    // M^-1 r
-    Vector& precondition(const Vector& r)
-    {
-      const Value scale = give_to_grid(r);
-      if (++m_cycles > m_options.most_v_cycles && columns == 1 && m_system.is_symmetric())
-        m_space.use_k_cycles();
-      m_multigrid.cycle(m_space);
-      m_correction.assign(m_correction.size(), Value::zero());
-      add_from_grid(scale, m_correction);
-      return m_correction;
-    }
-
-    // x := x + the approximate solution for r by full multigrid
-    void full_multigrid(const Vector& r, Vector& x)
-    {
-      const Value scale = give_to_grid(r);
-      m_multigrid.full_cycle(m_space);
-      add_from_grid(scale, x);
-    }
-
-  private:
-    // Tells of a relative residual.
-    bool tell(double residual) const
-    {
-      const std::size_t iterations = m_cycles / (m_system.is_symmetric() || has_minimal_residuals() ? 1 : 2);
-      const double part =
-          part_of_iteration(residual, m_options.tolerance, iterations, m_options.most_iterations);
-      return m_options.progress->tell(iterations, residual, part);
-    }
-
-    // Writes r, scaled to the size of 1, to the finest grid; returns that scale.
-    Value give_to_grid(const Vector& r)
-    {
-      Value greatest = Value::zero();
-      for (const Value& value : r)
-        greatest = max(greatest, abs(value));
-      const Value inverse = quotient(Value::all(1), greatest);
-      const std::vector<Index>& unknowns = m_system.free_unknowns();
-      for (std::size_t k = 0; k < unknowns.size(); ++k)
-        m_space.right_side(0)[k] = (r[unknowns[k]] * inverse).template cast<Real>();
-      return m_system.free_part_scale() * greatest;
-    }
-
-    void add_from_grid(const Value& scale, Vector& x)
-    {
-      const std::vector<Index>& unknowns = m_system.free_unknowns();
-      for (std::size_t k = 0; k < unknowns.size(); ++k)
-        x[unknowns[k]] += scale * m_space.solution(0)[k].template cast<double>();
-    }
-
-    const Mesh_system& m_system;
-    const Multigrid& m_multigrid;
-    typename Multigrid::template Space<columns> m_space;
-    Vector m_correction;
-    Value m_target;
-    const Linear_solver_options& m_options;
-    double m_least_excess = (std::numeric_limits<double>::infinity)();      // of the residual over its target
-    int m_idle_steps = 0;         // since the excess was halved
-    std::size_t m_cycles = 0;
-  };
-
   // Changes x, where the free unknowns are 0, and its residual r, whose norms are `start`.
   Linear_solver_result iterate(const Side_by_side& b, Vector& x, Vector& r, const Value& start,
                                const Linear_solver_options& options) const
   {
-    Iteration iteration(*this, options.tolerance * start, options);
+    Multigrid_iteration<Real, columns> iteration(m_system, *m_multigrid, options.tolerance * start, options);
     iteration.full_multigrid(r, x);
     m_system.compute_residual(b, x, r);
     if (!is_less_or_equal(m_system.norm(r), start)) {
@@ -247,29 +149,34 @@ private:
       m_system.compute_residual(b, x, r);
     }
     result.residual = greatest(quotient(m_system.norm(r), start));
-    result.is_solved = result.residual <= options.tolerance &&
-                       iteration.is_solved(r);      // the residual may pass over a NaN, the norms over infinity
+    result.is_solved = result.residual <= options.tolerance
+                           ? iteration.is_solved(r)      // the residual may pass over a NaN, the norms over infinity
+                           : result.residual <= options.worst_residual &&
+                                 m_system.backward_error(b, x) <= options.rounding_error;
     return result;
   }
 
-  // Solves by the solver that the options name. Where its solution is not good enough, a factorization of the rows takes
-  // over, scaled to unit diagonal: of rows of very different size, a factorization takes bad pivots, and an iteration
-  // that looks at the whole residual does not see the small ones.
+  // Solves by the solver that the options name. Where its solution is not good enough, or none is named, by a
+  // factorization of the rows, scaled to unit diagonal: of rows of very different size, a factorization takes bad
+  // pivots, and an iteration that looks at the whole residual does not see the small ones.
   void solve_directly(const Side_by_side& b, Vector& x, Vector& r, const Value& start,
                       const Linear_solver_options& options, Linear_solver_result& result)
   {
     if (!options.may_solve_directly)
       return;
     result.is_direct = true;
-    if (!m_direct_solver && !m_has_scaled_rows)
-      m_direct_solver = options.make_direct_solver ? options.make_direct_solver(*m_system.rows())
-                                                   : factorize_rows(*m_system.rows());
-    apply_direct_solver(b, x, r, start, options, result);
-    if (result.is_solved || m_has_scaled_rows || !m_system.is_regular() || is_stopped(options))
-      return;
-    m_direct_solver.reset();
-    m_direct_solver = factorize_rows(m_system.rows_of_unit_diagonal());
-    m_has_scaled_rows = true;
+    if (options.make_direct_solver && !m_is_factorized) {
+      if (!m_direct_solver)
+        m_direct_solver = options.make_direct_solver(*m_system.rows());
+      apply_direct_solver(b, x, r, start, options, result);
+      if (result.is_solved || is_stopped(options))
+        return;
+    }
+    if (!m_is_factorized) {
+      m_direct_solver.reset();
+      m_direct_solver = factorize_rows(m_system.rows_of_unit_diagonal());
+      m_is_factorized = true;
+    }
     apply_direct_solver(b, x, r, start, options, result);
   }
 
@@ -281,18 +188,17 @@ private:
     if (!m_direct_solver)
       return;
     m_direct_solver->solve_side_by_side(
-        [&](Index i) { return m_has_scaled_rows ? m_system.inverse_diagonal(i) * b[i] : b[i]; }, x);
+        [&](Index i) { return m_is_factorized ? m_system.inverse_diagonal(i) * b[i] : b[i]; }, x);
     m_system.compute_residual(b, x, r);
     result.residual = greatest(quotient(m_system.norm(r), start));
-    const bool is_factorization = m_has_scaled_rows || !options.make_direct_solver;
     result.is_solved = m_system.backward_error(b, x) <= options.worst_backward_error &&
-                       result.residual <= (is_factorization ? options.worst_residual : options.tolerance);
+                       result.residual <= (m_is_factorized ? options.worst_residual : options.tolerance);
   }
 
   Mesh_system m_system;
   std::unique_ptr<Multigrid> m_multigrid;
   std::unique_ptr<Direct_solver> m_direct_solver;     // made when it is needed
-  bool m_has_scaled_rows = false;                     // the direct solver
+  bool m_is_factorized = false;                       // the direct solver is a factorization of the scaled rows
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

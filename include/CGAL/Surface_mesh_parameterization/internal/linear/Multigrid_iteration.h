@@ -1,0 +1,129 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_MULTIGRID_ITERATION_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_MULTIGRID_ITERATION_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Values.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Scalar_multigrid.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+// A linear system on a mesh and its grids, as the Krylov methods see them, which iterate until the norm of the residual
+// is at most `target`. The system, the grids and the options must live as long.
+template <class Real, int columns>
+class Multigrid_iteration
+{
+public:
+  typedef Scalar_multigrid<Real>           Multigrid;
+  typedef Values<double, columns>          Value;
+  typedef Value_vector<double, columns>    Vector;
+
+  Multigrid_iteration(const Mesh_system& system, const Multigrid& multigrid, const Value& target,
+                      const Linear_solver_options& options)
+    : m_system(system), m_multigrid(multigrid), m_space(multigrid), m_correction(system.size()), m_target(target),
+      m_options(options)
+  { }
+
+  Index number_of_rows() const { return m_system.size(); }
+  const Loops& loops() const { return m_system.loops(); }
+  Value row_times(Index i, const Vector& x) const { return m_system.row_times(i, x); }
+  Value multiply(const Vector& x, Vector& y, const Vector& z) const { return multiply_by_rows(*this, x, y, z); }
+  Value squared_size(Index i, const Value& r) const { return m_system.squared_size(i, r); }
+
+  // Incomplete factors may be indefinite, and the iteration arrives all the same.
+  Value direction_factor(const Value& product, const Value& last_product) const
+  {
+    return quotient(product, last_product);
+  }
+  bool is_solved(const Vector& r) const { return is_less_or_equal(m_system.norm(r), m_target); }
+
+  bool is_finished(const Value& squared_norm)
+  {
+    const double excess = greatest(quotient(sqrt(squared_norm), m_target));
+    if (m_options.progress && !tell(m_options.tolerance * excess))
+      return true;
+    if (excess < m_least_excess / 2) {
+      m_least_excess = excess;
+      m_idle_steps = 0;
+    }
+    return !(excess > 1) || ++m_idle_steps > (has_minimal_residuals() ? m_options.patience_of_minimal_residuals
+                                                                      : m_options.patience);
+  }
+
+  bool has_minimal_residuals() const { return !m_system.is_symmetric() && !m_system.is_diagonally_dominant(); }
+
+  // M^-1 r
+  Vector& precondition(const Vector& r)
+  {
+    const Value scale = give_to_grid(r);
+    if (++m_cycles > m_options.most_v_cycles && columns == 1 && m_system.is_symmetric())
+      m_space.use_k_cycles();
+    m_multigrid.cycle(m_space);
+    m_correction.assign(m_correction.size(), Value::zero());
+    add_from_grid(scale, m_correction);
+    return m_correction;
+  }
+
+  // x := x + the approximate solution for r by full multigrid
+  void full_multigrid(const Vector& r, Vector& x)
+  {
+    const Value scale = give_to_grid(r);
+    m_multigrid.full_cycle(m_space);
+    add_from_grid(scale, x);
+  }
+
+private:
+  // Tells of a relative residual.
+  bool tell(double residual) const
+  {
+    const std::size_t iterations = m_cycles / (m_system.is_symmetric() || has_minimal_residuals() ? 1 : 2);
+    const double part =
+        part_of_iteration(residual, m_options.tolerance, iterations, m_options.most_iterations);
+    return m_options.progress->tell(iterations, residual, part);
+  }
+
+  // Writes r, scaled to the size of 1, to the finest grid; returns that scale.
+  Value give_to_grid(const Vector& r)
+  {
+    Value greatest = Value::zero();
+    for (const Value& value : r)
+      greatest = max(greatest, abs(value));
+    const Value inverse = quotient(Value::all(1), greatest);
+    const std::vector<Index>& unknowns = m_system.free_unknowns();
+    for (std::size_t k = 0; k < unknowns.size(); ++k)
+      m_space.right_side(0)[k] = (r[unknowns[k]] * inverse).template cast<Real>();
+    return m_system.free_part_scale() * greatest;
+  }
+
+  void add_from_grid(const Value& scale, Vector& x)
+  {
+    const std::vector<Index>& unknowns = m_system.free_unknowns();
+    for (std::size_t k = 0; k < unknowns.size(); ++k)
+      x[unknowns[k]] += scale * m_space.solution(0)[k].template cast<double>();
+  }
+
+  const Mesh_system& m_system;
+  const Multigrid& m_multigrid;
+  typename Multigrid::template Space<columns> m_space;
+  Vector m_correction;
+  Value m_target;
+  const Linear_solver_options& m_options;
+  double m_least_excess = (std::numeric_limits<double>::infinity)();      // of the residual over its target
+  int m_idle_steps = 0;         // since the excess was halved
+  std::size_t m_cycles = 0;
+};
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_MULTIGRID_ITERATION_H
