@@ -312,6 +312,17 @@ TEST(Overlap_bound, parts_are_cut_like_components)
   }
 }
 
+// The bound is measured on a coarse level, so that it holds nearly.
+TEST(Overlap_bound, parts_are_not_distorted_more_than_a_whole)
+{
+  Surface surface(heat_sink(20));
+  const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv, parameters::distortion_bound(4.5));
+  ASSERT_TRUE(summary.is_ok());
+  EXPECT_GT(summary.divisions, 0u);
+  for (const Atlas_summary::Chart& chart : summary.charts)
+    EXPECT_LT(chart.summary.energy, 4.55);
+}
+
 // The one-call form: of what lies over itself by more a draft is returned, anything else is one-to-one.
 TEST(Overlap_bound, of_one_chart_returns_a_draft_of_the_map_of_least_energy)
 {

@@ -133,6 +133,13 @@ inline void cut_distorted(Corner_mesh& mesh, double bound, const Cut_options& op
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void cut_distorted(Corner_mesh& mesh, const Cut_options& options)
+{
+  Component_cut result;
+  cut_distorted(mesh, options.distortion_bound, options, result);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Component_cut cut_component(Corner_mesh& mesh, const Cut_options& options)
 {
   Component_cut result;

@@ -4,9 +4,11 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_CHART_PART_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_CHART_PART_H
 
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 
 #include <cstddef>
 #include <vector>
@@ -20,6 +22,21 @@ struct Chart_part
   std::vector<Index> faces;                 // of the atlas's mesh, in increasing order
   Corner_mesh mesh;
   std::vector<Point_2> uv;
+
+  // The mean symmetric Dirichlet energy of its map.
+  double distortion() const
+  {
+    double energy = 0, area = 0;
+    for (Index h = 0; h < mesh.number_of_halfedges(); h += 3) {
+      const Index v = mesh.vertex[h], a = mesh.vertex[h + 1], b = mesh.vertex[h + 2];
+      const Rest_corner rest = rest_corner(mesh.points[v], mesh.points[a], mesh.points[b]);
+      const double weight = 1 / rest.inverse_area;
+      area += weight;
+      energy += weight * Symmetric_Dirichlet_energy_2::value(rest.squared_frobenius_norm(uv[v], uv[a], uv[b]),
+                                                             rest.determinant(uv[v], uv[a], uv[b]));
+    }
+    return energy / area;
+  }
 
   // The halfedge of the atlas's mesh that a halfedge of the part is.
   Index halfedge_of_atlas(Index h) const { return 3 * faces[h / 3] + h % 3; }

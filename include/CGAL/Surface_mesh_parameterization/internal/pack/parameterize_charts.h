@@ -78,7 +78,10 @@ public:
         std::vector<Chart_part> divided =
             divided_at_overlaps(part, m_keeps_apart ? 0 : m_overlap_bound, m_overlap_bound);
         for (Chart_part& p : divided) {
+          const bool may_exceed = p.distortion() > m_cut_options.distortion_bound;
           settle_borders(p.mesh, m_cut_options);
+          if (may_exceed)
+            cut_distorted(p.mesh, m_cut_options);
           waiting.push_back(std::move(p));
         }
         if (!divided.empty())
