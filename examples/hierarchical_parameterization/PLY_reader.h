@@ -15,10 +15,11 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 // Reads PLY, text or binary: x, y and z of the element "vertex" and the list "vertex_indices" or "vertex_index" of the
-// element "face", of any types.
+// elements "face" and "tristrips", of any types.
 class PLY_reader
 {
 public:
@@ -52,6 +53,8 @@ private:
 
     bool is_vertex() const { return name == "vertex" || name == "vertices"; }
     bool is_face() const { return name == "face" || name == "faces"; }
+    bool is_strips() const { return name == "tristrips"; }
+    bool has_polygons() const { return is_face() || is_strips(); }
     bool has(Role role) const
     {
       return std::any_of(properties.begin(), properties.end(), [&](const Property& p) { return p.role == role; });
@@ -81,7 +84,7 @@ private:
     m_file.skip_line_end();
     for (const Element& element : m_elements)
       if (element.is_vertex() ? !element.has(X) || !element.has(Y) || !element.has(Z)
-                              : element.is_face() && !element.has(CORNERS))
+                              : element.has_polygons() && !element.has(CORNERS))
         throw Input_error{ "the element " + word_text(element.name) + " has no " +
                            (element.is_vertex() ? "x, y and z" : "list 'vertex_indices'") };
   }
@@ -117,7 +120,7 @@ private:
     property.type = read_type(is_list ? m_file.word() : type);
     const std::string_view name = m_file.word();
     property.role = is_list
-                        ? (element.is_face() && (name == "vertex_indices" || name == "vertex_index") ? CORNERS : UNUSED)
+                        ? (element.has_polygons() && (name == "vertex_indices" || name == "vertex_index") ? CORNERS : UNUSED)
                     : !element.is_vertex()         ? UNUSED
                     : name == "x"                  ? X
                     : name == "y"                  ? Y
@@ -163,8 +166,30 @@ private:
         m_soup.points.push_back({ coordinates[X], coordinates[Y], coordinates[Z] });
       else if (element.is_face())
         m_soup.polygons.push_back(corners);
+      else if (element.is_strips())
+        add_strips(corners);
       if (has_uv)
         m_soup.uv.push_back({ coordinates[U], coordinates[V] });
+    }
+  }
+
+  // Strips of triangles, each with the last two corners of the one before; every second one turns the other way. -1
+  // begins another strip. A triangle that has a corner twice only leads the strip elsewhere.
+  void add_strips(const Polygon_soup::Polygon& corners)
+  {
+    constexpr auto end_of_strip = std::size_t(-1);
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      if (corners[i] == end_of_strip)
+        begin = i + 1;
+      if (i < begin + 2)
+        continue;
+      std::size_t a = corners[i - 2], b = corners[i - 1];
+      const std::size_t c = corners[i];
+      if ((i - begin) % 2 == 1)
+        std::swap(a, b);
+      if (a != b && b != c && c != a)
+        m_soup.polygons.push_back({ a, b, c });
     }
   }
 

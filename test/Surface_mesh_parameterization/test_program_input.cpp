@@ -163,6 +163,15 @@ const Row obj_files[] = {
 
 const std::string tiny_ply_points = "0 0 0\n1 0 0\n0 1 0\n";
 
+// Two by two of them: the vertices 0, 2, 4 are below, then come 1, 3, 5, and 6, 7, 8 are above.
+std::string strips_of_squares(const std::string& strips)
+{
+  return "ply\nformat ascii 1.0\nelement vertex 9\nproperty float x\nproperty float y\nproperty float z\n"
+         "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+         "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n0 2 0\n1 2 0\n2 2 0\n" +
+         strips + "\n";
+}
+
 const Row ply_files[] = {
   { "ascii.ply", [] { return PLY(patch()); }, good, ok },
   { "little_endian.ply", [] { return binary_PLY(patch()); }, good, ok },
@@ -175,6 +184,11 @@ const Row ply_files[] = {
           "property float z\nend_header\n3 0 1 2\n" +
           tiny_ply_points),
     good, ok },
+  { "strips.ply", as_is(strips_of_squares("13 0 1 2 3 4 5 -1 1 6 3 7 5 8")), good, ok },
+  { "strips_joined_by_triangles.ply", as_is(strips_of_squares("14 0 1 2 3 4 5 5 1 1 6 3 7 5 8")), good, ok },
+  { "strip_of_two_corners.ply", as_is(strips_of_squares("5 0 1 -1 2 3")), bad_input, no_faces, "has no faces" },
+  { "strip_ends_early.ply", as_is(strips_of_squares("14 0 1 2 3 4 5")), bad_input, unreadable, "'tristrips' 0" },
+  { "strip_index.ply", as_is(strips_of_squares("4 0 1 2 9")), bad_input, unreadable, "face 1 refers to vertex 9" },
   { "empty.ply", as_is(""), bad_input, no_faces, "is empty" },
   { "keyword.ply", as_is("polygon\n"), bad_input, unreadable, "'ply' expected" },
   { "truncated_header.ply", [] { return cut_at(PLY(patch()), 0.03); }, bad_input, unreadable, "header" },
