@@ -39,9 +39,9 @@ namespace CGAL::Surface_mesh_parameterization {
 /// if it is not. The preconditioner is a V-cycle with an incomplete factorization as smoother, and full multigrid gives
 /// the first guess. A row with only a diagonal entry holds a given value, and its unknown is eliminated. If the residual
 /// does not become small enough, or if the matrix does not couple neighbors in the mesh, so that its unknowns must have
-/// another order, a sparse LU factorization takes over. Of nearly singular matrices, rounding may leave it a residual
-/// above the tolerance, which `summary()` tells. If that is above 1e-3, relatively, or if there is no factorization,
-/// the functions return `false` and leave the solution unchanged.
+/// another order, a sparse LU factorization takes over. Of nearly singular matrices, rounding may leave a residual above
+/// the tolerance, which `summary()` tells. If that is above 1e-3, relatively, or if there is no factorization, the
+/// functions return `false` and leave the solution unchanged.
 ///
 /// An object knows the hierarchy and the vertex of each unknown:
 /// \code

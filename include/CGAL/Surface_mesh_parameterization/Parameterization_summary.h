@@ -65,7 +65,7 @@ struct Linear_solver_summary
   /// the most iterations for one right-hand side, of conjugate gradients, BiCGSTAB or GMRES
   std::size_t iterations = 0;
   /// the greatest relative residual of a solution, recomputed at the end; rows scaled to unit diagonal. It is at most
-  /// the tolerance, but for direct solutions: of a nearly singular matrix, rounding leaves more
+  /// the tolerance, unless rounding leaves more, as of a nearly singular matrix
   double residual = 0;
   /// right-hand sides for which there was no multigrid, or no convergence: the solver of the parameterizer solved, or a
   /// direct one
