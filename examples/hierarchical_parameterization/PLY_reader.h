@@ -19,7 +19,7 @@
 #include <vector>
 
 // Reads PLY, text or binary: x, y and z of the element "vertex" and the list "vertex_indices" or "vertex_index" of the
-// elements "face" and "tristrips", of any types.
+// element "face", or of "tristrips" if there are no faces, of any types.
 class PLY_reader
 {
 public:
@@ -82,9 +82,11 @@ private:
     }
     m_file.skip_blanks();
     m_file.skip_line_end();
+    m_has_faces = std::any_of(m_elements.begin(), m_elements.end(),
+                              [](const Element& element) { return element.is_face() && element.count > 0; });
     for (const Element& element : m_elements)
       if (element.is_vertex() ? !element.has(X) || !element.has(Y) || !element.has(Z)
-                              : element.has_polygons() && !element.has(CORNERS))
+                              : (element.is_face() || has_used_strips(element)) && !element.has(CORNERS))
         throw Input_error{ "the element " + word_text(element.name) + " has no " +
                            (element.is_vertex() ? "x, y and z" : "list 'vertex_indices'") };
   }
@@ -166,11 +168,16 @@ private:
         m_soup.points.push_back({ coordinates[X], coordinates[Y], coordinates[Z] });
       else if (element.is_face())
         m_soup.polygons.push_back(corners);
-      else if (element.is_strips())
+      else if (has_used_strips(element))
         add_strips(corners);
       if (has_uv)
         m_soup.uv.push_back({ coordinates[U], coordinates[V] });
     }
+  }
+
+  bool has_used_strips(const Element& element) const
+  {
+    return element.is_strips() && element.count > 0 && !m_has_faces;
   }
 
   // Strips of triangles, each with the last two corners of the one before; every second one turns the other way. -1
@@ -228,6 +235,7 @@ private:
   File_scanner& m_file;
   bool m_has_uv;
   Format m_format = TEXT;
+  bool m_has_faces = false;
   std::vector<Element> m_elements;
   Polygon_soup m_soup;
 };

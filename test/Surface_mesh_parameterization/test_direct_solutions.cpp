@@ -138,6 +138,57 @@ TEST(Multigrid_solver_traits, solves_directly_what_does_not_match_the_mesh)
   EXPECT_EQ(on.solver.summary().direct_solutions, 1u);
   EXPECT_EQ(on.solver.summary().iterations, 0u);
 }
+// Were these diagonal entries pivots, most digits would be lost.
+TEST(Direct_solver, is_exact_where_the_diagonal_is_small)
+{
+  constexpr Index n = 60;
+  Random random(3);
+  for (int trial = 0; trial < 10; ++trial) {
+    Sparse_matrix matrix(n * n);
+    for (Index i = 0; i < n * n; ++i) {
+      matrix.add_coef(i, i, trial % 5 == 0 ? 0 : 2e-3);
+      for (const Index j : { i + 1, i + n })
+        if (j < n * n && (j % n > 0 || j == i + n)) {
+          matrix.add_coef(i, j, random(-1, 1));
+          matrix.add_coef(j, i, random(-1, 1));
+        }
+    }
+    const Known_system system(std::move(matrix));
+    const auto solver = internal::make_multigrid_linear_solver<1>(nullptr, system.matrix.rows(), {}, {});
+    Vector x(n * n);
+    const internal::Linear_solver_result result = solver->solve(
+        { system.right_side.values().data() }, { x.values().data() }, internal::Linear_solver_options());
+    EXPECT_TRUE(result.is_solved);
+    EXPECT_LT(result.residual, 1e-13);
+  }
+}
+
+// One value that is given is so large that next to it all others are nothing. They are found all the same.
+TEST(Multigrid_solver_traits, given_values_do_not_hide_what_is_not_solved_yet)
+{
+  const Flat_mesh m = delaunay_patch(2000, 1, wavy);
+  const auto rows = edge_matrix(m, Mean_value_edge_weights_3()).rows();
+  const Index n = rows->number_of_rows();
+  Index given = 0;
+  while (rows->first[given + 1] - rows->first[given] > 1)
+    ++given;
+  Sparse_matrix matrix(n);
+  for (Index i = 0; i < n; ++i)
+    for (Index k = rows->first[i]; k < rows->first[i + 1]; ++k)
+      if (i == given || rows->columns[k] != given)
+        matrix.add_coef(i, rows->columns[k], rows->values[k]);
+  Known_system system(std::move(matrix));
+  constexpr double large = 1e13;
+  system.right_side[given] *= large / system.expected[given];
+  system.expected[given] = large;
+  Solver_on_mesh on(m, parameters::number_of_iterations(1));
+  Vector x;
+  double d;
+  EXPECT_TRUE(on.solver.linear_solver(system.matrix, system.right_side, x, d));
+  x[given] = large;
+  EXPECT_LT(system.error(x), 1e-8);
+}
+
 // ---- vertices of high valence ----
 
 // Rings around a hub, whose edges weigh much more than those between the rings; values are given on the outer one. In

@@ -186,6 +186,13 @@ const Row ply_files[] = {
     good, ok },
   { "strips.ply", as_is(strips_of_squares("13 0 1 2 3 4 5 -1 1 6 3 7 5 8")), good, ok },
   { "strips_joined_by_triangles.ply", as_is(strips_of_squares("14 0 1 2 3 4 5 5 1 1 6 3 7 5 8")), good, ok },
+  { "strips_beside_faces.ply",
+    [] {
+      return replaced(PLY(triangle()), "end_header\n",
+                      "element tristrips 1\nproperty list int int rows\nend_header\n") +
+             "3 0 1 2\n";
+    },
+    good, ok },
   { "strip_of_two_corners.ply", as_is(strips_of_squares("5 0 1 -1 2 3")), bad_input, no_faces, "has no faces" },
   { "strip_ends_early.ply", as_is(strips_of_squares("14 0 1 2 3 4 5")), bad_input, unreadable, "'tristrips' 0" },
   { "strip_index.ply", as_is(strips_of_squares("4 0 1 2 9")), bad_input, unreadable, "face 1 refers to vertex 9" },

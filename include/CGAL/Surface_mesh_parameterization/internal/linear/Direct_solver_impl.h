@@ -13,6 +13,11 @@
 #include <Eigen/SparseLU>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -59,34 +64,55 @@ private:
 template <class Real>
 using Eigen_matrix = Eigen::SparseMatrix<Real, Eigen::ColMajor, std::ptrdiff_t>;
 
-// Minimum degree of A + A^T, for matrices of meshes: their entries have places that are symmetric, or nearly so. A row
-// of a vertex of high valence costs no more than its entries then. Eigen's default for L U, an order for A^T A, fills
-// the matrix for such a row, and takes more entries for any other mesh.
-template <class Index_type>
-struct Minimum_degree_ordering
+// Whether no diagonal entry is small next to its row, so that all can be pivots.
+template <class Matrix>
+bool has_pivots_on_diagonal(const Matrix& matrix)
 {
-  typedef Eigen::AMDOrdering<Index_type>              Ordering;
-  typedef typename Ordering::PermutationType          PermutationType;
+  constexpr double least_part_of_row = 0.1;
+  std::vector<double> diagonal(matrix.rows(), 0.), others(matrix.rows(), 0.);
+  for (Eigen::Index j = 0; j < matrix.outerSize(); ++j)
+    for (typename Matrix::InnerIterator entry(matrix, j); entry; ++entry)
+      (entry.row() == entry.col() ? diagonal : others)[entry.row()] += std::abs(entry.value());
+  for (std::size_t i = 0; i < diagonal.size(); ++i)
+    if (!(diagonal[i] >= least_part_of_row * others[i]))
+      return false;
+  return true;
+}
+
+// Minimum degree of A + A^T where pivots may stay on the diagonal: the entries of a matrix of a mesh have places that
+// are symmetric, or nearly so. Else Eigen's default, an order for A^T A, which suits any pivots and takes more entries.
+template <class Index_type>
+struct Elimination_ordering
+{
+  typedef typename Eigen::AMDOrdering<Index_type>::PermutationType   PermutationType;
 
   template <class Matrix>
   void operator()(const Matrix& matrix, PermutationType& permutation) const
   {
+    if (!has_pivots_on_diagonal(matrix)) {
+      Eigen::COLAMDOrdering<Index_type>()(matrix, permutation);
+      return;
+    }
     PermutationType inverse;      // what Cholesky factorizations take
-    Ordering()(matrix, inverse);
+    Eigen::AMDOrdering<Index_type>()(matrix, inverse);
     permutation = inverse.inverse();
   }
 };
 
-// L U by pivots on the diagonal, which keep that order, but where one is small next to its column.
+// L U, by pivots on the diagonal where they may stay there: greater ones in a column, as a vertex of high valence and
+// given values make them, would fill the matrix.
 template <class Real>
 class Sparse_LU
-  : public Eigen::SparseLU<Eigen_matrix<Real>, Minimum_degree_ordering<std::ptrdiff_t>>
+  : public Eigen::SparseLU<Eigen_matrix<Real>, Elimination_ordering<std::ptrdiff_t>>
 {
+  typedef Eigen::SparseLU<Eigen_matrix<Real>, Elimination_ordering<std::ptrdiff_t>>   Base;
+
 public:
-  Sparse_LU()
+  void compute(const Eigen_matrix<Real>& matrix)
   {
-    constexpr double least_pivot = 1e-3;
-    this->setPivotThreshold(Real(least_pivot));
+    constexpr double least_pivot = 1e-3;      // relative to the greatest one in the column
+    this->setPivotThreshold(has_pivots_on_diagonal(matrix) ? Real(least_pivot) : Real(1));
+    Base::compute(matrix);
   }
 };
 

@@ -34,7 +34,7 @@ struct Linear_solver_options
   int patience_of_minimal_residuals = 10;
   std::size_t most_residuals = 40;
   // An iteration may come as near to the solution as rounding allows, and its residual stay above the tolerance: then
-  // its backward error is below this.
+  // the backward error of the free unknowns is below this.
   double rounding_error = 1e-15;
   // Of a solution without iteration: of a nearly singular matrix, none has a residual below the tolerance.
   double worst_backward_error = 1e-10;

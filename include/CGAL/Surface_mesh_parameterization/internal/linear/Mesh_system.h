@@ -131,9 +131,35 @@ public:
   template <class Right_sides, class Vector>
   double backward_error(const Right_sides& b, const Vector& x) const
   {
+    return backward_error(b, x, [](Index) { return true; });
+  }
+
+  // The same of the rows of free unknowns: values that are given, and right, do not hide what is wrong with the others.
+  template <class Right_sides, class Vector>
+  double backward_error_of_free_unknowns(const Right_sides& b, const Vector& x) const
+  {
+    return backward_error(b, x, [this](Index i) { return !m_is_fixed[i]; });
+  }
+
+  // The fixed unknowns, and 0 for the free ones.
+  template <class Right_sides, class Vector>
+  void set_to_fixed_unknowns(const Right_sides& b, Vector& x) const
+  {
+    x.assign(size(), Vector::value_type::zero());
+    for (Index i = 0; i < size(); ++i)
+      if (m_is_fixed[i])
+        x[i] = m_inverse_diagonal[i] * b[i];
+  }
+
+private:
+  template <class Right_sides, class Vector, class Is_wanted>
+  double backward_error(const Right_sides& b, const Vector& x, const Is_wanted& is_wanted) const
+  {
     typedef typename Vector::value_type   Value;
     Value errors = Value::zero(), sizes = Value::zero();
     for (Index i = 0; i < size(); ++i) {
+      if (!is_wanted(i))
+        continue;
       Value error = b[i], size = abs(error);
       m_rows->for_each_entry(i, [&](Index column, double value) {
         const Value term = value * x[column];
@@ -148,17 +174,6 @@ public:
     return std::sqrt(sum(quotient(errors, sizes)));    // not the greatest one, which may pass over a NaN
   }
 
-  // The fixed unknowns, and 0 for the free ones.
-  template <class Right_sides, class Vector>
-  void set_to_fixed_unknowns(const Right_sides& b, Vector& x) const
-  {
-    x.assign(size(), Vector::value_type::zero());
-    for (Index i = 0; i < size(); ++i)
-      if (m_is_fixed[i])
-        x[i] = m_inverse_diagonal[i] * b[i];
-  }
-
-private:
   double row_scale(Index i) const { return m_is_symmetric ? m_sign : m_inverse_diagonal[i]; }
 
   void read_rows()

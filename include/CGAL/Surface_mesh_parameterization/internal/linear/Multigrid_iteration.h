@@ -88,8 +88,7 @@ private:
   bool tell(double residual) const
   {
     const std::size_t iterations = m_cycles / (m_system.is_symmetric() || has_minimal_residuals() ? 1 : 2);
-    const double part =
-        part_of_iteration(residual, m_options.tolerance, iterations, m_options.most_iterations);
+    const double part = part_of_iteration(residual, m_options.tolerance, iterations, m_options.most_iterations);
     return m_options.progress->tell(iterations, residual, part);
   }
 

@@ -152,7 +152,7 @@ private:
     result.is_solved = result.residual <= options.tolerance
                            ? iteration.is_solved(r)      // the residual may pass over a NaN, the norms over infinity
                            : result.residual <= options.worst_residual &&
-                                 m_system.backward_error(b, x) <= options.rounding_error;
+                                 m_system.backward_error_of_free_unknowns(b, x) <= options.rounding_error;
     return result;
   }
 
