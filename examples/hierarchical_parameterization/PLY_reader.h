@@ -121,15 +121,16 @@ private:
     property.size_type = is_list ? read_type(m_file.word()) : NONE;
     property.type = read_type(is_list ? m_file.word() : type);
     const std::string_view name = m_file.word();
-    property.role = is_list
-                        ? (element.has_polygons() && (name == "vertex_indices" || name == "vertex_index") ? CORNERS : UNUSED)
-                    : !element.is_vertex()         ? UNUSED
-                    : name == "x"                  ? X
-                    : name == "y"                  ? Y
-                    : name == "z"                  ? Z
-                    : name == "u" || name == "s"   ? U
-                    : name == "v" || name == "t"   ? V
-                                                   : UNUSED;
+    const bool has_corners =
+        is_list && element.has_polygons() && (name == "vertex_indices" || name == "vertex_index");
+    property.role = has_corners                         ? CORNERS
+                    : is_list || !element.is_vertex()   ? UNUSED
+                    : name == "x"                       ? X
+                    : name == "y"                       ? Y
+                    : name == "z"                       ? Z
+                    : name == "u" || name == "s"        ? U
+                    : name == "v" || name == "t"        ? V
+                                                        : UNUSED;
     element.properties.push_back(property);
   }
 

@@ -64,11 +64,11 @@ private:
 template <class Real>
 using Eigen_matrix = Eigen::SparseMatrix<Real, Eigen::ColMajor, std::ptrdiff_t>;
 
-// Whether no diagonal entry is small next to its row, so that all can be pivots.
+// Whether no diagonal entry is small next to its row, so that all can be pivots without a loss of digits.
 template <class Matrix>
 bool has_pivots_on_diagonal(const Matrix& matrix)
 {
-  constexpr double least_part_of_row = 0.1;
+  constexpr double least_part_of_row = 0.5;
   std::vector<double> diagonal(matrix.rows(), 0.), others(matrix.rows(), 0.);
   for (Eigen::Index j = 0; j < matrix.outerSize(); ++j)
     for (typename Matrix::InnerIterator entry(matrix, j); entry; ++entry)
