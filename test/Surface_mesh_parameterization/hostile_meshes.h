@@ -301,6 +301,16 @@ inline Mesh graded_rings(long around, long rings, double ratio)
   });
 }
 
+// Half a sphere. Its pole is one vertex, or a ring of vertices at one place, as some exporters write it.
+inline Mesh dome(long around, bool has_ring_at_pole)
+{
+  const long pole = around / 4;
+  return revolution(around, pole + has_ring_at_pole, [&](long j) {
+    const double angle = pi / 2 * double(j) / double(pole);
+    return j == pole ? std::make_pair(0., 1.) : std::make_pair(std::cos(angle), std::sin(angle));
+  });
+}
+
 // Of pairs of vertices in neighboring columns, every third at the same place.
 inline Mesh coinciding(long n)
 {

@@ -3,6 +3,8 @@
 
 // The methods that minimize a distortion energy without flips: one check for all.
 
+#include "generated_meshes.h"
+#include "hostile_meshes.h"
 #include "mapped_mesh.h"
 #include "mesh_conversions.h"
 #include "real_meshes.h"
@@ -157,6 +159,22 @@ TEST(Symmetric_Dirichlet, takes_few_steps_on_any_size)
               OK);
     EXPECT_TRUE(summary.converged);
     EXPECT_LE(summary.levels.back().iterations, 9u);
+  }
+}
+
+// A flat triangle costs nothing in the end: it has a shape without distortion.
+TEST(MIPS, is_not_held_up_by_flat_triangles)
+{
+  for (const long around : { 32, 64, 128 }) {
+    const auto excess = [around](bool has_ring_at_pole) {
+      Mapped_mesh mapped(flat_mesh(hostile_meshes::dome(around, has_ring_at_pole)));
+      Parameterization_summary summary;
+      EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(parameters::summary(std::ref(summary)))), OK);
+      EXPECT_TRUE(mapped.is_valid());
+      EXPECT_TRUE(summary.converged);
+      return summary.levels.back().energy_end - 2 * double(num_faces(mapped.mesh));
+    };
+    EXPECT_NEAR(excess(true), excess(false), 1e-3);
   }
 }
 

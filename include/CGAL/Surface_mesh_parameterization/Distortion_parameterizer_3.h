@@ -9,16 +9,21 @@
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Refused.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/number_of_flat_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Place_constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/is_finite_energy.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -129,16 +134,14 @@ public:
   {
     if (!m_options.are_valid())
       return ERROR_WRONG_PARAMETER;
-    if constexpr (Energy::is_scale_invariant)
-      if (m_bounds_scale) {
-        const auto energy = level_energy(level, m_energy);
-        const double energy_start = energy(uv) / energy.unit();
-        const Error_code status = minimize(internal::Scale_bounded_energy_2<Energy>{ m_energy }, level, uv, summary);
-        summary.energy_start = energy_start;
-        summary.energy_end = energy(uv) / energy.unit();
-        summary.converged = false;
-        return status;
-      }
+    if constexpr (Energy::is_scale_invariant) {
+      if (m_bounds_scale)
+        return minimize_instead(level, uv, summary, [&] {
+          return minimize(internal::Scale_bounded_energy_2<Energy>{ m_energy }, level, uv, summary);
+        });
+      if (is_held_up_by_flat_triangles(level, uv))
+        return minimize_past_flat_triangles(level, uv, summary);
+    }
     return minimize(m_energy, level, uv, summary);
   }
 
@@ -190,6 +193,21 @@ private:
     return status;
   }
 
+  // Calls `minimize_other()`, which writes the map and the summary for another energy than this one, and so does not
+  // converge to the minimum of this one.
+  template <class Function>
+  Error_code minimize_instead(const Level& level, Level::Uv& uv, Level_summary& summary,
+                              const Function& minimize_other) const
+  {
+    const auto energy = level_energy(level, m_energy);
+    const double energy_start = energy(uv) / energy.unit();
+    const Error_code status = minimize_other();
+    summary.energy_start = energy_start;
+    summary.energy_end = energy(uv) / energy.unit();
+    summary.converged = false;
+    return status;
+  }
+
   // Whether an energy that overflows does so, or is so great that steps of Newton's method lead nowhere.
   template <class E>
   static bool is_out_of_reach(const internal::Level_energy_of<E>& energy, const Level::Uv& uv)
@@ -205,6 +223,50 @@ private:
     Level_summary unused;
     const auto energy = level_energy(level, Symmetric_Dirichlet_energy_2());
     return internal::minimize_flip_free(energy, false, uv, m_options, unused);
+  }
+
+  // Flat triangles, as at a pole whose vertices coincide, weigh as much as all others in an energy that does not feel
+  // scales, and hold up a map where they are not as flat in the plane. Whether many of them do so: coarse levels get
+  // rid of a few. Held vertices give the map a scale, which is not that of the symmetric Dirichlet energy.
+  bool is_held_up_by_flat_triangles(const Level& level, const Level::Uv& uv) const
+  {
+    constexpr double greatest_ratio = 10;
+    constexpr std::size_t few = 32, triangles_for_one = 1000;
+    if (m_options.optimizer != Optimizer::NEWTON || m_options.number_of_local_steps > 0 ||
+        m_options.triangle_weight != Triangle_weight::ONE || !internal::is_free(level))
+      return false;
+    const auto energy = level_energy(level, m_energy);
+    const double minimum = energy.minimum() * energy.total_weight();
+    return minimum > 0 && energy(uv) > greatest_ratio * minimum &&
+           internal::number_of_flat_triangles(level) > few + level.triangles().size() / triangles_for_one;
+  }
+
+  // On the finest level this is where the method starts, if it is better; on coarser ones it is enough.
+  Error_code minimize_past_flat_triangles(const Level& level, Level::Uv& uv, Level_summary& summary) const
+  {
+    const Level::Uv start = level.is_finest() ? uv : Level::Uv();
+    Error_code status =
+        minimize_instead(level, uv, summary, [&] { return minimize_isometrically(level, uv, summary); });
+    if (status == OK && level.is_finest()) {
+      const double energy_start = summary.energy_start;
+      if (!(summary.energy_end < energy_start))
+        uv = start;
+      status = minimize(m_energy, level, uv, summary);
+      summary.energy_start = energy_start;
+    }
+    return status;
+  }
+
+  // In the symmetric Dirichlet energy flat triangles weigh next to nothing: where that is low, they are flat enough in
+  // the plane.
+  Error_code minimize_isometrically(const Level& level, Level::Uv& uv, Level_summary& summary) const
+  {
+    constexpr double tolerance = 5e-3;
+    Refinement_options options = m_options;
+    options.triangle_weight = Triangle_weight::AREA;
+    options.tolerance = (std::max)(options.tolerance, tolerance);
+    const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, options.triangle_weight);
+    return internal::minimize_flip_free(energy, false, uv, options, summary);
   }
 
   Energy m_energy;
