@@ -259,6 +259,7 @@ TEST(Multigrid_session, finds_the_negative_of_a_matrix_no_wilder)
 {
   internal::Linear_solver_options options;
   options.greatest_row_sum = 2;
+  options.most_vain_matrices = 2;
   Deferring d(options);
   const auto is_solved_directly = [&d](const Known_system& system) {
     const std::size_t before = d.session->summary().direct_solutions;
@@ -277,6 +278,53 @@ TEST(Multigrid_session, finds_the_negative_of_a_matrix_no_wilder)
   const Known_system wild_system(wild);
   EXPECT_TRUE(is_solved_directly(wild_system));
   EXPECT_TRUE(is_solved_directly(negative(wild_system)));
+  EXPECT_FALSE(is_solved_directly(d.system)) << "multigrid has not been tried in vain";
+}
+
+// Finds nothing, and counts how often it is made.
+struct Vain_solver : internal::Direct_solver
+{
+  static inline int made = 0;
+
+  void solve(const double*, double* x, int) const override { *x = std::numeric_limits<double>::quiet_NaN(); }
+
+  static std::unique_ptr<internal::Direct_solver> make(const internal::Sparse_rows<double>&)
+  {
+    ++made;
+    return std::make_unique<Vain_solver>();
+  }
+};
+
+TEST(Multigrid_session, remembers_what_was_in_vain)
+{
+  static int made_with_grids;       // so that a function without captures sees it
+  made_with_grids = Vain_solver::made = 0;
+  internal::Linear_solver_options options;
+  options.most_iterations = 0;
+  options.make_direct_solver = &Vain_solver::make;
+  options.most_vain_matrices = 2;
+  const Flat_mesh mesh = grid(30, 30, wavy);
+  const auto interpolation =
+      std::make_shared<const internal::Hierarchy_interpolation>(surface(mesh), internal::Hierarchy_options());
+  Multigrid_session session(interpolation, internal::Mesh_unknowns(interpolation->ranks()), options,
+                            [](const internal::Hierarchy_interpolation* hierarchy,
+                               std::shared_ptr<const internal::Sparse_rows<double>> rows,
+                               std::vector<internal::Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices) {
+                              made_with_grids += !unknowns.empty();
+                              return internal::make_multigrid_linear_solver<1>(hierarchy, std::move(rows),
+                                                                               std::move(unknowns), tied_vertices);
+                            });
+  for (int i = 1; i <= 4; ++i) {
+    const Known_system system(edge_matrix(mesh, Uniform_edge_weights_3()));
+    for (int k = 0; k < 3; ++k) {
+      Vector x;
+      EXPECT_TRUE(session.solve(system.matrix, system.right_side, x));
+      EXPECT_LT(system.error(x), 1e-10);
+    }
+    EXPECT_EQ(session.summary().setups, std::size_t(i));
+  }
+  EXPECT_EQ(Vain_solver::made, 1);
+  EXPECT_EQ(made_with_grids, 2);
 }
 
 } // namespace test_multigrid_session

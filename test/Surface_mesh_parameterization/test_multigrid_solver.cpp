@@ -432,6 +432,33 @@ TEST(Multigrid_solver_traits, iterates_with_wide_stencils)
   EXPECT_GT(on.solver.summary().iterations, 0u);
 }
 
+TEST(Multigrid_linear_solver, goes_on_below_the_tolerance_to_its_aim)
+{
+  const Flat_mesh m = delaunay_patch(2000, 1, wavy);
+  const internal::Hierarchy_interpolation interpolation(surface(m), internal::Hierarchy_options());
+  for (const bool is_symmetric : { true, false }) {
+    const Known_system system(is_symmetric ? edge_matrix(m, Uniform_edge_weights_3())
+                                           : edge_matrix(m, Mean_value_edge_weights_3()));
+    const auto solver = internal::make_multigrid_linear_solver<1>(
+        &interpolation, system.matrix.rows(), internal::Mesh_unknowns(interpolation.ranks()).in_order(m.points.size()),
+        {});
+    Vector x(system.right_side.size());
+    double last_residual = 1;
+    for (const double aim : { 1., 1e-4, 1e-8, 1e-300 }) {
+      internal::Linear_solver_options options;
+      options.tolerance = 1e-4;
+      options.aim = aim;
+      const auto result = solver->solve({ system.right_side.values().data() }, { x.values().data() }, options);
+      EXPECT_TRUE(result.is_solved);
+      EXPECT_FALSE(result.is_direct) << "the tolerance is reached";
+      EXPECT_LT(result.residual, (std::max)(1e-13, 1e-4 * aim));
+      EXPECT_LE(result.residual, (std::max)(1e-13, last_residual));
+      EXPECT_LT(result.iterations, 60u) << "nor does it try what rounding forbids for ever";
+      last_residual = result.residual;
+    }
+  }
+}
+
 TEST(Multigrid_solver_traits, solves_for_a_parameterizer_of_CGAL)
 {
   typedef Square_border_arc_length_parameterizer_3<Surface_mesh>                                          Border;

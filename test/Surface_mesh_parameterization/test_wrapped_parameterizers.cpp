@@ -441,4 +441,21 @@ TEST(Wrapped_iterative_authalic, map_depends_neither_on_the_size_of_the_surface_
   }
 }
 
+// Each solution makes the next matrix, so what an iteration leaves grows.
+TEST(Wrapped_iterative_authalic, errors_do_not_pile_up)
+{
+  typedef Iterative_authalic_parameterizer_3<Surface_mesh> Parameterizer;
+  Surface_mesh mesh = make<Surface_mesh>(
+      delaunay_patch(2000, 1, [](double x, double y) { return 3 * std::exp(-20 * (x * x + y * y)); }));
+  Wrapped_map<Surface_mesh> by_factorizations(mesh), found(mesh);
+  Parameterization_summary summary;
+  const auto np = parameters::flip_policy(Flip_policy::KEEP).summary(std::ref(summary));
+  EXPECT_EQ(by_factorizations.parameterize(Hierarchical_parameterizer_3<Parameterizer>(np.number_of_iterations(0)),
+                                           longest_border(mesh)),
+            OK);
+  EXPECT_EQ(found.parameterize(Hierarchical_parameterizer_3<Parameterizer>(np), longest_border(mesh)), OK);
+  EXPECT_LT(summary.linear_solver.direct_solutions, summary.linear_solver.right_sides);
+  found.expect_equal(by_factorizations, 1e-8);
+}
+
 } // namespace test_wrapped_parameterizers

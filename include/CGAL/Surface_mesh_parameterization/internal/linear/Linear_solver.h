@@ -23,6 +23,10 @@ struct Linear_solver_options
 {
   // Of the residual, relative to that of the free unknowns at 0; rows scaled to unit diagonal.
   double tolerance = 1e-10;
+  // Once it is below the tolerance, the residual goes on to this times the tolerance, or to what rounding leaves, as
+  // long as so many steps in a row halve it; bi-conjugate gradients take two steps in an iteration.
+  double aim = 1;
+  int patience_below_tolerance = 4;
   std::size_t most_iterations = 300;
   // Rounding lets the residual that an iteration carries along drift away from the true one: then it starts again from
   // there, at most so often.
@@ -41,13 +45,18 @@ struct Linear_solver_options
   // The relative residual, as above, of such solutions. Of a matrix that is regular only by rounding, the solution is
   // huge: next to its terms any residual is small, and the backward error tells nothing.
   double worst_residual = 1e-3;
-  // From then on one right side has K-cycles: they take about three times as long, but where an energy hardly changes
-  // with conformal motions, as that of least squares conformal maps, they save more than that in the end.
+  // After so many iterations, or when half of the patience is gone, one right side has K-cycles: they take about three
+  // times as long, but where an energy hardly changes with conformal motions, as that of least squares conformal maps,
+  // they save more than that in the end.
   std::size_t most_v_cycles = 100;
-  // A matrix is solved without multigrid if more than so many rows are wild: the entries beside the diagonal have a sum
-  // of absolute values that is greater than this, relative to the diagonal. Each one takes a few iterations.
+  // A matrix is solved without multigrid if more than so many rows are wild, or more than one of so many: the entries
+  // beside the diagonal have a sum of absolute values that is greater than this, relative to the diagonal. Each one
+  // takes a few iterations.
   double greatest_row_sum = (std::numeric_limits<double>::infinity)();
   std::size_t most_wild_rows = 40;
+  std::size_t rows_for_a_wild_one = 300;
+  // After so many matrices in a row that multigrid has tried to solve in vain, the next ones are solved without it.
+  std::size_t most_vain_matrices = (std::numeric_limits<std::size_t>::max)();
   // For what multigrid does not solve, and to be checked: if its residual is above the tolerance, a factorization takes
   // over. Null: a factorization at once.
   Make_direct_solver make_direct_solver = nullptr;
@@ -64,7 +73,8 @@ inline bool is_stopped(const Linear_solver_options& options)
 struct Linear_solver_result
 {
   bool is_solved = false;
-  bool is_direct = false;       // by the direct solver
+  bool is_direct = false;       // not by multigrid
+  bool is_factorized = false;   // by a factorization, which no other solver has to try before
   std::size_t iterations = 0;
   double residual = 0;          // the relative one, computed at the end; the greatest of the right sides
 };

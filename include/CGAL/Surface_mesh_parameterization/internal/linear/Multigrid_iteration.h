@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Scalar_multigrid.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -20,7 +21,7 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // A linear system on a mesh and its grids, as the Krylov methods see them, which iterate until the norm of the residual
-// is at most `target`. The system, the grids and the options must live as long.
+// is at most `target` times the options' aim. The system, the grids and the options must live as long.
 template <class Real, int columns>
 class Multigrid_iteration
 {
@@ -57,8 +58,7 @@ public:
       m_least_excess = excess;
       m_idle_steps = 0;
     }
-    return !(excess > 1) || ++m_idle_steps > (has_minimal_residuals() ? m_options.patience_of_minimal_residuals
-                                                                      : m_options.patience);
+    return !(excess > aim()) || ++m_idle_steps > patience(excess);
   }
 
   bool has_minimal_residuals() const { return !m_system.is_symmetric() && !m_system.is_diagonally_dominant(); }
@@ -67,7 +67,9 @@ public:
   Vector& precondition(const Vector& r)
   {
     const Value scale = give_to_grid(r);
-    if (++m_cycles > m_options.most_v_cycles && columns == 1 && m_system.is_symmetric())
+    ++m_cycles;
+    if ((m_cycles > m_options.most_v_cycles || m_idle_steps > m_options.patience / 2) && columns == 1 &&
+        m_system.is_symmetric())
       m_space.use_k_cycles();
     m_multigrid.cycle(m_space);
     m_correction.assign(m_correction.size(), Value::zero());
@@ -84,6 +86,18 @@ public:
   }
 
 private:
+  double aim() const
+  {
+    return (std::min)(1., (std::max)(m_options.aim, m_options.rounding_error / m_options.tolerance));
+  }
+
+  int patience(double excess) const
+  {
+    if (!(excess > 1))
+      return m_options.patience_below_tolerance;
+    return has_minimal_residuals() ? m_options.patience_of_minimal_residuals : m_options.patience;
+  }
+
   // Tells of a relative residual.
   bool tell(double residual) const
   {

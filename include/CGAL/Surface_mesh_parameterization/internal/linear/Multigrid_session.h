@@ -114,6 +114,9 @@ private:
   std::shared_ptr<Vector::Numbers> m_waiting_solution;
   bool m_all_solved = true;       // of what was put off
   int m_failures = 0;             // in a row
+  bool m_has_grids = false;       // the solver
+  bool m_last_was_direct = false;
+  std::size_t m_vain_matrices = 0;        // in a row, which the grids did not solve
   Linear_solver_summary m_summary;
 };
 

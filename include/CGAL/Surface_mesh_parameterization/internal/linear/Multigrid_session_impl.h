@@ -80,6 +80,8 @@ bool Multigrid_session::set_up(const Sparse_matrix& matrix, const std::vector<In
   if (m_solver && m_solver->rows() == rows)
     return true;
   finish();
+  if (m_solver && m_has_grids)
+    m_vain_matrices = m_last_was_direct ? m_vain_matrices + 1 : 0;
   m_solver.reset();
   return matrix.column_dimension() == matrix.row_dimension() && set_up(std::move(rows), tied_vertices);
 }
@@ -103,7 +105,8 @@ bool Multigrid_session::suits_multigrid(const Sparse_rows<double>& rows) const
     wild_rows += sum != 0 && !(sum <= m_options.greatest_row_sum * diagonal);
     wild_rows_of_negative += sum != 0 && !(sum <= -m_options.greatest_row_sum * diagonal);
   }
-  return (std::min)(wild_rows, wild_rows_of_negative) <= m_options.most_wild_rows;
+  const std::size_t most = (std::min)(m_options.most_wild_rows, rows.number_of_rows() / m_options.rows_for_a_wild_one);
+  return (std::min)(wild_rows, wild_rows_of_negative) <= most;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -121,7 +124,7 @@ bool Multigrid_session::find_hierarchy()
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::set_up(std::shared_ptr<const Sparse_rows<double>> rows, const std::vector<Index>& tied_vertices)
 {
-  if (suits_multigrid(*rows))
+  if (m_vain_matrices < m_options.most_vain_matrices && suits_multigrid(*rows))
     return find_hierarchy() && set_up_multigrid(std::move(rows), tied_vertices);
   return make_solver(std::move(rows), {}, {});
 }
@@ -156,6 +159,8 @@ bool Multigrid_session::make_solver(std::shared_ptr<const Sparse_rows<double>> r
     return false;
   CGAL::Real_timer timer;
   timer.start();
+  m_has_grids = !unknowns.empty();
+  m_last_was_direct = false;
   m_solver = m_make_solver(m_interpolation.get(), std::move(rows), std::move(unknowns), tied_vertices);
   ++m_summary.setups;
   m_summary.seconds_setup += timer.time();
@@ -263,6 +268,9 @@ bool Multigrid_session::solve(const std::vector<const std::vector<double>*>& rig
   else
     m_summary.failures += b.size();
   m_summary.direct_solutions += result.is_direct ? b.size() : 0;
+  m_last_was_direct = result.is_direct && result.is_solved;
+  if (result.is_factorized)
+    m_options.make_direct_solver = nullptr;
   for (std::size_t i = 0; i < solutions.size(); ++i)
     solutions[i]->resize(result.is_solved ? n : sizes[i]);
   m_summary.seconds_solve += timer.time();

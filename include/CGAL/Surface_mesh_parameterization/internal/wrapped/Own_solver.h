@@ -116,6 +116,8 @@ void set_direct_solver(Linear_solver_options& options)
     if constexpr (std::is_default_constructible<Traits>::value)
       options.make_direct_solver = &make_own_solver<Traits>;
     options.greatest_row_sum = Solver_use<Parameterizer>::greatest_row_sum;
+    options.most_vain_matrices = 2;
+    options.aim = Solver_use<Parameterizer>::aim;
   }
 }
 

@@ -41,6 +41,10 @@ struct Plain_solver_use
   // Of the matrices that are for multigrid, see Linear_solver_options. Cotangent weights of the worst triangles stay below
   // a half of this.
   static constexpr double greatest_row_sum = 10;
+
+  // How far iterations go on below the tolerance, see there, too. Where a matrix is not diagonally dominant or depends
+  // on the solution before it, errors may be far greater than residuals.
+  static constexpr double aim = 1;
 };
 
 // How a parameterizer uses its solver.
@@ -65,6 +69,7 @@ struct Solver_use<Discrete_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs
 {
   static constexpr bool always_suits_multigrid = false;
   static constexpr double greatest_row_sum = 3;
+  static constexpr double aim = 1e-2;
 };
 template <class M, class B, class S>
 struct Solver_use<Discrete_conformal_map_parameterizer_3<M, B, S>> : Solves_in_pairs
@@ -75,6 +80,7 @@ struct Solver_use<Iterative_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs
 {
   static constexpr bool always_suits_multigrid = false;
   static constexpr double greatest_row_sum = 3;
+  static constexpr double aim = 1e-5;
   static constexpr double part_of_solution = 0.1;
 };
 template <class M, class B, class S>
