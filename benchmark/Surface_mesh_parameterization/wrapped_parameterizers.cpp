@@ -16,7 +16,9 @@
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 
 #include <CGAL/Default.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -30,6 +32,7 @@ typedef Mesh::Property_map<Mesh::Edge_index, bool>                 Seam_edge_map
 typedef Mesh::Property_map<Mesh::Vertex_index, bool>               Seam_vertex_map;
 typedef CGAL::Seam_mesh<Mesh, Seam_edge_map, Seam_vertex_map>      Seam_mesh;
 typedef CGAL::Face_filtered_graph<Mesh>                            Filtered_mesh;
+typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>        Cartesian_mesh;
 
 struct Choice
 {
@@ -46,6 +49,9 @@ struct Choice
 template <class TriangleMesh>
 struct Map
 {
+  typedef typename boost::property_map_value<TriangleMesh, CGAL::vertex_point_t>::type   Point_3;
+  typedef typename CGAL::Kernel_traits<Point_3>::Kernel::Point_2                         Point_2;
+
   typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<Point_2>>::type uvmap;
   SMP::Error_code code = SMP::OK;
   std::vector<double> seconds;
@@ -72,7 +78,7 @@ double difference(const TriangleMesh& mesh, const Map<TriangleMesh>& expected, c
   CGAL::Bbox_2 box;
   double greatest = 0;
   for (const auto v : vertices(mesh)) {
-    const Point_2 p = get(expected.uvmap, v);
+    const auto p = get(expected.uvmap, v);
     box += p.bbox();
     greatest = (std::max)(greatest, CGAL::squared_distance(p, get(found.uvmap, v)));
   }
@@ -140,11 +146,23 @@ void compare_on_surface_mesh(Named_mesh& input, const Choice& choice)
       input, input.mesh, type, "square-uniform", choice);
 }
 
+template <class TriangleMesh>
+void compare_on_copy(Named_mesh& input, const std::string& mesh_type, const Choice& choice)
+{
+  TriangleMesh copy;
+  CGAL::copy_face_graph(input.mesh, copy);
+  compare_on(input, copy, mesh_type, choice);
+}
+
 void compare_on_polyhedron(Named_mesh& input, const Choice& choice)
 {
-  Polyhedron polyhedron;
-  CGAL::copy_face_graph(input.mesh, polyhedron);
-  compare_on(input, polyhedron, "Polyhedron_3", choice);
+  compare_on_copy<Polyhedron>(input, "Polyhedron_3", choice);
+}
+
+// A Surface_mesh, too, with the points of another kernel.
+void compare_on_cartesian_mesh(Named_mesh& input, const Choice& choice)
+{
+  compare_on_copy<Cartesian_mesh>(input, "Simple_cartesian", choice);
 }
 
 // A cut of one edge, from a border vertex to one that is not on a border.
@@ -185,7 +203,7 @@ void run(int argc, char* argv[])
     ("runs", po::value<int>()->default_value(3), "runs of each; seconds are their median")
     ("repair", po::bool_switch(), "repair flips, which is the default of the adaptor, but not of CGAL")
     ("mesh-type", po::value<std::vector<std::string>>()->default_value({}, "all"),
-     "Surface_mesh, Polyhedron_3, Seam_mesh, Face_filtered_graph")
+     "Surface_mesh, Polyhedron_3, Simple_cartesian, Seam_mesh, Face_filtered_graph")
     ("parameterizer", po::value<std::vector<std::string>>()->default_value({}, "all"),
      "barycentric, mean-value, conformal, authalic, iterative-authalic, lscm");
   const po::variables_map values =
@@ -202,7 +220,8 @@ void run(int argc, char* argv[])
             << std::endl;
   const std::pair<const char*, void (*)(Named_mesh&, const Choice&)> comparisons[] = {
     { "Surface_mesh", compare_on_surface_mesh }, { "Polyhedron_3", compare_on_polyhedron },
-    { "Seam_mesh", compare_on_seam_mesh }, { "Face_filtered_graph", compare_on_filtered_graph } };
+    { "Simple_cartesian", compare_on_cartesian_mesh }, { "Seam_mesh", compare_on_seam_mesh },
+    { "Face_filtered_graph", compare_on_filtered_graph } };
   for (const auto& [type, compare_on_type] : comparisons)
     if (Choice::contains(choice.mesh_types, type))
       compare_on_type(input, choice);
