@@ -138,6 +138,7 @@ TEST(Multigrid_solver_traits, solves_directly_what_does_not_match_the_mesh)
   EXPECT_EQ(on.solver.summary().direct_solutions, 1u);
   EXPECT_EQ(on.solver.summary().iterations, 0u);
 }
+
 // Were these diagonal entries pivots, most digits would be lost.
 TEST(Direct_solver, is_exact_where_the_diagonal_is_small)
 {

@@ -131,7 +131,7 @@ public:
   /// \param arguments copies of these arguments are passed to the constructor of `Parameterizer` on every run
   /// \param np
   /// - `tolerance`: greatest relative residual of the linear system, rows scaled to unit diagonal; default 1e-10. With
-  ///   authalic weights iterations go on below it, as far as it takes little time
+  ///   authalic weights iterations go on to 1e-2 times that, with iterative authalic ones to 1e-5 times, if they can
   /// - `number_of_iterations`: the most iterations before the solver of `Parameterizer` takes over; default 300. If the
   ///   residual of that one is above the tolerance, a sparse LU factorization takes over
   /// - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see `Collapse_hierarchy_3`. For

@@ -72,7 +72,7 @@ public:
     const Value start = m_system.norm(r);
 
     Linear_solver_result result;
-    if (!m_is_solved_directly && m_multigrid && m_multigrid->is_ready())
+    if (m_multigrid && m_multigrid->is_ready())
       result = iterate(b, x, r, start, options);
     else if (m_system.is_regular() && m_system.free_unknowns().empty())
       result.is_solved = m_system.backward_error(b, x) <= options.worst_backward_error;
@@ -179,7 +179,8 @@ private:
     }
     apply_direct_solver(b, x, r, start, options, result);
     result.is_factorized = result.is_solved;
-    m_is_solved_directly = m_is_solved_directly || result.is_solved;
+    if (result.is_solved)
+      m_multigrid.reset();      // a factorization that is there takes less time than iterations in vain
   }
 
   // Writes x, its residual r, and what `result` tells of them, if there is a direct solver. The residual that rounding
@@ -198,10 +199,9 @@ private:
   }
 
   Mesh_system m_system;
-  std::unique_ptr<Multigrid> m_multigrid;
+  std::unique_ptr<Multigrid> m_multigrid;             // null where a factorization has to solve
   std::unique_ptr<Direct_solver> m_direct_solver;     // made when it is needed
   bool m_is_factorized = false;                       // the direct solver is a factorization of the scaled rows
-  bool m_is_solved_directly = false;                  // it has solved what iterations did not
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
