@@ -239,9 +239,9 @@ TEST(Orbifolds, fall_back_on_a_direct_solution)
   Cut_surface cut = ball(3, 3);
   const Cut_surface::UV_map uv = cut.untouched_map(), flat_uv = cut.untouched_map();
   Parameterization_summary summary;
-  const Hierarchical impatient(Triangle, Cotangent, parameters::summary(std::ref(summary)).number_of_iterations(1));
+  const Hierarchical impatient(Triangle, Mean_value, parameters::summary(std::ref(summary)).number_of_iterations(1));
   ASSERT_EQ(impatient.parameterize(cut.mesh, cut.bhd, cut.cone_map, uv, cut.index), OK);
-  ASSERT_EQ(Flat(Triangle, Cotangent).parameterize(cut.mesh, cut.bhd, cut.cone_map, flat_uv, cut.index), OK);
+  ASSERT_EQ(Flat(Triangle, Mean_value).parameterize(cut.mesh, cut.bhd, cut.cone_map, flat_uv, cut.index), OK);
   EXPECT_EQ(summary.linear_solver.direct_solutions, 1u);
   EXPECT_LT(cut.greatest_distance(uv, flat_uv), 1e-9);
 }

@@ -148,9 +148,10 @@ void expect_all_iterations(const Record& record, const Parameterization_summary&
   }
 }
 
-// Stops the same run at some of its calls, among them the last one.
+// Stops the same run at some of its calls, among them the last one. That leads to no direct solution more.
 template <class Method, class Options>
-void expect_stops(Surface_mesh& mesh, const Options& options, std::size_t number_of_calls)
+void expect_stops(Surface_mesh& mesh, const Options& options, std::size_t number_of_calls,
+                  std::size_t direct_solutions)
 {
   for (std::size_t k = 1; k < 2 * number_of_calls; k += 1 + k / 3)
     for (const bool throws : { false, true }) {
@@ -164,7 +165,7 @@ void expect_stops(Surface_mesh& mesh, const Options& options, std::size_t number
         EXPECT_EQ(run.start(options, record), ERROR_STOPPED) << "call " << k;
       EXPECT_EQ(record.calls, record.most_calls);
       EXPECT_TRUE(run.mapped.is_untouched()) << "call " << k;
-      EXPECT_EQ(run.summary.linear_solver.direct_solutions, 0u) << "call " << k;
+      EXPECT_LE(run.summary.linear_solver.direct_solutions, direct_solutions) << "call " << k;
     }
 }
 
@@ -181,7 +182,7 @@ Record check_run(Surface_mesh& mesh, const Options& options)
   expect_parts_in_order(record);
   expect_places_on_levels(record, mesh.number_of_vertices());
   expect_all_iterations(record, seen.summary);
-  expect_stops<Method>(mesh, options, record.calls);
+  expect_stops<Method>(mesh, options, record.calls, seen.summary.linear_solver.direct_solutions);
   return record;
 }
 

@@ -150,7 +150,7 @@ struct Double_mean_value : Mean_value_of<Mesh, Order, Solver>
 // A mesh with its map by an adaptor.
 struct Parameterized
 {
-  Surface_mesh mesh = make<Surface_mesh>(cap(50, 100, 0.5 * CGAL_PI));
+  Surface_mesh mesh = make<Surface_mesh>(cap(105, 100, 0.5 * CGAL_PI));      // more than a grid of complex unknowns
   Wrapped_map<Surface_mesh> mapped{ mesh };
   Parameterization_summary summary;
 

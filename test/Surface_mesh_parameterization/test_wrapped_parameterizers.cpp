@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Two_vertices_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Scalar_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -296,6 +297,20 @@ TEST(Wrapped_LSCM, needs_two_places_for_its_vertices)
             ERROR_BORDER_TOO_SHORT);
 }
 
+TEST(Wrapped_LSCM, of_a_large_surface_is_iterated_on_several_grids)
+{
+  typedef LSCM_by_multigrid<Surface_mesh> LSCM;
+  Surface_mesh mesh = make<Surface_mesh>(cap(105, 100, 0.5 * CGAL_PI));
+  ASSERT_GT(mesh.number_of_vertices(), SMP::internal::complex_multigrid_options().coarsest_size);
+  Parameterization_summary summary;
+  expect_equal_maps(mesh, LSCM(),
+                    Hierarchical_parameterizer_3<LSCM>(
+                        parameters::flip_policy(Flip_policy::KEEP).summary(std::ref(summary))));
+  EXPECT_EQ(summary.linear_solver.direct_solutions, 0u);
+  EXPECT_GT(summary.linear_solver.iterations, 3u);
+  EXPECT_LT(summary.linear_solver.iterations, 50u);
+}
+
 TEST(Wrapped_LSCM, of_a_small_surface_needs_no_multigrid)
 {
   typedef LSCM_parameterizer_3<Surface_mesh> LSCM;
@@ -306,7 +321,9 @@ TEST(Wrapped_LSCM, of_a_small_surface_needs_no_multigrid)
                         parameters::flip_policy(Flip_policy::KEEP).summary(std::ref(summary))));
   EXPECT_TRUE(summary.is_ok());
   EXPECT_TRUE(summary.converged);
-  EXPECT_EQ(summary.linear_solver.setups, 0u);
+  EXPECT_EQ(summary.linear_solver.direct_solutions, 1u);
+  EXPECT_EQ(summary.linear_solver.iterations, 0u);
+  EXPECT_EQ(summary.linear_solver.failures, 0u);
 }
 
 // ---- systems that are not for multigrid ----

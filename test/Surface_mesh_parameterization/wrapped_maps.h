@@ -44,7 +44,7 @@ template <class M, class B, class S>
 struct CGAL::Surface_mesh_parameterization::internal::Solver_use<wrapped_maps::LSCM_by_multigrid<M, B, S>>
   : Solver_use<LSCM_parameterizer_3<M, B, S>>
 {
-  static constexpr bool own_solver_may_be_faster = false;
+  static bool is_factorization_faster(std::size_t, std::size_t) { return false; }
 };
 
 // The maps of CGAL's parameterizers and those of their adaptors.

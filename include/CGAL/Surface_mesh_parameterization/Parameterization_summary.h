@@ -55,11 +55,10 @@ struct Level_summary
 
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
-/// What a `Multigrid_solver_traits` did. All is 0 if a parameterizer ran with its own solver, as LSCM does on small
-/// surfaces.
+/// What a `Multigrid_solver_traits` did.
 struct Linear_solver_summary
 {
-  std::size_t setups = 0;             ///< matrices for which the grids were set up
+  std::size_t setups = 0;             ///< matrices for which grids were set up, or which were to be solved without
   std::size_t right_sides = 0;        ///< right-hand sides that were given
   std::size_t failures = 0;           ///< right-hand sides that no solver solved, of which the parameterizer was told
   /// the most iterations for one right-hand side, of conjugate gradients, BiCGSTAB or GMRES
@@ -67,8 +66,8 @@ struct Linear_solver_summary
   /// the greatest relative residual of a solution, recomputed at the end; rows scaled to unit diagonal. It is at most
   /// the tolerance, unless rounding leaves more, as of a nearly singular matrix
   double residual = 0;
-  /// right-hand sides for which there was no multigrid, or no convergence: the solver of the parameterizer solved, or a
-  /// direct one
+  /// right-hand sides for which there was no multigrid, as with LSCM on small surfaces, or no convergence: the solver of
+  /// the parameterizer solved, or a direct one
   std::size_t direct_solutions = 0;
   double seconds_setup = 0;           ///< wall-clock time of the setups
   double seconds_solve = 0;           ///< wall-clock time of the iterations and direct solutions

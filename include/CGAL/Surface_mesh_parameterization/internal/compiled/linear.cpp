@@ -20,6 +20,7 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 template std::unique_ptr<Direct_solver> factorize_symmetric<double>(Index, const std::vector<Matrix_entry>&);
+template std::unique_ptr<Direct_solver> factorize_hermitian<double>(const Sparse_rows<Complex<double>>&);
 template std::unique_ptr<Direct_solver> factorize<double>(Index, const std::vector<Matrix_entry>&);
 template std::unique_ptr<Linear_solver>
 make_multigrid_linear_solver<1>(const Hierarchy_interpolation*, std::shared_ptr<const Sparse_rows<double>>,

@@ -70,8 +70,6 @@ public:
 
 private:
   static constexpr std::size_t not_found = std::size_t(-1);
-  static constexpr std::size_t fewest_waiting = 1024;
-
   struct Entry
   {
     Index row;
@@ -80,9 +78,17 @@ private:
     double value;
   };
 
-  void append(std::size_t i, std::size_t j, double value, bool replaces);
+  void append(std::size_t i, std::size_t j, double value, bool replaces)
+  {
+    CGAL_precondition(i < m_rows->number_of_rows() && j < m_columns);
+    if (m_waiting.size() == m_waiting.capacity())
+      make_room();
+    m_waiting.push_back({ Index(i), Index(j), replaces, value });
+    m_replacements_wait = m_replacements_wait || replaces;
+  }
 
-  static constexpr std::size_t expected_row_size = 8;
+  // For more entries that wait. Few may be many more than there are: merging them again and again would take longer.
+  void make_room();
 
   std::size_t position(std::size_t i, std::size_t j) const
   {

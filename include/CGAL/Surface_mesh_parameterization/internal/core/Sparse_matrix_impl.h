@@ -17,17 +17,15 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void Sparse_matrix::append(std::size_t i, std::size_t j, double value, bool replaces)
+void Sparse_matrix::make_room()
 {
-  CGAL_precondition(i < m_rows->number_of_rows() && j < m_columns);
-  const std::size_t most_waiting =
-      (std::max)({ fewest_waiting, m_rows->values.size(), m_rows->first.size() * expected_row_size });
-  if (m_waiting.size() >= most_waiting)
+  constexpr std::size_t expected_row_size = 8, fewest = 1024, few = 1 << 16;
+  const std::size_t expected =
+      (std::max)({ fewest, m_rows->values.size(), m_rows->first.size() * expected_row_size });
+  const std::size_t most = (std::max)(few, expected);
+  if (m_waiting.size() >= most)
     merge();
-  if (m_waiting.empty())
-    m_waiting.reserve(most_waiting);
-  m_waiting.push_back({ Index(i), Index(j), replaces, value });
-  m_replacements_wait = m_replacements_wait || replaces;
+  m_waiting.reserve((std::min)(most, (std::max)(expected, 2 * m_waiting.size())));
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -72,7 +70,7 @@ void Sparse_matrix::merge_row(Index i, boost::iterator_range<const Index*> waiti
     double& value = at(e.column);
     value = e.replaces ? e.value : value + e.value;
   }
-  std::sort(row.begin(), row.end());
+  std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   merged.append(row);
 }
 

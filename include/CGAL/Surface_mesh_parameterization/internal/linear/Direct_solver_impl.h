@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -127,6 +128,52 @@ template <class Real>
 std::unique_ptr<Direct_solver> factorize_symmetric(Index n, const std::vector<Matrix_entry>& entries)
 {
   return factorize_by_Eigen<Eigen::SimplicialLDLT<Eigen_matrix<Real>>>(n, entries);
+}
+
+// The parts of complex numbers lie in memory as the interface has them.
+template <class Real>
+class Hermitian_solver final
+  : public Direct_solver
+{
+  typedef std::complex<Real>                              Number;
+  typedef Eigen::Matrix<Number, Eigen::Dynamic, 1>        Vector;
+
+public:
+  explicit Hermitian_solver(const Sparse_rows<Complex<Real>>& a) : m_size(a.number_of_rows())
+  {
+    Eigen_matrix<Number> lower(m_size, m_size);       // whose columns are conjugate to the rows of the upper triangle
+    lower.reserve((a.values.size() + m_size) / 2);
+    for (Index i = 0; i < m_size; ++i) {
+      lower.startVec(i);
+      a.for_each_entry(i, [&](Index column, const Complex<Real>& value) {
+        if (column >= i)
+          lower.insertBack(column, i) = Number(value.re, -value.im);
+      });
+    }
+    lower.finalize();
+    m_solver.compute(lower);
+  }
+
+  bool is_ready() const { return m_solver.info() == Eigen::Success; }
+
+  void solve(const double* b, double* x, int number_of_right_sides) const override
+  {
+    for (int i = 0; i < number_of_right_sides; ++i) {
+      const Eigen::Map<const Vector> right_side(reinterpret_cast<const Number*>(b) + i * m_size, m_size);
+      Eigen::Map<Vector>(reinterpret_cast<Number*>(x) + i * m_size, m_size) = m_solver.solve(right_side);
+    }
+  }
+
+private:
+  Eigen::SimplicialLDLT<Eigen_matrix<Number>> m_solver;
+  Eigen::Index m_size;
+};
+
+template <class Real>
+std::unique_ptr<Direct_solver> factorize_hermitian(const Sparse_rows<Complex<Real>>& a)
+{
+  auto solver = std::make_unique<Hermitian_solver<Real>>(a);
+  return solver->is_ready() ? std::move(solver) : nullptr;
 }
 
 template <class Real>

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_GRID_TRANSFER_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_GRID_TRANSFER_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Complex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Pruned_prolongation.h>
@@ -81,19 +82,20 @@ public:
   }
 
   // P^T A P with ascending columns; `Matrix` has diagonal(i) and for_each_entry(i, f).
-  template <class Real, class Matrix>
-  Sparse_rows<Real> galerkin_product(const Matrix& a) const
+  template <class Number, class Matrix>
+  Sparse_rows<Number> galerkin_product(const Matrix& a) const
   {
-    struct Sum { double value; Index row; };      // of a column in the row that is being made, if it has met it
+    typedef decltype(in_double_precision(Number()))   Value;
+    struct Sum { Value value; Index row; };       // of a column in the row that is being made, if it has met it
     constexpr std::size_t expected_row_size = 16;
     const Index n = Index(m_coarse_unknowns.size());
     const auto transpose =
         Pruned_prolongation::transposed(n, m_rows.size(), [this](Index i) -> const Row& { return m_rows[i]; });
-    Sparse_rows<Real> result;
+    Sparse_rows<Number> result;
     result.reserve(n, expected_row_size * n);
     std::vector<Sum> sums(n, Sum{ 0, no_index });
     for (Index c = 0; c < n; ++c) {
-      const auto add = [&](Index i, double value) {
+      const auto add = [&](Index i, const Value& value) {
         const Row& row = m_rows[i];
         for (int k = 0; k < Pruned_prolongation::row_size; ++k) {
           if (row.weights[k] == 0)
@@ -103,17 +105,17 @@ public:
             sum = { 0, c };
             result.columns.push_back(row.columns[k]);
           }
-          sum.value += row.weights[k] * value;
+          sum.value += Value(row.weights[k]) * value;
         }
       };
       for (const Pruned_prolongation::Transpose_entry& e : transpose[c]) {
-        const double weight = e.weight;
-        add(e.row, weight * a.diagonal(e.row));
-        a.for_each_entry(e.row, [&](Index column, Real value) { add(column, weight * value); });
+        const Value weight = e.weight;
+        add(e.row, weight * Value(a.diagonal(e.row)));
+        a.for_each_entry(e.row, [&](Index column, const Number& value) { add(column, weight * Value(value)); });
       }
       std::sort(result.columns.begin() + result.first.back(), result.columns.end());
       for (std::size_t k = result.first.back(); k < result.columns.size(); ++k)
-        result.values.push_back(Real(sums[result.columns[k]].value));
+        result.values.push_back(Number(sums[result.columns[k]].value));
       result.first.push_back(Index(result.columns.size()));
     }
     return result;

@@ -17,12 +17,12 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // method. It smooths also where Gauss-Seidel does not: where the coupling is much stronger in one direction than in the
 // other, as uniform weights are on triangles that are long in space. Of a symmetric matrix, the factorization is
 // symmetric.
-template <class Real>
+template <class Number>
 class Incomplete_LU
 {
 public:
   // What is factorized is the matrix with its diagonal multiplied by `enlargement`, see Scalar_multigrid.
-  Incomplete_LU(Sparse_rows<Real> matrix, Real enlargement) : m_matrix(std::move(matrix))
+  Incomplete_LU(Sparse_rows<Number> matrix, Number enlargement) : m_matrix(std::move(matrix))
   {
     split_rows();
     factorize(enlargement);
@@ -30,7 +30,7 @@ public:
 
   Index size() const { return m_matrix.number_of_rows(); }
 
-  Real diagonal(Index i) const { return m_diagonal[i]; }
+  Number diagonal(Index i) const { return m_diagonal[i]; }
 
   // The entries of row i beside the diagonal: f(column, value).
   template <class Function>
@@ -131,7 +131,7 @@ private:
     m_matrix.values.resize(end);
   }
 
-  void factorize(Real enlargement)
+  void factorize(Number enlargement)
   {
     const std::vector<Index> &first = m_matrix.first, &columns = m_matrix.columns;
     m_factors = m_matrix.values;
@@ -139,7 +139,7 @@ private:
     std::vector<Index> position(size(), no_index);      // of a column in row i
     constexpr Index great_factor = 8;
     for (Index i = 0; i < size(); ++i) {
-      Real pivot = enlargement * m_diagonal[i];
+      Number pivot = enlargement * m_diagonal[i];
       for (Index k = first[i]; k < first[i + 1]; ++k)
         position[columns[k]] = k;
       for (Index k = first[i]; k < m_first_upper[i]; ++k) {
@@ -160,7 +160,7 @@ private:
       }
       for (Index k = first[i]; k < first[i + 1]; ++k)
         position[columns[k]] = no_index;
-      m_inverse_pivots[i] = 1 / pivot;
+      m_inverse_pivots[i] = Number(1) / pivot;
     }
   }
 
@@ -180,11 +180,11 @@ private:
       look_up(m_matrix.columns[k]);
   }
 
-  Sparse_rows<Real> m_matrix;           // without the diagonal
+  Sparse_rows<Number> m_matrix;           // without the diagonal
   std::vector<Index> m_first_upper;     // where in each row the entries above the diagonal begin
-  std::vector<Real> m_diagonal;
-  std::vector<Real> m_factors;          // in the places of the matrix's entries: L, whose diagonal is 1, and U
-  std::vector<Real> m_inverse_pivots;   // of the diagonal of U
+  std::vector<Number> m_diagonal;
+  std::vector<Number> m_factors;          // in the places of the matrix's entries: L, whose diagonal is 1, and U
+  std::vector<Number> m_inverse_pivots;   // of the diagonal of U
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

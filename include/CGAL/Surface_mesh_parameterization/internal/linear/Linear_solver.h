@@ -49,6 +49,7 @@ struct Linear_solver_options
   // times as long, but where an energy hardly changes with conformal motions, as that of least squares conformal maps,
   // they save more than that in the end.
   std::size_t most_v_cycles = 100;
+  bool has_grids = true;      // else matrices are solved without multigrid
   // A matrix is solved without multigrid if more than so many rows are wild, or more than one of so many: the entries
   // beside the diagonal have a sum of absolute values that is greater than this, relative to the diagonal. Each one
   // takes a few iterations.

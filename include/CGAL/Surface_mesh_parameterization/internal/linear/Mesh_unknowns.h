@@ -21,6 +21,25 @@ struct Mesh_unknown
   Index component;
 };
 
+// Whether unknowns are the components 0 and 1 of vertices in turn, which may be the parts of complex ones.
+inline bool are_parts_of_complex(const std::vector<Mesh_unknown>& unknowns)
+{
+  for (std::size_t k = 0; k < unknowns.size(); ++k)
+    if (unknowns[k].component != k % 2 || unknowns[k].vertex != unknowns[k - k % 2].vertex)
+      return false;
+  return unknowns.size() % 2 == 0;
+}
+
+// Those complex ones, each by its first part.
+inline std::vector<Mesh_unknown> complex_unknowns(const std::vector<Mesh_unknown>& parts)
+{
+  std::vector<Mesh_unknown> result;
+  result.reserve(parts.size() / 2);
+  for (std::size_t k = 0; k < parts.size(); k += 2)
+    result.push_back(parts[k]);
+  return result;
+}
+
 // What the unknowns of a system are. A parameterizer keeps their numbering to itself: mostly those of a vertex are
 // consecutive, and the vertices come in the order of their indices. Any other numbering shows in the map that it makes
 // if it gets marks of the unknowns for a solution.

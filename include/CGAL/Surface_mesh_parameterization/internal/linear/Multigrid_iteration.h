@@ -22,11 +22,12 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 // A linear system on a mesh and its grids, as the Krylov methods see them, which iterate until the norm of the residual
 // is at most `target` times the options' aim. The system, the grids and the options must live as long.
-template <class Real, int columns>
+//
+// Grids of complex numbers have an unknown for each two of the system, its parts.
+template <class Multigrid, int columns>
 class Multigrid_iteration
 {
 public:
-  typedef Scalar_multigrid<Real>           Multigrid;
   typedef Values<double, columns>          Value;
   typedef Value_vector<double, columns>    Vector;
 
@@ -115,7 +116,7 @@ private:
     const Value inverse = quotient(Value::all(1), greatest);
     const std::vector<Index>& unknowns = m_system.free_unknowns();
     for (std::size_t k = 0; k < unknowns.size(); ++k)
-      m_space.right_side(0)[k] = (r[unknowns[k]] * inverse).template cast<Real>();
+      set_unknown(m_space.right_side(0), k, r[unknowns[k]] * inverse);
     return m_system.free_part_scale() * greatest;
   }
 
@@ -123,7 +124,31 @@ private:
   {
     const std::vector<Index>& unknowns = m_system.free_unknowns();
     for (std::size_t k = 0; k < unknowns.size(); ++k)
-      x[unknowns[k]] += scale * m_space.solution(0)[k].template cast<double>();
+      x[unknowns[k]] += scale * unknown(m_space.solution(0), k);
+  }
+
+  template <class Real>
+  static void set_unknown(Value_vector<Real, columns>& x, std::size_t k, const Value& value)
+  {
+    x[k] = value.template cast<Real>();
+  }
+
+  template <class Real>
+  static void set_unknown(Value_vector<Complex<Real>, columns>& x, std::size_t k, const Value& value)
+  {
+    (k % 2 == 0 ? x[k / 2][0].re : x[k / 2][0].im) = Real(value[0]);
+  }
+
+  template <class Real>
+  static Value unknown(const Value_vector<Real, columns>& x, std::size_t k)
+  {
+    return x[k].template cast<double>();
+  }
+
+  template <class Real>
+  static Value unknown(const Value_vector<Complex<Real>, columns>& x, std::size_t k)
+  {
+    return { { k % 2 == 0 ? x[k / 2][0].re : x[k / 2][0].im } };
   }
 
   const Mesh_system& m_system;

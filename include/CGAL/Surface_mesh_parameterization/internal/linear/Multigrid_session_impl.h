@@ -124,7 +124,7 @@ bool Multigrid_session::find_hierarchy()
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::set_up(std::shared_ptr<const Sparse_rows<double>> rows, const std::vector<Index>& tied_vertices)
 {
-  if (m_vain_matrices < m_options.most_vain_matrices && suits_multigrid(*rows))
+  if (m_options.has_grids && m_vain_matrices < m_options.most_vain_matrices && suits_multigrid(*rows))
     return find_hierarchy() && set_up_multigrid(std::move(rows), tied_vertices);
   return make_solver(std::move(rows), {}, {});
 }

@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,22 +46,34 @@ inline Scalar_multigrid_options scalar_multigrid_options_in_plane()
   return options;
 }
 
+// The same for a matrix of complex numbers, see complex_rows(), which costs less, and a factorization of it far less.
+inline Scalar_multigrid_options complex_multigrid_options()
+{
+  Scalar_multigrid_options options = scalar_multigrid_options_in_plane();
+  options.groups_per_grid = 4;
+  options.coarsest_size = 10000;
+  options.enlargement_of_diagonal = 1.02;
+  return options;
+}
+
 // V-cycles, or K-cycles on request, for a matrix whose unknowns sit at the vertices of a hierarchy: Galerkin operators
 // over every few collapse groups, incomplete LU as the smoother before and after, a direct solution at the bottom.
 // With a symmetric matrix the V-cycle is symmetric, too.
-template <class Real>
+template <class Number_>
 class Scalar_multigrid
 {
 public:
+  typedef Number_   Number;     // float, double, or a Complex one
+
   // `matrix` has a row, with ascending columns, for each of `unknowns`. These are best in the order of the hierarchy's
   // input, for the cache. `tied_vertices` have none, but may have some on coarser grids, see Grid_transfer.
   Scalar_multigrid(const Hierarchy_interpolation& hierarchy, const std::vector<Mesh_unknown>& unknowns,
-                   Sparse_rows<Real> matrix, const std::vector<Index>& tied_vertices = {},
+                   Sparse_rows<Number> matrix, const std::vector<Index>& tied_vertices = {},
                    const Scalar_multigrid_options& options = Scalar_multigrid_options())
   {
     std::size_t fine = hierarchy.number_of_levels() - 1;
     const Pruning pruning = hierarchy.has_points() ? options.pruning : Pruning::GREATEST_WEIGHTS;
-    const Real enlargement = has_positive_entries(matrix) ? Real(options.enlargement_of_diagonal) : Real(1);
+    const Number enlargement = has_positive_entries(matrix) ? options.enlargement_of_diagonal : 1;
     m_grids.emplace_back(std::move(matrix), enlargement);
     for (const std::vector<Mesh_unknown>* fine_unknowns = &unknowns;
          fine > 0 && fine_unknowns->size() > options.coarsest_size;) {
@@ -71,7 +84,7 @@ public:
         m_transfers.pop_back();
         break;
       }
-      m_grids.emplace_back(m_transfers.back().template galerkin_product<Real>(m_grids.back()), enlargement);
+      m_grids.emplace_back(m_transfers.back().template galerkin_product<Number>(m_grids.back()), enlargement);
       fine_unknowns = &m_transfers.back().coarse_unknowns();
       fine = coarse;
     }
@@ -86,13 +99,13 @@ public:
   template <int columns>
   class Space
   {
-    typedef Values<Real, columns>         Value;
-    typedef Value_vector<Real, columns>   Vector;
+    typedef Values<Number, columns>         Value;
+    typedef Value_vector<Number, columns>   Vector;
 
   public:
     explicit Space(const Scalar_multigrid& multigrid) : m_multigrid(multigrid)
     {
-      for (const Incomplete_LU<Real>& grid : multigrid.m_grids)
+      for (const Incomplete_LU<Number>& grid : multigrid.m_grids)
         for (auto* vectors : { &m_right_side, &m_solution, &m_scratch })
           vectors->emplace_back(grid.size());
       m_second_solution.resize(m_solution.size());
@@ -122,9 +135,9 @@ public:
       v_cycle(*this, g, m_right_side[g], m_solution[g]);
       if constexpr (columns == 1)
         if (m_has_k_cycles && !is_coarsest(g)) {
-          const Incomplete_LU<Real>& grid = m_multigrid.m_grids[g];
-          const auto product = [](const Value& a, const Value& b) { return double(a[0]) * b[0]; };
-          take_second_step<Real>(
+          const Incomplete_LU<Number>& grid = m_multigrid.m_grids[g];
+          const auto product = [](const Value& a, const Value& b) { return double(inner_product(a[0], b[0])); };
+          take_second_step<Number>(
               Loops(), [&](const Vector& x, Vector& ax) { grid.multiply(x, ax); },
               [&](Index i, const Vector& x) { return product(x[i], grid.row_times(i, x)); }, product,
               [&](const Vector& r, Vector& z) { v_cycle(*this, g, r, z); }, m_solution[g], m_right_side[g],
@@ -156,7 +169,7 @@ public:
   template <int columns>
   void full_cycle(Space<columns>& space) const
   {
-    typedef Value_vector<Real, columns>   Vector;
+    typedef Value_vector<Number, columns>   Vector;
     space.scratch(0) = space.right_side(0);      // the right side of a grid, until there is a cycle on it
     for (std::size_t g = 0; g + 1 < m_grids.size(); ++g)
       m_transfers[g].restrict([&](Index i) { return space.scratch(g)[i]; }, space.scratch(g + 1));
@@ -165,7 +178,7 @@ public:
     Vector coarse(m_grids[g].size());
     solve_coarsest(space.scratch(g), coarse);
     while (g-- > 0) {
-      Vector x(m_grids[g].size(), Values<Real, columns>::zero());
+      Vector x(m_grids[g].size(), Values<Number, columns>::zero());
       m_transfers[g].add_prolongation(coarse, x);
       for (Index i = 0; i < x.size(); ++i)
         space.right_side(g)[i] = m_grids[g].residual(i, space.scratch(g), x);
@@ -178,32 +191,50 @@ public:
   }
 
 private:
-  static bool has_positive_entries(const Sparse_rows<Real>& matrix)      // beside the diagonal
+  typedef decltype(in_double_precision(Number()))   Double_number;
+
+  template <class Real>
+  static bool is_positive(Real a) { return a > 0; }
+  template <class Real>
+  static bool is_positive(const Complex<Real>&) { return true; }       // or negative, or neither
+
+  static bool has_positive_entries(const Sparse_rows<Number>& matrix)      // beside the diagonal
   {
     bool result = false;
     for (Index i = 0; i < matrix.number_of_rows() && !result; ++i)
-      matrix.for_each_entry(i, [&](Index column, Real value) { result = result || (column != i && value > 0); });
+      matrix.for_each_entry(i, [&](Index column, const Number& value) {
+        result = result || (column != i && is_positive(value));
+      });
     return result;
   }
 
   void factorize_coarsest()
   {
-    const Incomplete_LU<Real>& grid = m_grids.back();
-    std::vector<Matrix_entry> entries;
+    const Incomplete_LU<Number>& grid = m_grids.back();
+    Sparse_rows<Double_number> rows;
     for (Index i = 0; i < grid.size(); ++i) {
-      entries.push_back({ i, i, grid.diagonal(i) });
-      grid.for_each_entry(i, [&](Index column, Real value) { entries.push_back({ i, column, value }); });
+      const auto append = [&](Index column, const Number& value) {
+        rows.columns.push_back(column);
+        rows.values.push_back(Double_number(value));
+      };
+      append(i, grid.diagonal(i));
+      grid.for_each_entry(i, append);
+      rows.first.push_back(Index(rows.columns.size()));
     }
-    m_direct_solver = factorize(grid.size(), entries);
+    if constexpr (std::is_same<Double_number, double>::value)
+      m_direct_solver = factorize_rows(rows);
+    else
+      m_direct_solver = factorize_hermitian<double>(rows);
   }
 
   template <int columns>
-  void solve_coarsest(const Value_vector<Real, columns>& right_side, Value_vector<Real, columns>& solution) const
+  void solve_coarsest(const Value_vector<Number, columns>& right_side, Value_vector<Number, columns>& solution) const
   {
-    m_direct_solver->solve_side_by_side([&](Index i) { return right_side[i].template cast<double>(); }, solution);
+    m_direct_solver->solve_side_by_side([&](Index i) { return right_side[i].template cast<Double_number>(); },
+                                        solution);
   }
 
-  std::vector<Incomplete_LU<Real>> m_grids;      // finest first
+  std::vector<Incomplete_LU<Number>> m_grids;      // finest first
   std::vector<Grid_transfer> m_transfers;        // from the next coarser grid
   std::unique_ptr<Direct_solver> m_direct_solver;
 };

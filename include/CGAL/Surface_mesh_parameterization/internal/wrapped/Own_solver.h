@@ -113,7 +113,9 @@ void set_direct_solver(Linear_solver_options& options)
 {
   typedef typename Own_solver_traits<Parameterizer>::type   Traits;
   if constexpr (!std::is_void<Traits>::value && !std::is_same<Traits, Multigrid_solver_traits>::value) {
-    if constexpr (std::is_default_constructible<Traits>::value)
+    if constexpr (Solver_use<Parameterizer>::is_complex)
+      options.make_direct_solver = &factorize_as_complex<double>;
+    else if constexpr (std::is_default_constructible<Traits>::value)
       options.make_direct_solver = &make_own_solver<Traits>;
     options.greatest_row_sum = Solver_use<Parameterizer>::greatest_row_sum;
     options.most_vain_matrices = 2;

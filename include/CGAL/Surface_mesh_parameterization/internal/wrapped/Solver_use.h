@@ -34,7 +34,7 @@ struct Plain_solver_use
   static constexpr bool copies_solution = false;          // to the map, and does nothing else with it
   static constexpr bool has_uniform_weights = false;
   static constexpr bool always_suits_multigrid = true;    // see Multigrid_session::suits_multigrid()
-  static constexpr bool own_solver_may_be_faster = false; // than multigrid; then it has is_own_solver_faster()
+  static constexpr bool is_complex = false;               // its matrix is that of a complex one, see complex_rows()
   static constexpr bool has_positive_weights = false;     // see may_have_flips
   static constexpr double part_of_solution = 0.9;         // of what is left of a run, the time of a solution
 
@@ -135,11 +135,11 @@ struct Solver_use<LSCM_parameterizer_3<M, B, S>> : Plain_solver_use
   static constexpr bool is_shipped = true;
   static constexpr bool copies_solution = true;
   static constexpr double greatest_row_sum = (std::numeric_limits<double>::infinity)();
-  static constexpr bool own_solver_may_be_faster = true;
+  static constexpr bool is_complex = true;
 
   // Iterations grow with the border, like its square root: the conformal motions that it allows cost next to no energy,
   // and coarse grids resist them. The time of a factorization grows with the surface, almost like its square.
-  static bool is_own_solver_faster(std::size_t vertices, std::size_t border_vertices)
+  static bool is_factorization_faster(std::size_t vertices, std::size_t border_vertices)
   {
     constexpr double vertices_by_root_of_border = 7000;
     return double(vertices) < vertices_by_root_of_border * std::sqrt(double(border_vertices));

@@ -152,15 +152,14 @@ private:
   Error_code make_map(Wrapped_run<Triangle_mesh>& run, std::vector<Point>& uv, bool can_repeat,
                       const Function& run_parameterizer)
   {
-    if constexpr (Use::own_solver_may_be_faster)
-      if (Use::is_own_solver_faster(run.vertices().size(), run.border_size()))
-        return run.parameterize_with_own_solver(
-            uv, [&] { return run_parameterizer(this->make_parameterizer_with_own_solver()); });
-    if (Use::always_suits_multigrid && !run.interpolation())      // early, while no matrix takes memory
+    Linear_solver_options solver_options = run.solver_options(Use::part_of_solution);
+    if constexpr (Use::is_complex)
+      solver_options.has_grids = !Use::is_factorization_faster(run.vertices().size(), run.border_size());
+    const bool needs_hierarchy = Use::always_suits_multigrid && solver_options.has_grids;
+    if (needs_hierarchy && !run.interpolation())      // early, while no matrix takes memory
       return run.error();
     const auto session =
-        std::make_shared<Multigrid_session>([&run] { return run.interpolation(); },
-                                            run.solver_options(Use::part_of_solution),
+        std::make_shared<Multigrid_session>([&run] { return run.interpolation(); }, solver_options,
                                             &make_multigrid_linear_solver<Use::solves_in_pairs ? 2 : 1>,
                                             Use::solves_in_pairs);
     if (can_repeat)

@@ -63,9 +63,6 @@ protected:
   // Each run makes its own parameterizer, inside the scope of its solver; and some of CGAL's cannot be copied.
   std::unique_ptr<Parameterizer_with_multigrid> make_parameterizer() const { return m_make(); }
 
-  // Only where own_solver_may_be_faster, see Solver_use.
-  std::unique_ptr<Parameterizer> make_parameterizer_with_own_solver() const { return m_make_with_own_solver(); }
-
   const Wrapped_options& options() const { return m_options; }
   const Optional_steps<Parameterizer>& optional_steps() const { return m_optional_steps; }
 
@@ -88,15 +85,13 @@ private:
   void keep_arguments(const Tuple& arguments, std::index_sequence<positions...>)
   {
     m_has_arguments = sizeof...(positions) > 0;
-    m_make = make_of<Parameterizer_with_multigrid>(std::get<positions>(arguments)...);
-    if constexpr (Solver_use<Parameterizer>::own_solver_may_be_faster)
-      m_make_with_own_solver = make_of<Parameterizer>(std::get<positions>(arguments)...);
+    m_make = make_of(std::get<positions>(arguments)...);
   }
 
-  template <class P, class... Arguments>
-  static std::function<std::unique_ptr<P>()> make_of(const Arguments&... arguments)
+  template <class... Arguments>
+  static std::function<std::unique_ptr<Parameterizer_with_multigrid>()> make_of(const Arguments&... arguments)
   {
-    return [arguments...] { return std::make_unique<P>(arguments...); };
+    return [arguments...] { return std::make_unique<Parameterizer_with_multigrid>(arguments...); };
   }
 
   template <class NamedParameters>
@@ -111,7 +106,6 @@ private:
   }
 
   std::function<std::unique_ptr<Parameterizer_with_multigrid>()> m_make;
-  std::function<std::unique_ptr<Parameterizer>()> m_make_with_own_solver;
   bool m_has_arguments = false;
   Wrapped_options m_options;
   Optional_steps<Parameterizer> m_optional_steps;

@@ -127,15 +127,6 @@ public:
     return close(code, uv);
   }
 
-  // The same for a parameterizer with its own solver.
-  template <class Point, class Function>
-  Error_code parameterize_with_own_solver(const std::vector<Point>& uv, const Function& parameterize)
-  {
-    constexpr double energy_at_start = 1;
-    const bool may_go_on = m_progress.tell(0, energy_at_start, 0);
-    return close(may_go_on ? parameterize() : ERROR_STOPPED, uv);
-  }
-
   // Does with the flips of a map what the policy says. A repair may give up if there is another method, see
   // is_map_lost().
   template <class Point>
