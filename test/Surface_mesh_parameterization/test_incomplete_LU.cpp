@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Incomplete_LU.h>
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <gtest/gtest.h>
@@ -119,6 +120,22 @@ TEST(Incomplete_LU, factors_agree_with_the_matrix_on_its_pattern)
           fill_in = (std::max)(fill_in, std::abs(product(i, j)));
     EXPECT_GT(fill_in, 1e-3);
   }
+}
+
+double least_eigenvalue(const Eigen::MatrixXd& symmetric)
+{
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric).eigenvalues().minCoeff();
+}
+
+// The positive definite matrix of Kershaw (1978), whose incomplete factors are indefinite.
+TEST(Incomplete_LU, is_positive_definite_if_pivots_must_not_be_small)
+{
+  constexpr double little_enlargement = 1.02;
+  Eigen::MatrixXd a(4, 4);
+  a << 3, -2, 0, 2, -2, 3, -2, 0, 0, -2, 3, -2, 2, 0, -2, 3;
+  ASSERT_GT(least_eigenvalue(a), 0.1);
+  EXPECT_LT(least_eigenvalue(inverse_of(Incomplete_LU<double>(sparse(a), little_enlargement))), 0);
+  EXPECT_GT(least_eigenvalue(inverse_of(Incomplete_LU<double>(sparse(a), little_enlargement, 0.1))), 0);
 }
 
 TEST(Incomplete_LU, relaxation_adds_the_solution_for_the_residual)

@@ -52,6 +52,14 @@ struct Complex
 inline double inner_product(float a, float b) { return double(a) * b; }
 inline double inner_product(double a, double b) { return a * b; }
 
+inline double real_part(double a) { return a; }
+
+template <class Real>
+double real_part(const Complex<Real>& a)
+{
+  return a.re;
+}
+
 // The number of the same kind in double precision.
 inline double in_double_precision(double a) { return a; }
 

@@ -4,10 +4,12 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_INCOMPLETE_LU_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_INCOMPLETE_LU_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Complex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -21,11 +23,21 @@ template <class Number>
 class Incomplete_LU
 {
 public:
-  // What is factorized is the matrix with its diagonal multiplied by `enlargement`, see Scalar_multigrid.
-  Incomplete_LU(Sparse_rows<Number> matrix, Number enlargement) : m_matrix(std::move(matrix))
+  // What is factorized is the matrix with its diagonal multiplied by `enlargement`, see Scalar_multigrid. If that is
+  // greater than 1, it grows as long as a pivot is less than `least_pivot` times the diagonal entry of its row, but for
+  // few times.
+  Incomplete_LU(Sparse_rows<Number> matrix, double enlargement,
+                double least_pivot = -(std::numeric_limits<double>::infinity)())
+    : m_matrix(std::move(matrix))
   {
+    constexpr double growth = 2.5;
+    constexpr int most_growths = 5;
     split_rows();
     factorize(enlargement);
+    for (int i = 0; i < most_growths && enlargement > 1 && !are_pivots_at_least(least_pivot); ++i) {
+      enlargement = 1 + growth * (enlargement - 1);
+      factorize(enlargement);
+    }
   }
 
   Index size() const { return m_matrix.number_of_rows(); }
@@ -131,7 +143,15 @@ private:
     m_matrix.values.resize(end);
   }
 
-  void factorize(Number enlargement)
+  bool are_pivots_at_least(double part_of_diagonal) const
+  {
+    for (Index i = 0; i < size(); ++i)
+      if (!(real_part(Number(1) / (m_inverse_pivots[i] * m_diagonal[i])) >= part_of_diagonal))
+        return false;
+    return true;
+  }
+
+  void factorize(double enlargement)
   {
     const std::vector<Index> &first = m_matrix.first, &columns = m_matrix.columns;
     m_factors = m_matrix.values;
@@ -139,7 +159,7 @@ private:
     std::vector<Index> position(size(), no_index);      // of a column in row i
     constexpr Index great_factor = 8;
     for (Index i = 0; i < size(); ++i) {
-      Number pivot = enlargement * m_diagonal[i];
+      Number pivot = Number(enlargement) * m_diagonal[i];
       for (Index k = first[i]; k < first[i + 1]; ++k)
         position[columns[k]] = k;
       for (Index k = first[i]; k < m_first_upper[i]; ++k) {

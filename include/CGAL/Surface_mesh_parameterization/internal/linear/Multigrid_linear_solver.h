@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_MULTIGRID_LINEAR_SOLVER_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_MULTIGRID_LINEAR_SOLVER_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Complex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Values.h>
@@ -15,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Scalar_multigrid.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/complex_rows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -102,8 +104,10 @@ private:
         }
     const bool is_in_plane =
         std::any_of(unknowns.begin(), unknowns.end(), [](const Mesh_unknown& u) { return u.component > 0; });
-    make_if_ready(m_multigrid, hierarchy, unknowns, std::move(rows), tied_vertices,
-                  is_in_plane ? scalar_multigrid_options_in_plane() : Scalar_multigrid_options());
+    Scalar_multigrid_options options = is_in_plane ? scalar_multigrid_options_in_plane() : Scalar_multigrid_options();
+    if (!m_system.is_symmetric())
+      options.least_pivot = -(std::numeric_limits<double>::infinity)();
+    make_if_ready(m_multigrid, hierarchy, unknowns, std::move(rows), tied_vertices, options);
   }
 
   template <class Grids, class... Arguments>

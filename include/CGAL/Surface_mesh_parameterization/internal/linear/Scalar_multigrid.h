@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SCALAR_MULTIGRID_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_SCALAR_MULTIGRID_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Complex.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Values.h>
@@ -32,6 +33,9 @@ struct Scalar_multigrid_options
   // a little greater helps. Much more costs cycles, 10 % a third. Where all entries beside the diagonal are negative,
   // as those of uniform or mean value weights are, it would cost some for nothing.
   double enlargement_of_diagonal = 1.02;
+  // Of a symmetric matrix, one that leaves a pivot less than this times its diagonal entry is not enough: a single
+  // negative pivot may cost a hundred cycles. Others may be indefinite themselves.
+  double least_pivot = 0.1;
   Pruning pruning = Pruning::GREATEST_WEIGHTS;      // where the hierarchy has no points, there is no other one
 };
 
@@ -73,8 +77,8 @@ public:
   {
     std::size_t fine = hierarchy.number_of_levels() - 1;
     const Pruning pruning = hierarchy.has_points() ? options.pruning : Pruning::GREATEST_WEIGHTS;
-    const Number enlargement = has_positive_entries(matrix) ? options.enlargement_of_diagonal : 1;
-    m_grids.emplace_back(std::move(matrix), enlargement);
+    const double enlargement = has_positive_entries(matrix) ? options.enlargement_of_diagonal : 1;
+    m_grids.emplace_back(std::move(matrix), enlargement, options.least_pivot);
     for (const std::vector<Mesh_unknown>* fine_unknowns = &unknowns;
          fine > 0 && fine_unknowns->size() > options.coarsest_size;) {
       const std::size_t coarse = fine > options.groups_per_grid ? fine - options.groups_per_grid : 0;
@@ -84,7 +88,8 @@ public:
         m_transfers.pop_back();
         break;
       }
-      m_grids.emplace_back(m_transfers.back().template galerkin_product<Number>(m_grids.back()), enlargement);
+      m_grids.emplace_back(m_transfers.back().template galerkin_product<Number>(m_grids.back()), enlargement,
+                           options.least_pivot);
       fine_unknowns = &m_transfers.back().coarse_unknowns();
       fine = coarse;
     }
