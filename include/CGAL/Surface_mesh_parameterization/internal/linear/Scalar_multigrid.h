@@ -35,7 +35,7 @@ struct Scalar_multigrid_options
   double enlargement_of_diagonal = 1.02;
   // Of a symmetric matrix, one that leaves a pivot less than this times its diagonal entry is not enough: a single
   // negative pivot may cost a hundred cycles. Others may be indefinite themselves.
-  double least_pivot = 0.1;
+  double least_pivot = 0.05;
   Pruning pruning = Pruning::GREATEST_WEIGHTS;      // where the hierarchy has no points, there is no other one
 };
 
