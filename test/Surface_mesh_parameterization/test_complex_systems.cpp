@@ -65,6 +65,17 @@ Sparse_matrix conformal_matrix(const Flat_mesh& m)
   return result;
 }
 
+// ---- numbers ----
+
+TEST(Complex_numbers, quotients_are_right_at_any_size)
+{
+  for (const float size : { 1e-30f, 1.f, 1e30f }) {
+    const Complex<float> a(3, -2), b(size, -0.5f * size), c = a / b * b;
+    EXPECT_NEAR(c.re, a.re, 1e-5);
+    EXPECT_NEAR(c.im, a.im, 1e-5);
+  }
+}
+
 // ---- rows ----
 
 TEST(Complex_rows, multiply_as_the_real_ones)

@@ -4,6 +4,9 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_COMPLEX_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_COMPLEX_H
 
+#include <algorithm>
+#include <cmath>
+
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // A complex number as an entry of matrices and vectors. The products of std::complex look after infinite factors, which
@@ -41,8 +44,9 @@ struct Complex
 
   friend Complex operator/(const Complex& a, const Complex& b)
   {
-    const Real size = b.re * b.re + b.im * b.im;
-    return { (a.re * b.re + a.im * b.im) / size, (a.im * b.re - a.re * b.im) / size };
+    const Real scale = (std::max)(std::abs(b.re), std::abs(b.im));      // its square may be 0 or infinite
+    const Real re = b.re / scale, im = b.im / scale, size = re * re + im * im;
+    return { (a.re * re + a.im * im) / size / scale, (a.im * re - a.re * im) / size / scale };
   }
 
   // That of the plane.
