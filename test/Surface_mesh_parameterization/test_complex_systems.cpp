@@ -121,9 +121,8 @@ TEST(Complex_rows, there_are_none_where_the_plane_must_not_be_turned)
 
 // ---- solvers ----
 
-TEST(Hermitian_factorization, solves_for_parts_in_turn)
+void expect_solution(const Sparse_rows<double>& rows)
 {
-  const Sparse_rows<double> rows = *conformal_matrix(delaunay_patch(300, 2, wavy)).rows();
   const std::size_t n = rows.number_of_rows();
   const auto solver = internal::factorize_as_complex(rows);
   ASSERT_TRUE(solver);
@@ -140,6 +139,17 @@ TEST(Hermitian_factorization, solves_for_parts_in_turn)
   solver->solve(b.data(), x.data(), 2);
   for (std::size_t i = 0; i < 2 * n; ++i)
     EXPECT_NEAR(x[i], expected[i], 1e-8);
+}
+
+TEST(Hermitian_factorization, solves_for_parts_in_turn_at_any_scale)
+{
+  for (const double scale : { 1e-300, 1., 1e290 }) {
+    SCOPED_TRACE(scale);
+    Sparse_rows<double> rows = *conformal_matrix(delaunay_patch(300, 2, wavy)).rows();
+    for (double& value : rows.values)
+      value *= scale;
+    expect_solution(rows);
+  }
 }
 
 TEST(Hermitian_factorization, takes_symmetric_matrices_that_are_not_complex)

@@ -18,8 +18,8 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // A sparse matrix of doubles that is assembled entry by entry, a model of `SparseLinearAlgebraTraits_d::Matrix`.
-// Entries are collected and, whenever as many wait as there are, merged into the rows: so a sum over the faces takes
-// little more memory than its result.
+// Entries are collected and, whenever as many wait as there are, but at least some ten thousands, merged into the rows:
+// so a sum over the faces takes little more memory than its result.
 class Sparse_matrix
 {
 public:
@@ -87,7 +87,7 @@ private:
     m_replacements_wait = m_replacements_wait || replaces;
   }
 
-  // For more entries that wait. Few may be many more than there are: merging them again and again would take longer.
+  // For one more entry that waits. Merges those that wait if they are many.
   void make_room();
 
   std::size_t position(std::size_t i, std::size_t j) const

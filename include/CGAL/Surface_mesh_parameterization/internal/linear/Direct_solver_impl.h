@@ -17,6 +17,7 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -130,24 +131,31 @@ std::unique_ptr<Direct_solver> factorize_symmetric(Index n, const std::vector<Ma
   return factorize_by_Eigen<Eigen::SimplicialLDLT<Eigen_matrix<Real>>>(n, entries);
 }
 
-// The parts of complex numbers lie in memory as the interface has them.
+// The parts of complex numbers lie in memory as the interface has them. The matrix is factorized at a scale at which
+// squares of its entries are numbers.
 template <class Real>
 class Hermitian_solver final
   : public Direct_solver
 {
+  static_assert(std::is_same<Real, double>::value);
   typedef std::complex<Real>                              Number;
   typedef Eigen::Matrix<Number, Eigen::Dynamic, 1>        Vector;
 
 public:
   explicit Hermitian_solver(const Sparse_rows<Complex<Real>>& a) : m_size(a.number_of_rows())
   {
+    Real greatest = 0;
+    for (const Complex<Real>& value : a.values)
+      greatest = (std::max)(greatest, std::abs(value.re));
+    if (greatest > 0)
+      m_scale = std::ldexp(Real(1), -(std::max)(std::ilogb(greatest), least_exponent));
     Eigen_matrix<Number> lower(m_size, m_size);       // whose columns are conjugate to the rows of the upper triangle
     lower.reserve((a.values.size() + m_size) / 2);
     for (Index i = 0; i < m_size; ++i) {
       lower.startVec(i);
       a.for_each_entry(i, [&](Index column, const Complex<Real>& value) {
         if (column >= i)
-          lower.insertBack(column, i) = Number(value.re, -value.im);
+          lower.insertBack(column, i) = m_scale * Number(value.re, -value.im);
       });
     }
     lower.finalize();
@@ -160,13 +168,17 @@ public:
   {
     for (int i = 0; i < number_of_right_sides; ++i) {
       const Eigen::Map<const Vector> right_side(reinterpret_cast<const Number*>(b) + i * m_size, m_size);
-      Eigen::Map<Vector>(reinterpret_cast<Number*>(x) + i * m_size, m_size) = m_solver.solve(right_side);
+      Eigen::Map<Vector>(reinterpret_cast<Number*>(x) + i * m_size, m_size) =
+          m_solver.solve(m_scale * right_side);
     }
   }
 
 private:
+  static constexpr int least_exponent = -1000;
+
   Eigen::SimplicialLDLT<Eigen_matrix<Number>> m_solver;
   Eigen::Index m_size;
+  Real m_scale = 1;
 };
 
 template <class Real>

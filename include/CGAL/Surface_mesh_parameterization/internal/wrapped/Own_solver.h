@@ -106,21 +106,21 @@ struct Own_solver_traits<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
   typedef void   type;
 };
 
-// How systems are solved that are not for multigrid: as without the adaptor, where that is known and nobody has to say
-// how the solver is made; else by a factorization.
+// How systems are solved that are not for multigrid: complex ones by a factorization of their own; others as without the
+// adaptor, where that is known and nobody has to say how the solver is made, else by a factorization, too.
 template <class Parameterizer>
 void set_direct_solver(Linear_solver_options& options)
 {
   typedef typename Own_solver_traits<Parameterizer>::type   Traits;
   if constexpr (!std::is_void<Traits>::value && !std::is_same<Traits, Multigrid_solver_traits>::value) {
-    if constexpr (Solver_use<Parameterizer>::is_complex)
-      options.make_direct_solver = &factorize_as_complex<double>;
-    else if constexpr (std::is_default_constructible<Traits>::value)
+    if constexpr (std::is_default_constructible<Traits>::value)
       options.make_direct_solver = &make_own_solver<Traits>;
     options.greatest_row_sum = Solver_use<Parameterizer>::greatest_row_sum;
     options.most_vain_matrices = 2;
     options.aim = Solver_use<Parameterizer>::aim;
   }
+  if constexpr (Solver_use<Parameterizer>::is_complex)
+    options.make_direct_solver = &factorize_as_complex<double>;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
