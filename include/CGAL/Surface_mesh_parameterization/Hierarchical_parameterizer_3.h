@@ -132,8 +132,9 @@ public:
   /// \param np
   /// - `tolerance`: greatest relative residual of the linear system, rows scaled to unit diagonal; default 1e-10. With
   ///   authalic weights iterations go on to 1e-2 times that, with iterative authalic ones to 1e-5 times, if they can
-  /// - `number_of_iterations`: the most iterations before the solver of `Parameterizer` takes over; default 300. If the
-  ///   residual of that one is above the tolerance, a sparse LU factorization takes over
+  /// - `number_of_iterations`: the most iterations before the solver of `Parameterizer` takes over, or for LSCM a
+  ///   factorization of its complex matrix; default 300. If the residual is above the tolerance then, a sparse LU
+  ///   factorization takes over
   /// - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see `Collapse_hierarchy_3`. For
   ///   `Barycentric_mapping_parameterizer_3`, whose weights do not depend on lengths, `unit_edges` is `true` by default
   /// - `flip_policy`: not for an orbifold; a `Flip_policy`: the treatment of flips; default `REPAIR`, or `FAIL` for

@@ -70,6 +70,7 @@ public:
 
 private:
   static constexpr std::size_t not_found = std::size_t(-1);
+
   struct Entry
   {
     Index row;

@@ -22,7 +22,7 @@ void Sparse_matrix::make_room()
   constexpr std::size_t expected_row_size = 8, fewest = 1024, few = 1 << 16;
   const std::size_t expected =
       (std::max)({ fewest, m_rows->values.size(), m_rows->first.size() * expected_row_size });
-  const std::size_t most = (std::max)(few, expected);
+  const std::size_t most = (std::max)(few, expected);      // a merge goes through all rows, so it waits for some
   if (m_waiting.size() >= most)
     merge();
   m_waiting.reserve((std::min)(most, (std::max)(expected, 2 * m_waiting.size())));

@@ -86,8 +86,8 @@ public:
 private:
   typedef Scalar_multigrid<Real>             Multigrid;
   typedef Scalar_multigrid<Complex<Real>>    Complex_multigrid;
-  typedef Values<double, columns>          Value;
-  typedef Value_vector<double, columns>    Vector;
+  typedef Values<double, columns>            Value;
+  typedef Value_vector<double, columns>      Vector;
 
   // The grids are of complex numbers if the matrix is: they take half of the time and of the memory.
   void make_grids(const Hierarchy_interpolation& hierarchy, const std::vector<Mesh_unknown>& unknowns,

@@ -63,12 +63,12 @@ inline Scalar_multigrid_options complex_multigrid_options()
 // V-cycles, or K-cycles on request, for a matrix whose unknowns sit at the vertices of a hierarchy: Galerkin operators
 // over every few collapse groups, incomplete LU as the smoother before and after, a direct solution at the bottom.
 // With a symmetric matrix the V-cycle is symmetric, too.
-template <class Number_>
+//
+// `Number` is float, double, or a Complex one.
+template <class Number>
 class Scalar_multigrid
 {
 public:
-  typedef Number_   Number;     // float, double, or a Complex one
-
   // `matrix` has a row, with ascending columns, for each of `unknowns`. These are best in the order of the hierarchy's
   // input, for the cache. `tied_vertices` have none, but may have some on coarser grids, see Grid_transfer.
   Scalar_multigrid(const Hierarchy_interpolation& hierarchy, const std::vector<Mesh_unknown>& unknowns,
