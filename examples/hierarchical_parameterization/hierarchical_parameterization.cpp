@@ -86,11 +86,19 @@ std::size_t number_of_mapped_vertices(const Input& input)
   return std::size_t(std::count(is_mapped.begin(), is_mapped.end(), true));
 }
 
+std::string pairs_text(std::size_t n)
+{
+  return std::to_string(n) + (n == 1 ? " pair of triangles" : " pairs of triangles");
+}
+
 // Tells what the user may not expect of the map.
 void print_warnings(const Input& input, const Options& options, const Run_record& run)
 {
   constexpr double great_part = 0.1;
   const std::string name = one_line(input.name);
+  if (run.overlaps_of_one_chart > 0)
+    std::cerr << name << ": the map of one chart lies over itself at " << pairs_text(run.overlaps_of_one_chart)
+              << ", and was made an atlas; --cut none keeps it\n";
   if (run.summary.is_replaced)
     std::cerr << name << ": " << replaced_maps_text(run) << " of " << options.method->name
               << " had flips whose repair would leave little of it; a method without flips made "
@@ -114,11 +122,9 @@ void print_advice(const Input& input, const Options& options, const Run_record& 
     std::cerr << one_line(input.name) << ": the map is distorted far (symmetric Dirichlet " << energy.str()
               << ", 4 without distortion); --atlas cuts the surface\n";
   }
-  if (run.quality->overlaps > 0 && !options.is_globally_injective)
-    std::cerr << one_line(input.name) << ": the map lies over itself at " << run.quality->overlaps
-              << (run.quality->overlaps == 1 ? " pair of triangles; " : " pairs of triangles; ")
-              << (options.method->is_flip_free ? "--globally-injective keeps borders apart, " : "")
-              << "--atlas divides it\n";
+  if (run.quality->overlaps > 0)
+    std::cerr << one_line(input.name) << ": the map lies over itself at " << pairs_text(run.quality->overlaps)
+              << "; --atlas divides it\n";
   if (input.number_of_borders > many_borders && !options.fills_holes)
     std::cerr << one_line(input.name) << ": has " << input.number_of_borders
               << " borders; --fill-holes treats holes as parts of the surface, which is quicker\n";

@@ -183,10 +183,16 @@ std::string count_text(std::size_t n, std::size_t all, const std::string& what)
 
 void lay_out(Input& input, const Options& options, Run_record& run)
 {
+  if (!input.is_atlas) {
+    lay_out_chart(input, options, run);
+    if (options.cuts && options.method->is_flip_free && run.quality->overlaps > 0) {
+      run.overlaps_of_one_chart = run.quality->overlaps;
+      run.seconds_one_chart = run.seconds_of_map();
+      input.is_atlas = true;
+    }
+  }
   if (input.is_atlas)
     lay_out_atlas(input, options, run);
-  else
-    lay_out_chart(input, options, run);
   run.status = run.summary.converged ? "ok" : "not_converged";
 }
 

@@ -65,8 +65,8 @@ po::options_description describe_options(Options& options, Words& words, Numbers
       "all (default): lay out every component, and pack the charts into the unit square; or largest: the one with the "
       "most faces. The default is largest with --flat, --levels, --start and --hold, which take one chart");
   add("cut", po::value(&words.cut),
-      "auto (default): cut components that are closed or have handles along short seams; or none: leave them out. The "
-      "default is none with --flat, --levels, --start and --hold");
+      "auto (default): cut components that are closed or have handles along short seams; or none: leave them out, and "
+      "keep one chart that lies over itself. The default is none with --flat, --levels, --start and --hold");
   add("least-used-part", po::value<double>(),
       "divide charts by short cuts until they cover this part of the unit square, from 0 to 1, or no cut helps; 0.7 is "
       "within reach of most surfaces; 0: none. The default is 0.25. Makes an atlas of one component, too");
@@ -140,7 +140,8 @@ void print_help(const po::options_description& described)
   std::cout << "Usage: hierarchical_parameterization [INPUT ...] [OPTION ...]\n\n"
                "Lays triangulated surfaces (OFF, OBJ, PLY or STL) in the plane, coarse to fine.\n"
                "One component that has a border and no handles becomes one chart. Anything else becomes an atlas: cut "
-               "into charts, all at one scale, in the unit square.\n"
+               "into charts, all at one scale, in the unit square. So does one chart if mips or symmetric-dirichlet lay "
+               "it over itself.\n"
                "Without INPUT: a built-in face of 1042 vertices. INPUT may be -, the standard input.\n"
                "The file of --output, --picture or --report may be -, the standard output; the summary goes to "
                "stderr then.\n"

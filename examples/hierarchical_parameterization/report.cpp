@@ -59,6 +59,7 @@ std::string report_line(const Run_record& run)
   if (run.atlas) {
     report["seconds"]["cut"] = run.atlas->seconds_cut;
     report["seconds"]["pack"] = run.atlas->seconds_pack;
+    report["seconds"]["one_chart"] = run.seconds_one_chart;
     report["atlas"] = { { "components", run.components },
                         { "charts", run.atlas->charts.size() },
                         { "charts_without_map", std::count_if(run.atlas->charts.begin(), run.atlas->charts.end(),
@@ -66,6 +67,7 @@ std::string report_line(const Run_record& run)
                         { "seam_edges", run.atlas->cut.seam_edges },
                         { "seam_length", run.atlas->cut.seam_length },
                         { "divisions", run.atlas->divisions },
+                        { "overlaps_of_one_chart", run.overlaps_of_one_chart },
                         { "used_part", run.atlas->used_part } };
   }
   for (const SMP::Level_summary& level : summary.levels)

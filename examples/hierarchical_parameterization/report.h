@@ -25,12 +25,13 @@ struct Run_record
   SMP::Parameterization_summary summary;                    // of several charts: see lay_out()
   std::optional<SMP::Atlas_summary> atlas;                  // if that is what was made
   std::optional<SMP::Parameterization_quality> quality;     // of a map that was written
-  double seconds_read = 0, seconds_write = 0;
+  std::size_t overlaps_of_one_chart = 0;                    // not 0: the atlas takes the place of a chart with these
+  double seconds_read = 0, seconds_one_chart = 0, seconds_write = 0;
   std::string status, error;                                // no error: an empty text
 
   double seconds_of_map() const
   {
-    return atlas ? atlas->seconds_cut + atlas->seconds_parameterize + atlas->seconds_pack
+    return atlas ? seconds_one_chart + atlas->seconds_cut + atlas->seconds_parameterize + atlas->seconds_pack
                  : summary.seconds_hierarchy + summary.seconds_parameterize;
   }
 };
