@@ -6,6 +6,7 @@
 #ifndef POLYGON_SOUP_H
 #define POLYGON_SOUP_H
 
+#include "Mesh.h"
 #include "errors.h"
 
 #include <boost/container/small_vector.hpp>
@@ -34,7 +35,10 @@ constexpr std::size_t most_corners_to_triangulate = 500;      // the time goes w
 void check_indices(const Polygon_soup& soup);
 void check_coordinates(const Polygon_soup& soup);
 void check_corners(const Polygon_soup& soup, bool may_have_polygons, bool may_have_collapsed_triangles);
-void check_manifold(const Polygon_soup& soup);     // precondition: the indices and corners have been checked
+void check_manifold(const Polygon_soup& soup);       // precondition: the indices and corners have been checked
+
+// The mesh with these points and polygons. Precondition and error as of check_manifold().
+Mesh manifold_mesh(const Polygon_soup& soup);
 
 // Leaves out triangles that have a vertex twice; returns their number.
 std::size_t remove_collapsed_triangles(Polygon_soup& soup);

@@ -5,32 +5,32 @@
 
 #include "components.h"
 
+#include <algorithm>
 #include <cstddef>
-#include <limits>
+#include <numeric>
 #include <vector>
 
 std::vector<std::size_t> number_components(const Mesh& mesh)
 {
-  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> number(mesh.number_of_faces(), none);
-  std::vector<Mesh::Face_index> reached;
-  std::size_t number_of_components = 0;
-  for (const Mesh::Face_index start : mesh.faces()) {
-    if (number[start] != none)
-      continue;
-    number[start] = number_of_components;
-    for (reached.assign(1, start); !reached.empty();) {
-      const Mesh::Face_index f = reached.back();
-      reached.pop_back();
-      for (const Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f)))
-        if (const Mesh::Face_index g = mesh.face(mesh.opposite(h)); g != Mesh::null_face() && number[g] == none) {
-          number[g] = number_of_components;
-          reached.push_back(g);
-        }
+  // Sets of faces as trees, the first face of each its root.
+  std::vector<std::size_t> parent(mesh.number_of_faces());
+  std::iota(parent.begin(), parent.end(), std::size_t(0));
+  const auto root = [&](std::size_t f) {
+    for (; parent[f] != f; f = parent[f])
+      parent[f] = parent[parent[f]];
+    return f;
+  };
+  for (const Mesh::Edge_index e : mesh.edges()) {
+    const Mesh::Face_index f = mesh.face(mesh.halfedge(e, 0)), g = mesh.face(mesh.halfedge(e, 1));
+    if (f != Mesh::null_face() && g != Mesh::null_face()) {
+      const auto [first, second] = std::minmax({ root(f), root(g) });
+      parent[second] = first;
     }
-    ++number_of_components;
   }
-  return number;
+  std::size_t number_of_components = 0;
+  for (std::size_t f = 0; f < parent.size(); ++f)      // from here on, of the faces before, their numbers
+    parent[f] = parent[f] == f ? number_of_components++ : parent[parent[f]];
+  return parent;
 }
 
 std::vector<Component> find_components(const Mesh& mesh)

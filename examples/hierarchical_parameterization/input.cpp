@@ -19,7 +19,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/longest_border.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/utility.h>
 
@@ -161,20 +160,13 @@ Mesh make_mesh(Polygon_soup soup, const Soup_options& options, std::size_t* left
       throw Input_error{ "has no faces but triangles that have a vertex twice", SMP::ERROR_EMPTY_MESH };
     if (left_out)
       *left_out += number;
-  } else
-    check_manifold(soup);
+  } else if (options.is_triangulated)
+    check_manifold(soup);      // names the faces of the file
   if (options.is_triangulated)
-    triangulate(soup);
+    triangulate(soup);         // two polygons may get the same diagonal
   if (options.is_oriented)
     CGAL::Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.polygons);
-  if (options.is_oriented || options.is_triangulated)
-    check_manifold(soup);      // two polygons may have got the same diagonal
-  std::vector<Kernel::Point_3> points;
-  for (std::size_t v = 0; v < soup.points.size(); ++v)
-    points.push_back(point_of(soup, v));
-  Mesh mesh;
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, soup.polygons, mesh);
-  return mesh;
+  return manifold_mesh(soup);
 }
 
 Mesh read_mesh(const std::string& file, const Soup_options& options, std::size_t* left_out)

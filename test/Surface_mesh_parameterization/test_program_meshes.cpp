@@ -1,0 +1,108 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The meshes that the program makes of polygons, and their components.
+
+#include "hostile_meshes.h"
+
+#include "../../examples/hierarchical_parameterization/Polygon_soup.h"
+#include "../../examples/hierarchical_parameterization/components.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+namespace test_program_meshes {
+
+namespace hm = hostile_meshes;
+
+// In an order, with first corners, chosen at random.
+Polygon_soup shuffled(const hm::Mesh& m, unsigned int seed)
+{
+  Polygon_soup soup;
+  soup.points = m.points;
+  for (const std::vector<long>& polygon : m.polygons)
+    soup.polygons.emplace_back(polygon.begin(), polygon.end());
+  std::mt19937 random(seed);
+  std::shuffle(soup.polygons.begin(), soup.polygons.end(), random);
+  for (Polygon_soup::Polygon& polygon : soup.polygons)
+    std::rotate(polygon.begin(), polygon.begin() + random() % 3, polygon.end());
+  return soup;
+}
+
+std::vector<Polygon_soup> soups()
+{
+  const hm::Mesh holes = hm::cells(9, 9, [](long i, long j) { return i % 3 != 1 || j % 3 != 1; });
+  hm::Mesh parts = hm::joined(hm::joined(hm::torus(7, 5), holes), hm::joined(hm::triangle(), hm::octasphere(1)));
+  parts.add_point(1, 2, 3);      // of no face
+  std::vector<Polygon_soup> result;
+  for (const hm::Mesh& m : { hm::triangle(), hm::tetrahedron(), holes, hm::torus(7, 5), hm::tube(9, 2), parts })
+    for (const unsigned int seed : { 1, 2, 3 })
+      result.push_back(shuffled(m, seed));
+  return result;
+}
+
+TEST(Manifold_mesh, is_that_of_faces_added_one_by_one)
+{
+  for (const Polygon_soup& soup : soups()) {
+    const ::Mesh mesh = manifold_mesh(soup);
+    ::Mesh expected;
+    std::vector<::Mesh::Vertex_index> vertices;
+    for (const Polygon_soup::Point& p : soup.points)
+      vertices.push_back(expected.add_vertex(Kernel::Point_3(p[0], p[1], p[2])));
+    for (const Polygon_soup::Polygon& p : soup.polygons)
+      expected.add_face(vertices[p[0]], vertices[p[1]], vertices[p[2]]);
+    ASSERT_EQ(mesh.number_of_vertices(), expected.number_of_vertices());
+    ASSERT_EQ(mesh.number_of_edges(), expected.number_of_edges());
+    ASSERT_EQ(mesh.number_of_faces(), expected.number_of_faces());
+    EXPECT_TRUE(mesh.is_valid(false));
+    for (const auto h : expected.halfedges()) {
+      EXPECT_EQ(mesh.target(h), expected.target(h));
+      EXPECT_EQ(mesh.next(h), expected.next(h));
+      EXPECT_EQ(mesh.prev(h), expected.prev(h));
+      EXPECT_EQ(mesh.face(h), expected.face(h));
+    }
+    for (const auto f : expected.faces())
+      EXPECT_EQ(mesh.halfedge(f), expected.halfedge(f));
+    for (const auto v : expected.vertices()) {
+      EXPECT_EQ(mesh.point(v), expected.point(v));
+      EXPECT_EQ(mesh.is_isolated(v), expected.is_isolated(v));
+      EXPECT_EQ(mesh.is_border(v, false), expected.is_border(v));      // the halfedge of a border vertex is a border's
+    }
+  }
+}
+
+// Neighbors have one number, and there are as many numbers as a search reaches separately; in the order of their first
+// faces.
+TEST(Components, are_numbered_in_the_order_of_faces)
+{
+  for (const Polygon_soup& soup : soups()) {
+    const ::Mesh mesh = manifold_mesh(soup);
+    const std::vector<std::size_t> number = number_components(mesh);
+    ASSERT_EQ(number.size(), mesh.number_of_faces());
+    std::size_t numbers = 0;
+    std::vector<bool> is_reached(number.size(), false);
+    for (const auto start : mesh.faces()) {
+      if (is_reached[start])
+        continue;
+      std::vector<::Mesh::Face_index> reached(1, start);
+      is_reached[start] = true;
+      while (!reached.empty()) {
+        const auto f = reached.back();
+        reached.pop_back();
+        EXPECT_EQ(number[f], numbers);
+        for (const auto g : mesh.faces_around_face(mesh.halfedge(f)))
+          if (g != ::Mesh::null_face() && !is_reached[g]) {
+            is_reached[g] = true;
+            reached.push_back(g);
+          }
+      }
+      ++numbers;
+    }
+  }
+}
+
+} // namespace test_program_meshes
