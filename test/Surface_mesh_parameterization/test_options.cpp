@@ -70,6 +70,49 @@ TEST(Options, have_any_order)
   EXPECT_EQ(first.uv(), other.uv());
 }
 
+// What a method is told of its flat runs holds in the adaptor, too, unless that is told otherwise.
+TEST(Options, of_a_method_hold_in_the_adaptor)
+{
+  typedef MIPS_parameterizer_3<Surface_mesh>   MIPS;
+  Mapped<Surface_mesh> mapped(grid(24, 18, wavy));
+  const auto is_held = mapped.mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:is_held", false).first;
+  const Surface_mesh::Vertex_index v(77);
+  const Kernel::Point_2 place(100, 100);
+  is_held[v] = true;
+  put(mapped.uvmap, v, place);
+  Parameterization_summary s, t;
+  const auto levels_of = [&](const Hierarchical_MIPS& adaptor, const Parameterization_summary& summary) {
+    EXPECT_EQ(mapped.parameterize(adaptor).code, OK);
+    return summary.levels.size();
+  };
+  EXPECT_GT(levels_of(Hierarchical_MIPS(MIPS(np::vertex_is_constrained_map(is_held).summary(std::ref(s)))), s), 1u);
+  EXPECT_EQ(get(mapped.uvmap, v), place);
+  EXPECT_EQ(levels_of(Hierarchical_MIPS(MIPS(np::initial_map(true).summary(std::ref(s)))), s), 1u);
+  s = Parameterization_summary();
+  EXPECT_GT(levels_of(Hierarchical_MIPS(MIPS(np::initial_map(true).summary(std::ref(s))),
+                                        np::initial_map(false).summary(std::ref(t))), t), 1u);
+  EXPECT_TRUE(s.levels.empty());
+}
+
+TEST(Options, of_holes_and_flips_hold_in_the_adaptor)
+{
+  typedef MIPS_parameterizer_3<Surface_mesh>   MIPS;
+  const Flat_mesh surface = grid_with_holes(20);
+  Mapped<Surface_mesh> told(surface), method_told(surface), not_told(surface);
+  EXPECT_EQ(told.parameterize(Hierarchical_MIPS(MIPS(), np::fill_holes(true))).code, OK);
+  method_told.parameterize(Hierarchical_MIPS(MIPS(np::fill_holes(true))));
+  not_told.parameterize(Hierarchical_MIPS(MIPS()));
+  EXPECT_EQ(told.uv(), method_told.uv());
+  EXPECT_NE(told.uv(), not_told.uv());
+
+  typedef As_rigid_as_possible_parameterizer_3<Surface_mesh>   ARAP;
+  typedef Hierarchical_parameterizer_3<ARAP>                   Hierarchical_ARAP;
+  Mapped<Surface_mesh> flipped(deep_cap());
+  EXPECT_EQ(flipped.parameterize(Hierarchical_ARAP(ARAP())).code, OK);
+  EXPECT_EQ(flipped.parameterize(Hierarchical_ARAP(ARAP(np::flip_policy(Flip_policy::FAIL)))).code,
+            ERROR_NO_1_TO_1_MAPPING);
+}
+
 // A method that takes a name of the package, and does not tell so.
 class Own_method : public Refinable_parameterizer_base_3<Own_method, Surface_mesh>
 {

@@ -8,11 +8,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
-#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Refused.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Run_setup.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/run_nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -47,8 +46,11 @@ class Nested_iteration_parameterizer_3
                       internal_np::summary_t>,
       internal::Joined_names<
           std::conditional_t<Method::is_flip_free, internal::Names<internal_np::initial_map_t>, internal::Names<>>,
-          std::conditional_t<internal::holds_vertices<Method>, internal::Place_constraint_names,
-                             internal::Names<>>>>   Option_names;
+          internal::Joined_names<
+              std::conditional_t<internal::keeps_borders_apart<Method>, internal::Names<internal_np::overlap_bound_t>,
+                                 internal::Names<>>,
+              std::conditional_t<internal::holds_vertices<Method>, internal::Place_constraint_names,
+                                 internal::Names<>>>>>   Option_names;
 
 public:
   typedef typename Method::Triangle_mesh                                      Triangle_mesh;          ///< the mesh type
@@ -63,7 +65,8 @@ public:
                 "the method has place_border() and is_flip_free, but a given place may leave no room for a triangle: "
                 "see RefinableParameterizer_3");
 
-  /// \param method the method that parameterizes every level
+  /// \param method the method that parameterizes every level. What it was told of its flat runs, as `fill_holes`,
+  ///        `vertex_is_constrained_map` or `summary`, holds for these runs, too, unless `np` says otherwise
   /// \param np
   /// - `coarsest_size`: the coarsest level has at most that many vertices, if the mesh allows it; default 100. The
   ///   coarsest level gets smaller if a flip-free method fails to map it without a flip
@@ -97,9 +100,7 @@ public:
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Nested_iteration_parameterizer_3(const Method& method = Method(),
                                             const NamedParameters& np = parameters::default_values())
-    : m_method(method), m_visitor(internal::hierarchy_visitor_of(np)), m_summary(internal::summary_of(np)),
-      m_options(internal::nested_iteration_options_of<Method>(np)),
-      m_constraints(internal::place_constraints_of<Triangle_mesh>(np))
+    : m_method(method), m_visitor(internal::hierarchy_visitor_of(np)), m_setup(internal::run_setup_of(np, m_method))
   {
     internal::assert_names<Option_names>(np);
   }
@@ -139,9 +140,7 @@ public:
     typedef std::conjunction<internal::Mesh_check<Triangle_mesh>,
                              internal::Uv_map_check<VertexUVMap, Triangle_mesh>>   Check;
     if constexpr (Check::value) {
-      Parameterization_summary unused_summary;
-      return internal::run_nested_iteration(m_method, m_options, m_constraints, m_visitor.get(),
-                                            m_summary ? *m_summary : unused_summary, mesh, bhd, uvmap, vpmap);
+      return internal::run_nested_iteration(m_method, m_setup, m_visitor.get(), mesh, bhd, uvmap, vpmap);
     } else {
       Check::tell();
       return ERROR_WRONG_PARAMETER;
@@ -160,9 +159,7 @@ private:
 
   Method m_method;
   std::shared_ptr<internal::Any_hierarchy_visitor> m_visitor;
-  Parameterization_summary* m_summary;
-  internal::Nested_iteration_options m_options;
-  internal::Place_constraints<Triangle_mesh> m_constraints;
+  internal::Run_setup<Triangle_mesh> m_setup;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -7,9 +7,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
-#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Run_setup.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/run_nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -68,14 +67,19 @@ public:
     typedef std::conjunction<internal::Mesh_check<Triangle_mesh>,
                              internal::Uv_map_check<VertexUVMap, Triangle_mesh>>   Check;
     if constexpr (Check::value) {
-      Parameterization_summary unused_summary;
-      return internal::run_nested_iteration(static_cast<Method&>(*this), m_options, m_constraints, nullptr,
-                                            m_summary ? *m_summary : unused_summary, mesh, bhd, uvmap, vpmap);
+      internal::Run_setup<Triangle_mesh> setup = m_setup;
+      setup.options.hierarchy.coarsest_size = (std::numeric_limits<std::size_t>::max)();
+      return internal::run_nested_iteration(static_cast<Method&>(*this), setup, nullptr, mesh, bhd, uvmap, vpmap);
     } else {
       Check::tell();
       return ERROR_WRONG_PARAMETER;
     }
   }
+
+  /// \cond SKIP_IN_MANUAL
+  // A run coarse to fine takes it, too.
+  const internal::Run_setup<Triangle_mesh>& flat_run_setup() const { return m_setup; }
+  /// \endcond
 
 protected:
   /// \cond SKIP_IN_MANUAL
@@ -84,22 +88,18 @@ protected:
       Flat_option_names;
   /// \endcond
 
-  /// \param np the named parameters of a flat run: `summary`, a `std::reference_wrapper<Parameterization_summary>`,
+  /// \param np what a flat run takes, and a run coarse to fine whose parameterizer is not told otherwise: `summary`, a `std::reference_wrapper<Parameterization_summary>`,
   ///        `flip_policy` and `fill_holes`; of a method that has `holds_vertices`, `vertex_is_constrained_map` and
   ///        `position_weight_map`, see `Nested_iteration_parameterizer_3`
   template <class NamedParameters>
   explicit Refinable_parameterizer_base_3(const NamedParameters& np)
-    : m_summary(internal::summary_of(np)), m_options(internal::nested_iteration_options_of<Method>(np)),
-      m_constraints(internal::place_constraints_of<Triangle_mesh>(np))
+    : m_setup(internal::run_setup_of<Method, Triangle_mesh>(np))
   {
-    m_options.hierarchy = internal::Hierarchy_options();
-    m_options.hierarchy.coarsest_size = (std::numeric_limits<std::size_t>::max)();
+    m_setup.options.hierarchy = internal::Hierarchy_options();
   }
 
 private:
-  Parameterization_summary* m_summary;
-  internal::Nested_iteration_options m_options;
-  internal::Place_constraints<Triangle_mesh> m_constraints;
+  internal::Run_setup<Triangle_mesh> m_setup;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <utility>
+
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 struct Nested_iteration_options
@@ -33,6 +35,13 @@ constexpr bool is_result_flip_free = is_detected_true<concept_checks::Is_result_
 // Whether a method declares that it holds vertices whose places are given, and lets springs pull others.
 template <class Method>
 constexpr bool holds_vertices = is_detected_true<concept_checks::Holds_vertices, Method>;
+
+template <class Method>
+using Borders_kept_apart = decltype(std::declval<Method&>().keep_borders_apart(true));
+
+// Whether a method has that optional member of the concept.
+template <class Method>
+constexpr bool keeps_borders_apart = is_detected<Borders_kept_apart, Method>;
 
 template <class Method, class NamedParameters>
 Nested_iteration_options nested_iteration_options_of(const NamedParameters& np)

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_attempts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Refinable_method.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Run_setup.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Place_constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
@@ -59,7 +60,7 @@ public:
   }
   bool keep_borders_apart([[maybe_unused]] bool yes) override
   {
-    if constexpr (is_detected<Borders_kept_apart, Method>)
+    if constexpr (keeps_borders_apart<Method>)
       return m_method.keep_borders_apart(yes);
     return false;
   }
@@ -101,9 +102,6 @@ private:
   // The optional members of the concept.
   template <class M>
   using Room_left = decltype(std::declval<M&>().leave_room());
-
-  template <class M>
-  using Borders_kept_apart = decltype(std::declval<M&>().keep_borders_apart(true));
 
   template <class M>
   using Energy_of = decltype(std::declval<const M&>().energy(std::declval<const Level&>(),
@@ -153,12 +151,14 @@ Parameterization_error add_places_if_readable(const Place_constraints<TriangleMe
 // Runs a model of RefinableParameterizer_3 coarse to fine on the component of a mesh, and writes to the property maps
 // if all went well. The visitor may be null.
 template <class Method, class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
-Error_code run_nested_iteration(Method method, const Nested_iteration_options& options,
-                                const Place_constraints<TriangleMesh>& constraints, Any_hierarchy_visitor* visitor,
-                                Parameterization_summary& summary, const TriangleMesh& mesh,
+Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& setup, Any_hierarchy_visitor* visitor,
+                                const TriangleMesh& mesh,
                                 typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap,
                                 VertexParameterizedMap vpmap)
 {
+  const Nested_iteration_options& options = setup.options;
+  Parameterization_summary unused_summary;
+  Parameterization_summary& summary = setup.summary ? *setup.summary : unused_summary;
   summary = Parameterization_summary();
   CGAL::Real_timer timer;
   timer.start();
@@ -168,7 +168,7 @@ Error_code run_nested_iteration(Method method, const Nested_iteration_options& o
     summary.error = place_border(method, mesh, bhd, component);
   bool is_mirrored = false;
   if (summary.error.code == OK)
-    summary.error = add_places_if_readable(constraints, mesh, uvmap, bool(options.make_starting_map), component,
+    summary.error = add_places_if_readable(setup.constraints, mesh, uvmap, bool(options.make_starting_map), component,
                                            is_mirrored);
   if (summary.error.code != OK)
     return summary.error.code;
@@ -178,7 +178,7 @@ Error_code run_nested_iteration(Method method, const Nested_iteration_options& o
   typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
   Nested_iteration_options options_of_run = options;
   options_of_run.round = rounding_to<User_point_2>();
-  options_of_run.must_hold_places = !constraints.empty();
+  options_of_run.must_hold_places = !setup.constraints.empty();
   Refinable_method_of<Method> engine_method(method);
   std::vector<Point_2> uv;
   if (options.make_starting_map) {
