@@ -34,15 +34,6 @@ Held_vertex read_line(const std::string& line)
   return held;
 }
 
-std::vector<bool> vertices_of_chart(const Input& input)
-{
-  std::vector<bool> result(input.mesh.number_of_vertices(), false);
-  for (const Mesh::Face_index f : input.faces)
-    for (const Mesh::Vertex_index v : input.mesh.vertices_around_face(input.mesh.halfedge(f)))
-      result[v] = true;
-  return result;
-}
-
 void hold(const Held_vertex& held, const std::vector<bool>& is_in_chart, Input& input)
 {
   const std::string name = "vertex " + std::to_string(held.vertex);
@@ -61,7 +52,7 @@ void hold(const Held_vertex& held, const std::vector<bool>& is_in_chart, Input& 
 
 void read_held_vertices(const std::string& file, Input& input)
 {
-  const std::vector<bool> is_in_chart = vertices_of_chart(input);
+  const std::vector<bool> is_in_chart = vertices_of_faces(input);
   std::size_t number = 0;
   try {
     std::istringstream lines(read_content(file));

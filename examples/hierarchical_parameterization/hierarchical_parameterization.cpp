@@ -77,15 +77,6 @@ std::string repair_text(const SMP::Parameterization_summary& summary)
                    " vertices, ";
 }
 
-std::size_t number_of_mapped_vertices(const Input& input)
-{
-  std::vector<bool> is_mapped(input.mesh.number_of_vertices(), false);
-  for (const Mesh::Face_index f : input.faces)
-    for (const Mesh::Vertex_index v : input.mesh.vertices_around_face(input.mesh.halfedge(f)))
-      is_mapped[v] = true;
-  return std::size_t(std::count(is_mapped.begin(), is_mapped.end(), true));
-}
-
 std::string pairs_text(std::size_t n)
 {
   return std::to_string(n) + (n == 1 ? " pair of triangles" : " pairs of triangles");
@@ -97,16 +88,19 @@ void print_warnings(const Input& input, const Options& options, const Run_record
   constexpr double great_part = 0.1;
   const std::string name = one_line(input.name);
   if (run.overlaps_of_one_chart > 0)
-    std::cerr << name << ": the map of one chart lies over itself at " << pairs_text(run.overlaps_of_one_chart)
-              << ", and was made an atlas; --cut none keeps it\n";
+    std::cerr << name << ": one chart would lie over itself at " << pairs_text(run.overlaps_of_one_chart)
+              << ", so this is an atlas; --globally-injective makes one chart, --cut none one with overlaps\n";
   if (run.summary.is_replaced)
     std::cerr << name << ": " << replaced_maps_text(run) << " of " << options.method->name
               << " had flips whose repair would leave little of it; a method without flips made "
               << (run.atlas ? "others\n" : "this one\n");
-  else if (const std::size_t vertices = number_of_mapped_vertices(input);
-           double(run.summary.moved_vertices) > great_part * double(vertices))
-    std::cerr << name << ": to repair the flips of " << options.method->name << ", " << run.summary.moved_vertices
-              << " of " << vertices << " vertices were moved: the map is hardly its own\n";
+  else if (run.summary.moved_vertices > 0) {
+    const std::vector<bool> is_mapped = vertices_of_faces(input);
+    const auto vertices = std::count(is_mapped.begin(), is_mapped.end(), true);
+    if (double(run.summary.moved_vertices) > great_part * double(vertices))
+      std::cerr << name << ": to repair the flips of " << options.method->name << ", " << run.summary.moved_vertices
+                << " of " << vertices << " vertices were moved: the map is hardly its own\n";
+  }
 }
 
 // What may help where one chart is not enough.

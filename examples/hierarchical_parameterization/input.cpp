@@ -196,11 +196,12 @@ const Component& largest(const std::vector<Component>& components)
 
 void take_as_chart(const Component& component, Input& input)
 {
-  if (component.number_of_borders == 0)
+  if (component.needs_cut())
     throw Input_error{ std::string(input.number_of_components > 1 ? "its largest component " : "") +
-                           "is closed: a chart needs a border; --cut auto makes one, but not for --flat, --levels, "
-                           "--start and --hold; or cut it open first, by leaving out a face or by doubling the "
-                           "vertices along a path of edges",
+                           (component.number_of_borders == 0 ? "is closed: a chart needs a border; --cut auto makes one"
+                                                             : "has a handle: a chart has none; --cut auto cuts it") +
+                           ", but not for --flat, --levels, --start and --hold; or cut it open first, by leaving out a "
+                           "face or by doubling the vertices along a path of edges; a handle needs two loops",
                        SMP::ERROR_NO_TOPOLOGICAL_DISC };
   input.faces = component.faces;
   input.number_of_borders = component.number_of_borders;
@@ -229,6 +230,15 @@ void take_as_atlas(const std::vector<Component>& components, bool cuts, Input& i
 }
 
 } // namespace
+
+std::vector<bool> vertices_of_faces(const Input& input)
+{
+  std::vector<bool> result(input.mesh.number_of_vertices(), false);
+  for (const Mesh::Face_index f : input.faces)
+    for (const Mesh::Vertex_index v : input.mesh.vertices_around_face(input.mesh.halfedge(f)))
+      result[v] = true;
+  return result;
+}
 
 void choose_component(Input& input)
 {
@@ -261,7 +271,8 @@ void read_start(const std::string& file, Input& input)
 try {
   const Polygon_soup soup = read_soup(file, read_content(file), true);
   if (soup.uv.empty())
-    throw Input_error{ "has no map: PLY with the vertex properties u and v, or OBJ with texture coordinates expected" };
+    throw Input_error{ "has no map with one place for each vertex, which an atlas has not, either: PLY with the vertex "
+                       "properties u and v, or OBJ with texture coordinates expected" };
   if (soup.uv.size() != input.mesh.number_of_vertices())
     throw Input_error{ "has " + std::to_string(soup.uv.size()) + " vertices instead of " +
                        std::to_string(input.mesh.number_of_vertices()) };

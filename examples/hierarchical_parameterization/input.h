@@ -63,11 +63,14 @@ struct Input
   std::vector<Mesh::Face_index> left_out;  // a face of each component that would have to be cut, but may not be
 };
 
+// Whether each vertex is one of the faces that are parameterized.
+std::vector<bool> vertices_of_faces(const Input& input);
+
 // Takes the component with the most faces as one chart. Throws an Input_error if it is closed.
 void choose_component(Input& input);
 
 // The named file, the standard input, or the built-in face if there is no name. One component that needs no cut becomes
-// one chart, whatever the options are. Throws an Input_error.
+// one chart, unless the options make it an atlas. Throws an Input_error.
 void read_input(const std::string& file, const Input_options& options, Input& input);
 
 // Reads the places of the input's vertices into its uvmap: from PLY with the vertex properties u and v, or s and t, or

@@ -174,6 +174,18 @@ void lay_out_atlas(Input& input, const Options& options, Run_record& run)
   run.quality = quality;
 }
 
+// An atlas takes the place of a chart that lies over itself.
+void give_up_chart(Input& input, Run_record& run)
+{
+  run.overlaps_of_one_chart = run.quality->overlaps;
+  run.seconds_one_chart = run.seconds_of_map();
+  run.quality.reset();
+  run.summary = SMP::Parameterization_summary();
+  input.mesh.remove_property_map(input.uvmap);
+  input.mesh.remove_property_map(input.is_held);
+  input.is_atlas = true;
+}
+
 std::string count_text(std::size_t n, std::size_t all, const std::string& what)
 {
   return std::to_string(n) + " of " + std::to_string(all) + ' ' + what;
@@ -185,11 +197,8 @@ void lay_out(Input& input, const Options& options, Run_record& run)
 {
   if (!input.is_atlas) {
     lay_out_chart(input, options, run);
-    if (options.cuts && options.method->is_flip_free && run.quality->overlaps > 0) {
-      run.overlaps_of_one_chart = run.quality->overlaps;
-      run.seconds_one_chart = run.seconds_of_map();
-      input.is_atlas = true;
-    }
+    if (options.avoids_overlaps && run.quality->overlaps > 0)
+      give_up_chart(input, run);
   }
   if (input.is_atlas)
     lay_out_atlas(input, options, run);

@@ -66,7 +66,7 @@ po::options_description describe_options(Options& options, Words& words, Numbers
       "most faces. The default is largest with --flat, --levels, --start and --hold, which take one chart");
   add("cut", po::value(&words.cut),
       "auto (default): cut components that are closed or have handles along short seams; or none: leave them out, and "
-      "keep one chart that lies over itself. The default is none with --flat, --levels, --start and --hold");
+      "let one chart lie over itself. The default is none with --flat, --levels, --start and --hold");
   add("least-used-part", po::value<double>(),
       "divide charts by short cuts until they cover this part of the unit square, from 0 to 1, or no cut helps; 0.7 is "
       "within reach of most surfaces; 0: none. The default is 0.25. Makes an atlas of one component, too");
@@ -123,7 +123,8 @@ po::options_description describe_options(Options& options, Words& words, Numbers
   add("flips", po::value(&words.flips)->default_value("repair"),
       "not for mips and symmetric-dirichlet, which flip no triangle: repair (default), fail (an error) or keep");
   add("globally-injective", po::bool_switch(&options.is_globally_injective),
-      "mips, symmetric-dirichlet: keep the free border from running over itself");
+      "mips, symmetric-dirichlet: keep the free border from running over itself, whatever that costs. Without this "
+      "option, a chart for which it costs much becomes an atlas, or lies over itself with --cut none");
   add("fill-holes", po::bool_switch(&options.fills_holes),
       "close every border but the longest one by a virtual vertex, so that a hole is laid out as a part of the "
       "surface");
@@ -140,8 +141,8 @@ void print_help(const po::options_description& described)
   std::cout << "Usage: hierarchical_parameterization [INPUT ...] [OPTION ...]\n\n"
                "Lays triangulated surfaces (OFF, OBJ, PLY or STL) in the plane, coarse to fine.\n"
                "One component that has a border and no handles becomes one chart. Anything else becomes an atlas: cut "
-               "into charts, all at one scale, in the unit square. So does one chart if mips or symmetric-dirichlet lay "
-               "it over itself.\n"
+               "into charts, all at one scale, in the unit square. So does one chart that mips or symmetric-dirichlet "
+               "would lay over itself, unless its borders can be kept apart with little distortion.\n"
                "Without INPUT: a built-in face of 1042 vertices. INPUT may be -, the standard input.\n"
                "The file of --output, --picture or --report may be -, the standard output; the summary goes to "
                "stderr then.\n"
@@ -236,6 +237,7 @@ void read_part(const std::string& components, const std::string& cut, Options& o
   options.cuts = cut.empty() ? option_of_one_chart.empty() : cut == "auto";
   options.makes_atlas = options.makes_atlas || options.least_used_part || options.distortion_bound ||
                         options.overlap_bound || options.hole_bound || options.sharp_angle;
+  options.avoids_overlaps = options.cuts && options.method->is_flip_free;
   if (options.sharp_angle && !options.distortion_bound)
     options.distortion_bound = 4.5;
   if (options.cuts)

@@ -56,11 +56,12 @@ void run_refinable(Input& input, const Method_options& options, Method method, S
 template <template <class, class> class Distortion>
 SMP::Parameterization_summary minimize_distortion(Input& input, const Method_options& options)
 {
+  constexpr double overlap_bound = 0.2;      // as of atlases
   SMP::Parameterization_summary summary;
   const Distortion<Mesh, CGAL::Parallel_if_available_tag> method(
     CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary)).triangle_weight(options.triangle_weight)
-      .fill_holes(options.fills_holes).globally_injective(options.is_globally_injective)
-      .number_of_iterations(options.iterations));
+      .fill_holes(options.fills_holes).globally_injective(options.is_globally_injective || options.avoids_overlaps)
+      .overlap_bound(options.is_globally_injective ? 1 : overlap_bound).number_of_iterations(options.iterations));
   run_refinable(input, options, method, summary);
   return summary;
 }

@@ -25,7 +25,7 @@ struct Run_record
   SMP::Parameterization_summary summary;                    // of several charts: see lay_out()
   std::optional<SMP::Atlas_summary> atlas;                  // if that is what was made
   std::optional<SMP::Parameterization_quality> quality;     // of a map that was written
-  std::size_t overlaps_of_one_chart = 0;                    // not 0: the atlas takes the place of a chart with these
+  std::size_t overlaps_of_one_chart = 0;                    // if the atlas takes the place of one
   double seconds_read = 0, seconds_one_chart = 0, seconds_write = 0;
   std::string status, error;                                // no error: an empty text
 

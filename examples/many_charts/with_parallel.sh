@@ -6,6 +6,9 @@
 # skips every mesh that has a report: remove the reports of those that are to be done again. At last LIST.report has all
 # reports in the order of the list. Exit status: 0 if every mesh has a map.
 #
+# A map has one place for each vertex. That of a mesh which becomes an atlas, as its report tells, has one for each
+# corner; --globally-injective lets every mesh that has a border and no handles be one chart.
+#
 # Over ssh, with the program installed on each machine of a file:
 #   export PARALLEL='--sshloginfile machines --transferfile {} --return {.}.uv.ply --return {.}.json --cleanup'
 list=${1-}
