@@ -103,7 +103,7 @@ void draw_map(const fs::path& file, const Mesh& mesh, Uv_map uv, const View& vie
   for (const Mesh::Vertex_index v : mesh.vertices())
     uv[v] = rotation(uv[v]);
   std::ofstream stream = open(file);
-  SMP::IO::write_SVG(stream, mesh, mesh.faces(), uv);
+  SMP::IO::write_SVG(stream, mesh, uv);
 }
 
 Mesh mesh_of(const SMP::Level& level)

@@ -187,7 +187,7 @@ TEST(Atlas_quality, of_one_chart_is_that_of_its_vertices)
 
     std::ostringstream drawing, drawing_of_corners;
     IO::write_SVG(drawing, mesh, mesh.faces(), of_vertices);
-    IO::write_SVG(drawing_of_corners, mesh, mesh.faces(), of_corners);
+    IO::write_SVG(drawing_of_corners, mesh, of_corners);
     EXPECT_EQ(drawing.str(), drawing_of_corners.str());
   }
 }

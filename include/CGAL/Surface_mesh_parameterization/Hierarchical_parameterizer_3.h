@@ -107,10 +107,11 @@ public:
 
   /// runs `method` on every level.
   ///
-  /// \param method the method
+  /// \param method the method. What it was told of its flat runs holds for these, too, unless `np` says otherwise
   /// \param np
-  /// - `coarsest_size`, `random_seed`, `unit_edges`, `visitor`, `fill_holes`, `flip_policy`, `initial_map`,
-  ///   `summary`: see `Nested_iteration_parameterizer_3`
+  /// - `coarsest_size`, `random_seed`, `unit_edges`, `visitor`, `fill_holes`, `flip_policy`, `overlap_bound`,
+  ///   `initial_map`, `vertex_is_constrained_map`, `position_weight_map`, `summary`: see
+  ///   `Nested_iteration_parameterizer_3`
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Hierarchical_parameterizer_3(const Parameterizer& method = Parameterizer(),
                                         const NamedParameters& np = parameters::default_values());

@@ -33,6 +33,7 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   if (!result.is_ok())
 ///     std::cerr << SMP::error_message(result.error) << '\n';
 /// \endcode
+/// The header of a method other than MIPS must be included.
 /// The outer border is the longest border of `mesh`, by the lengths of its edges. Of several components, the one with
 /// the outer border is parameterized.
 ///

@@ -102,7 +102,8 @@ struct Refused_name
   template <class Call>                                                                                                \
   struct Refused_name<internal_np::tag, Call>                                                                          \
   {                                                                                                                    \
-    static_assert(!sizeof(Call*), "the named parameter '" #name "' has no effect here: this call does not take it");   \
+    static_assert(!sizeof(Call*),                                                                                      \
+                  "the named parameter '" #name "' has no effect here: this argument of the call does not take it");   \
   };
 CGAL_SURFACE_MESH_PARAMETERIZATION_NAMES(CGAL_SURFACE_MESH_PARAMETERIZATION_REFUSED)
 #undef CGAL_SURFACE_MESH_PARAMETERIZATION_REFUSED

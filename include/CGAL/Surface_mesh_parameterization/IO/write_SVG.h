@@ -181,6 +181,15 @@ void write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face
     Check::tell();
 }
 
+/// \ingroup PkgHierarchicalParameterizationIO
+///
+/// draws all faces that have a place.
+template <class TriangleMesh, class UVMap>
+void write_SVG(std::ostream& os, const TriangleMesh& mesh, UVMap uvmap)
+{
+  write_SVG(os, mesh, faces(mesh), uvmap);
+}
+
 } // namespace IO
 
 } // namespace CGAL::Surface_mesh_parameterization
