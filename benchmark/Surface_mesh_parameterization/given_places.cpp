@@ -14,8 +14,15 @@
 
 #include <CGAL/Bbox_2.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iostream>
+#include <iterator>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace np = SMP::parameters;
 

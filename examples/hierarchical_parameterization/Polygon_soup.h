@@ -37,7 +37,8 @@ void check_coordinates(const Polygon_soup& soup);
 void check_corners(const Polygon_soup& soup, bool may_have_polygons, bool may_have_collapsed_triangles);
 void check_manifold(const Polygon_soup& soup);       // precondition: the indices and corners have been checked
 
-// The mesh with these points and polygons. Precondition and error as of check_manifold().
+// The mesh with these points and triangles. Precondition: the indices and corners have been checked, and there are no
+// other polygons. Throws as check_manifold().
 Mesh manifold_mesh(const Polygon_soup& soup);
 
 // Leaves out triangles that have a vertex twice; returns their number.

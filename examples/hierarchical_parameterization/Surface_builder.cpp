@@ -14,8 +14,8 @@
 
 namespace {
 
-// Polygons that make a surface: every edge has at most two faces, of one orientation, and the faces around a vertex form
-// one fan.
+// Polygons that make a surface: every edge has at most two faces, of one orientation, and the faces around a vertex
+// form one fan.
 class Surface_builder
 {
 public:

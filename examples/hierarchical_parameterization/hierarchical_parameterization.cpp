@@ -108,7 +108,15 @@ void print_advice(const Input& input, const Options& options, const Run_record& 
 {
   constexpr double great_distortion = 50;
   constexpr std::size_t many_borders = 20;
-  if (run.atlas || !options.cuts)
+  if (run.atlas)
+    return;
+  const bool takes_one_chart =
+      options.flat || !options.levels.empty() || !options.start.empty() || !options.hold.empty();
+  if (run.quality->overlaps > 0 && (options.cuts || takes_one_chart))
+    std::cerr << one_line(input.name) << ": the map lies over itself at " << pairs_text(run.quality->overlaps) << "; "
+              << (options.method->is_flip_free ? "--globally-injective keeps borders apart" : "--atlas divides it")
+              << '\n';
+  if (!options.cuts)
     return;
   if (run.quality->symmetric_dirichlet > great_distortion) {
     std::ostringstream energy;
@@ -116,9 +124,6 @@ void print_advice(const Input& input, const Options& options, const Run_record& 
     std::cerr << one_line(input.name) << ": the map is distorted far (symmetric Dirichlet " << energy.str()
               << ", 4 without distortion); --atlas cuts the surface\n";
   }
-  if (run.quality->overlaps > 0)
-    std::cerr << one_line(input.name) << ": the map lies over itself at " << pairs_text(run.quality->overlaps)
-              << "; --atlas divides it\n";
   if (input.number_of_borders > many_borders && !options.fills_holes)
     std::cerr << one_line(input.name) << ": has " << input.number_of_borders
               << " borders; --fill-holes treats holes as parts of the surface, which is quicker\n";

@@ -196,13 +196,16 @@ const Component& largest(const std::vector<Component>& components)
 
 void take_as_chart(const Component& component, Input& input)
 {
-  if (component.needs_cut())
+  if (component.needs_cut()) {
+    const bool is_closed = component.number_of_borders == 0;
     throw Input_error{ std::string(input.number_of_components > 1 ? "its largest component " : "") +
-                           (component.number_of_borders == 0 ? "is closed: a chart needs a border; --cut auto makes one"
-                                                             : "has a handle: a chart has none; --cut auto cuts it") +
-                           ", but not for --flat, --levels, --start and --hold; or cut it open first, by leaving out a "
-                           "face or by doubling the vertices along a path of edges; a handle needs two loops",
+                           (is_closed ? "is closed: a chart needs a border; --cut auto makes one"
+                                      : "has a handle: a chart has none; --cut auto cuts it") +
+                           ", but not for --flat, --levels, --start and --hold; or cut it open first, by " +
+                           (is_closed ? "leaving out a face or by doubling the vertices along a path of edges"
+                                      : "doubling the vertices along two loops of edges"),
                        SMP::ERROR_NO_TOPOLOGICAL_DISC };
+  }
   input.faces = component.faces;
   input.number_of_borders = component.number_of_borders;
   std::vector<bool> is_inside(input.mesh.number_of_faces(), false);

@@ -66,7 +66,7 @@ struct Input
 // Whether each vertex is one of the faces that are parameterized.
 std::vector<bool> vertices_of_faces(const Input& input);
 
-// Takes the component with the most faces as one chart. Throws an Input_error if it is closed.
+// Takes the component with the most faces as one chart. Throws an Input_error if it would have to be cut.
 void choose_component(Input& input);
 
 // The named file, the standard input, or the built-in face if there is no name. One component that needs no cut becomes

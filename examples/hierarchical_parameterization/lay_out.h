@@ -11,10 +11,9 @@
 
 struct Input;
 
-// Fills in the map of the input, and in the record the summary, the quality and the status. If one chart lies over
-// itself although it should not, an atlas takes its place. Faces of an atlas whose charts have no map are taken out of
-// the input. Throws a Method_error if there is no map at all, or one that is not as
-// the method and the options promise.
+// Fills in the map of the input, and in the record the summary, the quality and the status. An atlas takes the place of
+// one chart that lies over itself although it should not. Faces of an atlas whose charts have no map are taken out of
+// the input. Throws a Method_error if there is no map at all, or one that is not as the method and the options promise.
 void lay_out(Input& input, const Options& options, Run_record& run);
 
 // Throws a Method_error if charts of an atlas have no map, and an Input_error if components were left out.

@@ -40,7 +40,7 @@ struct Method_options
   std::optional<double> least_used_part, distortion_bound, overlap_bound, hole_bound;     // of an atlas; none: defaults
   std::optional<double> sharp_angle;                          // in degrees; none: no edge is a seam as it is sharp
   bool flat, quiet, is_globally_injective, fills_holes;
-  bool avoids_overlaps;     // whether a chart is globally injective, too, unless that distorts it: it becomes an atlas then
+  bool avoids_overlaps;     // one chart is globally injective, too, or becomes an atlas if that distorts it
   SMP::Flip_policy flip_policy;
 };
 

@@ -123,8 +123,9 @@ po::options_description describe_options(Options& options, Words& words, Numbers
   add("flips", po::value(&words.flips)->default_value("repair"),
       "not for mips and symmetric-dirichlet, which flip no triangle: repair (default), fail (an error) or keep");
   add("globally-injective", po::bool_switch(&options.is_globally_injective),
-      "mips, symmetric-dirichlet: keep the free border from running over itself, whatever that costs. Without this "
-      "option, a chart for which it costs much becomes an atlas, or lies over itself with --cut none");
+      "mips, symmetric-dirichlet: keep the free border from running over itself, whatever that costs. By default a "
+      "chart for which it costs much becomes an atlas instead; with --cut none, --flat, --levels, --start and --hold "
+      "borders are kept apart by this option only");
   add("fill-holes", po::bool_switch(&options.fills_holes),
       "close every border but the longest one by a virtual vertex, so that a hole is laid out as a part of the "
       "surface");

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/Shape_preserving_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas_options.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -56,12 +57,12 @@ void run_refinable(Input& input, const Method_options& options, Method method, S
 template <template <class, class> class Distortion>
 SMP::Parameterization_summary minimize_distortion(Input& input, const Method_options& options)
 {
-  constexpr double overlap_bound = 0.2;      // as of atlases
+  const double overlap_bound = options.is_globally_injective ? 1 : SMP::internal::Atlas_options().overlap_bound;
   SMP::Parameterization_summary summary;
   const Distortion<Mesh, CGAL::Parallel_if_available_tag> method(
     CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary)).triangle_weight(options.triangle_weight)
       .fill_holes(options.fills_holes).globally_injective(options.is_globally_injective || options.avoids_overlaps)
-      .overlap_bound(options.is_globally_injective ? 1 : overlap_bound).number_of_iterations(options.iterations));
+      .overlap_bound(overlap_bound).number_of_iterations(options.iterations));
   run_refinable(input, options, method, summary);
   return summary;
 }

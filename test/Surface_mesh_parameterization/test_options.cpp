@@ -94,7 +94,7 @@ TEST(Options, of_a_method_hold_in_the_adaptor)
   EXPECT_TRUE(s.levels.empty());
 }
 
-TEST(Options, of_holes_and_flips_hold_in_the_adaptor)
+TEST(Options, of_a_method_mean_the_same_in_the_adaptor)
 {
   typedef MIPS_parameterizer_3<Surface_mesh>   MIPS;
   const Flat_mesh surface = grid_with_holes(20);
@@ -104,6 +104,27 @@ TEST(Options, of_holes_and_flips_hold_in_the_adaptor)
   not_told.parameterize(Hierarchical_MIPS(MIPS()));
   EXPECT_EQ(told.uv(), method_told.uv());
   EXPECT_NE(told.uv(), not_told.uv());
+
+  const auto weight = told.mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:weight", 1.).first;
+  const auto uv_from_start = [&](const Hierarchical_MIPS& adaptor) {
+    for (const auto v : vertices(told.mesh))
+      put(told.uvmap, v, Kernel::Point_2(told.mesh.point(v).x(), 2 * told.mesh.point(v).y()));
+    EXPECT_EQ(told.parameterize(adaptor).code, OK);
+    return told.uv();
+  };
+  const Points pulled = uv_from_start(Hierarchical_MIPS(MIPS(np::position_weight_map(weight))));
+  EXPECT_EQ(pulled, uv_from_start(Hierarchical_MIPS(MIPS(), np::position_weight_map(weight))));
+  EXPECT_NE(pulled, uv_from_start(Hierarchical_MIPS(MIPS())));
+
+  // much of this surface would lie over itself: with a bound that map stays
+  Mapped<Surface_mesh> overlapping(ramp(100, 1.5));
+  const auto overlaps_of = [&](const Hierarchical_MIPS& adaptor) {
+    EXPECT_EQ(overlapping.parameterize(adaptor).code, OK);
+    return parameterization_quality(overlapping.mesh, overlapping.uvmap).overlaps;
+  };
+  EXPECT_EQ(overlaps_of(Hierarchical_MIPS(MIPS(np::globally_injective(true)))), 0u);
+  EXPECT_GT(overlaps_of(Hierarchical_MIPS(MIPS(np::globally_injective(true).overlap_bound(0.1)))), 0u);
+  EXPECT_GT(overlaps_of(Hierarchical_MIPS(MIPS(np::globally_injective(true)), np::overlap_bound(0.1))), 0u);
 
   typedef As_rigid_as_possible_parameterizer_3<Surface_mesh>   ARAP;
   typedef Hierarchical_parameterizer_3<ARAP>                   Hierarchical_ARAP;

@@ -87,12 +87,9 @@ public:
 
   /// \param np
   /// - the named parameters of `Refinement_options`
-  /// - `initial_map`: whether a flat run starts from the map that `uvmap` holds; default `false`
-  /// - `fill_holes`: whether a flat run treats holes as parts of the surface, see `Nested_iteration_parameterizer_3`;
-  ///   default `false`
-  /// - `vertex_is_constrained_map`, `position_weight_map`, `overlap_bound`: of a flat run, see
-  ///   `Nested_iteration_parameterizer_3`
-  /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
+  /// - `initial_map`, `fill_holes`, `vertex_is_constrained_map`, `position_weight_map`, `overlap_bound`: of a flat run,
+  ///   and of one by an adaptor that is not told otherwise, see `Nested_iteration_parameterizer_3`
+  /// - `summary`: of the same, a `std::reference_wrapper<Parameterization_summary>` that receives what a run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Distortion_parameterizer_3(const NamedParameters& np = parameters::default_values())
     : Distortion_parameterizer_3(Refinement_options(), np)

@@ -88,8 +88,9 @@ protected:
       Flat_option_names;
   /// \endcond
 
-  /// \param np what a flat run takes, and a run coarse to fine whose parameterizer is not told otherwise: `summary`, a `std::reference_wrapper<Parameterization_summary>`,
-  ///        `flip_policy` and `fill_holes`; of a method that has `holds_vertices`, `vertex_is_constrained_map` and
+  /// \param np the named parameters of a flat run, which hold in an adaptor, too, that is not told otherwise:
+  ///        `flip_policy`, `fill_holes` and `summary`, a `std::reference_wrapper<Parameterization_summary>` that must
+  ///        live as long as either runs; of a method that has `holds_vertices`, `vertex_is_constrained_map` and
   ///        `position_weight_map`, see `Nested_iteration_parameterizer_3`
   template <class NamedParameters>
   explicit Refinable_parameterizer_base_3(const NamedParameters& np)

@@ -32,7 +32,8 @@ Run_setup<TriangleMesh> run_setup_of(const NamedParameters& np)
 template <class Method>
 using Flat_run_setup = decltype(std::declval<const Method&>().flat_run_setup());
 
-// What `np` does not say is what the method was told of its flat runs, if it keeps that.
+// What `np` does not say is what the method was told of its flat runs, if it keeps that and a run coarse to fine takes
+// it.
 template <class Method, class NamedParameters>
 Run_setup<typename Method::Triangle_mesh> run_setup_of(const NamedParameters& np, [[maybe_unused]] const Method& method)
 {
@@ -45,11 +46,14 @@ Run_setup<typename Method::Triangle_mesh> run_setup_of(const NamedParameters& np
     };
     take(internal_np::fill_holes_t(), result.options.fills_holes, given.options.fills_holes);
     take(internal_np::overlap_bound_t(), result.options.overlap_bound, given.options.overlap_bound);
-    take(internal_np::initial_map_t(), result.options.make_starting_map, given.options.make_starting_map);
     take(internal_np::flip_policy_t(), result.options.flips, given.options.flips);
-    take(internal_np::vertex_is_constrained_t(), result.constraints.is_constrained, given.constraints.is_constrained);
-    take(internal_np::position_weight_t(), result.constraints.weight, given.constraints.weight);
     take(internal_np::summary_t(), result.summary, given.summary);
+    if constexpr (Method::is_flip_free)
+      take(internal_np::initial_map_t(), result.options.make_starting_map, given.options.make_starting_map);
+    if constexpr (holds_vertices<Method>) {
+      take(internal_np::vertex_is_constrained_t(), result.constraints.is_constrained, given.constraints.is_constrained);
+      take(internal_np::position_weight_t(), result.constraints.weight, given.constraints.weight);
+    }
   }
   return result;
 }
