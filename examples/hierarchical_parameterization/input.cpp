@@ -169,13 +169,21 @@ Mesh make_mesh(Polygon_soup soup, const Soup_options& options, std::size_t* left
   return manifold_mesh(soup);
 }
 
+namespace {
+
+Polygon_soup read_polygons(const std::string& file)
+{
+  if (file != "-")
+    return read_soup(file, ::read_content(file));
+  const std::string content = read_content(std::cin);
+  return read_soup(guess_suffix(content), content);
+}
+
+} // namespace
+
 Mesh read_mesh(const std::string& file, const Soup_options& options, std::size_t* left_out)
 {
-  if (file == "-") {
-    const std::string content = read_content(std::cin);
-    return make_mesh(read_soup(guess_suffix(content), content), options, left_out);
-  }
-  return make_mesh(read_soup(file, read_content(file)), options, left_out);
+  return make_mesh(read_polygons(file), options, left_out);      // the file's content is gone by then
 }
 
 Mesh built_in_face()
