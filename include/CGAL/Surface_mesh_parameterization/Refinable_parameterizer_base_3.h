@@ -67,9 +67,7 @@ public:
     typedef std::conjunction<internal::Mesh_check<Triangle_mesh>,
                              internal::Uv_map_check<VertexUVMap, Triangle_mesh>>   Check;
     if constexpr (Check::value) {
-      internal::Run_setup<Triangle_mesh> setup = m_setup;
-      setup.options.hierarchy.coarsest_size = (std::numeric_limits<std::size_t>::max)();
-      return internal::run_nested_iteration(static_cast<Method&>(*this), setup, nullptr, mesh, bhd, uvmap, vpmap);
+      return internal::run_nested_iteration(static_cast<Method&>(*this), m_setup, nullptr, mesh, bhd, uvmap, vpmap);
     } else {
       Check::tell();
       return ERROR_WRONG_PARAMETER;
@@ -77,7 +75,7 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  // A run coarse to fine takes it, too.
+  // An adaptor takes it, but for the hierarchy's options.
   const internal::Run_setup<Triangle_mesh>& flat_run_setup() const { return m_setup; }
   /// \endcond
 
@@ -97,6 +95,7 @@ protected:
     : m_setup(internal::run_setup_of<Method, Triangle_mesh>(np))
   {
     m_setup.options.hierarchy = internal::Hierarchy_options();
+    m_setup.options.hierarchy.coarsest_size = (std::numeric_limits<std::size_t>::max)();
   }
 
 private:

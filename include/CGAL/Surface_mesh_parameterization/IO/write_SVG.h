@@ -183,7 +183,11 @@ void write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face
 
 /// \ingroup PkgHierarchicalParameterizationIO
 ///
-/// draws all faces that have a place.
+/// draws all faces of a mesh whose places are finite.
+///
+/// \param os the stream; its state tells whether writing succeeded
+/// \param mesh a triangle mesh, a model of `FaceListGraph` with an internal vertex point map
+/// \param uvmap as above; the map must be positive
 template <class TriangleMesh, class UVMap>
 void write_SVG(std::ostream& os, const TriangleMesh& mesh, UVMap uvmap)
 {
