@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_BLOCK_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_BLOCK_H
 
+#include <cmath>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -57,9 +58,14 @@ struct Block
 
   friend Block operator+(Block a, const Block& b) { return a += b; }
   friend Block transposed(const Block& b) { return Block(b.xx(), b.yx(), b.xy(), b.yy()); }
+  friend Block_vector times(const Block& b, const Block_vector& x) { return x.x * b.columns[0] + x.y * b.columns[1]; }
   friend Block_vector transposed_times(const Block& b, const Block_vector& x)
   {
     return Block_vector(inner_product(b.columns[0], x), inner_product(b.columns[1], x));
+  }
+  friend double norm(const Block& b)      // that of Frobenius
+  {
+    return std::sqrt(inner_product(b.columns[0], b.columns[0]) + inner_product(b.columns[1], b.columns[1]));
   }
   friend Block operator*(double factor, Block b) { return b *= factor; }
   friend Block operator/(const Block& b, double divisor)

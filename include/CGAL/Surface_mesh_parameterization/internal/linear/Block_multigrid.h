@@ -11,7 +11,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Galerkin_product.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/Grouped_rows.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/New_rows_by_part.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Row_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/k_cycle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/v_cycle.h>
 
@@ -42,12 +43,14 @@ public:
   explicit Block_multigrid(const Level& level, const Block_multigrid_options& options = Block_multigrid_options())
     : m_options(options), m_loops(level.loops()), m_hierarchy(level.hierarchy())
   {
-    m_grids.emplace_back();
-    for (std::size_t fine = level.index(); fine > 0 && m_hierarchy.number_of_vertices(fine) > options.coarsest_size;) {
+    std::size_t fine = level.index();
+    m_grids.emplace_back(row_parts(level));
+    while (fine > 0 && m_hierarchy.number_of_vertices(fine) > options.coarsest_size) {
       const std::size_t coarse = fine > options.groups_per_grid ? fine - options.groups_per_grid : 0;
-      m_grids.back().prolongation =
-          std::make_unique<Pruned_prolongation>(m_hierarchy, coarse, fine, m_loops, Pruning::TRIANGLE);
-      m_grids.emplace_back();
+      const Index coarse_parts =
+          (std::min)(m_grids.back().parts.number_of_parts(), number_of_parts(m_hierarchy.number_of_vertices(coarse)));
+      m_grids.back().add_coarser_grid(m_hierarchy, coarse, fine, coarse_parts, m_loops);
+      m_grids.emplace_back(Row_parts(m_hierarchy, coarse, coarse_parts));
       fine = coarse;
     }
   }
@@ -61,6 +64,9 @@ public:
     return groups_above % options.groups_per_grid == 0 || level.index() == 0;
   }
 
+  // For the pattern of the finest grid's matrix.
+  const Row_parts& parts_of_finest() const { return m_grids.front().parts; }
+
   // The matrix of the finest grid, to be filled in but for the scaling of its blocks. Then it is made ready by setup(),
   // or, while it has changed so little that the coarse grids may stay as they are, by scale().
   Block_matrix& matrix() { return m_grids.front().matrix; }
@@ -69,7 +75,6 @@ public:
   // To be called when the matrix has got another pattern.
   void forget_pattern()
   {
-    m_rows_of_finest.reset();
     m_direct_solver.reset();
     for (Grid& grid : m_grids)
       grid.galerkin_product.reset();
@@ -87,7 +92,7 @@ public:
       Grid& grid = m_grids[g];
       if (!grid.galerkin_product) {
         keep_below(grid.prolongation->coarse_size(), order);
-        grid.galerkin_product = std::make_unique<Galerkin_product>(*grid.prolongation, order);
+        grid.galerkin_product = std::make_unique<Galerkin_product>(*grid.prolongation, m_grids[g + 1].parts, order);
       }
       grid.galerkin_product->compute(grid.matrix, m_grids[g + 1].matrix, m_loops);
       grid.matrix.scale_blocks(m_loops);
@@ -98,21 +103,13 @@ public:
       if (&grid != &m_grids.front())
         grid.right_side.resize(grid.matrix.number_of_rows());
     }
-    group_rows_of_finest();
     factorize_coarsest();
   }
 
   // The product with the matrix of the finest grid: y := A x
-  void multiply(const Block_vectors& x, Block_vectors& y) const
-  {
-    rows_of(0, [&](const auto& rows) { rows.multiply(x, y); });
-  }
+  void multiply(const Block_vectors& x, Block_vectors& y) const { matrix().multiply(x, y, m_loops); }
 
-  void scale()
-  {
-    matrix().scale_blocks(m_loops);
-    group_rows_of_finest();
-  }
+  void scale() { matrix().scale_blocks(m_loops); }
 
   // Whether the direct solver at the bottom could factorize its matrix.
   bool is_ready() const { return m_direct_solver != nullptr; }
@@ -142,13 +139,13 @@ public:
     Grid& grid = m_grids[g];
     grid.right.assign(x.size(), Block_vector::zero());
     for (int i = 1; i <= m_options.sweeps; ++i)
-      rows_of(g, [&](const auto& rows) { rows.relax_forward(b, i == m_options.sweeps, x, grid.right); });
+      grid.matrix.relax_forward(b, i == 1, i == m_options.sweeps, x, grid.right, m_loops);
   }
 
   void smooth(std::size_t g, const Block_vectors& b, Block_vectors& x)
   {
     for (int i = 0; i < m_options.sweeps; ++i)
-      rows_of(g, [&](const auto& rows) { rows.relax_backward(b, x, m_grids[g].right); });
+      m_grids[g].matrix.relax_backward(b, x, m_grids[g].right, m_loops);
   }
 
   void solve_coarse(std::size_t g)
@@ -157,7 +154,7 @@ public:
     v_cycle(*this, g, grid.right_side, grid.solution);
     if (m_options.has_k_cycles && !is_coarsest(g))
       take_second_step<double>(
-          m_loops, [&](const Block_vectors& x, Block_vectors& ax) { grid.matrix.multiply(x, ax); },
+          m_loops, [&](const Block_vectors& x, Block_vectors& ax) { grid.matrix.multiply(x, ax, m_loops); },
           [&](Index i, const Block_vectors& x) { return grid.matrix.energy_of_row(i, x); },
           [](const Block_vector& a, const Block_vector& b) { return inner_product(a, b); },
           [&](const Block_vectors& r, Block_vectors& z) { v_cycle(*this, g, r, z); }, grid.solution, grid.right_side,
@@ -174,12 +171,12 @@ public:
       return -std::exchange(fine.right[i], Block_vector::zero()) / fine.matrix.scale[i];
     };
     m_loops.for_each(0, coarse_size, [&](Index i) { coarse.right_side[i] = take_residual(i); });
-    for (Index i = coarse_size; i < fine.matrix.number_of_rows(); ++i) {
+    fine.new_rows->for_each(m_loops, [&](Index i) {
       const Block_vector residual = take_residual(i);
       const Pruned_prolongation::Row& row = p.new_row(i);
       for (int k = 0; k < Pruned_prolongation::row_size; ++k)
         coarse.right_side[row.columns[k]] += double(row.weights[k]) * residual;
-    }
+    });
     m_loops.for_each(0, coarse_size, [&](Index i) { coarse.right_side[i] *= coarse.matrix.scale[i]; });
   }
 
@@ -204,38 +201,25 @@ public:
 private:
   struct Grid
   {
+    Row_parts parts;
     Block_matrix matrix;
     std::unique_ptr<Pruned_prolongation> prolongation;      // from the next coarser grid
+    std::unique_ptr<New_rows_by_part> new_rows;             // of the prolongation
     std::unique_ptr<Galerkin_product> galerkin_product;
     Block_vectors right_side, solution;
     Block_vectors right;                        // see Block_matrix::relax_forward()
     Block_vectors second_solution, product;     // see take_second_step()
-  };
 
-  // Calls f with what has the loops over the rows of a grid. On coarse grids the Galerkin operator joins the vertices
-  // of a group, so they are left to one thread.
-  template <class Function>
-  void rows_of(std::size_t g, const Function& f) const
-  {
-    if (g == 0 && m_rows_of_finest)
-      f(*m_rows_of_finest);
-    else
-      f(m_grids[g].matrix);
-  }
+    explicit Grid(Row_parts parts_) : parts(std::move(parts_)) { }
 
-  // To be called when the finest matrix has got other values.
-  void group_rows_of_finest()
-  {
-    if (m_rows_of_finest)
-      m_rows_of_finest->copy_blocks();
-    else if (m_loops.has_several_threads()) {
-      std::vector<Index> group_ends;
-      for (std::size_t l = 0; group_ends.empty() || group_ends.back() < matrix().number_of_rows(); ++l)
-        group_ends.push_back(Index(m_hierarchy.number_of_vertices(l)));
-      if (Grouped_rows::can_be_grouped(matrix(), group_ends))
-        m_rows_of_finest = std::make_unique<Grouped_rows>(matrix(), std::move(group_ends), m_loops);
+    // `fine` is this grid's level.
+    void add_coarser_grid(const Collapse_hierarchy_3& hierarchy, std::size_t coarse, std::size_t fine,
+                          Index coarse_parts, const Loops& loops)
+    {
+      prolongation = std::make_unique<Pruned_prolongation>(hierarchy, coarse, fine, loops, Pruning::TRIANGLE);
+      new_rows = std::make_unique<New_rows_by_part>(*prolongation, Row_parts(hierarchy, fine, coarse_parts));
     }
-  }
+  };
 
   // The ranks of the vertices in the order of the input.
   std::vector<Index> input_order() const
@@ -277,7 +261,6 @@ private:
   Loops m_loops;
   const Collapse_hierarchy_3& m_hierarchy;
   std::vector<Grid> m_grids;            // finest first
-  std::unique_ptr<Grouped_rows> m_rows_of_finest;     // for several threads; null if there is one
   std::unique_ptr<Direct_solver> m_direct_solver;
 };
 

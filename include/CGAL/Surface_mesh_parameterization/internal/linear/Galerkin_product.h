@@ -8,7 +8,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Pruned_prolongation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Block_pattern.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Right_blocks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Row_parts.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -23,8 +25,8 @@ class Galerkin_product
 public:
   // `order` holds the coarse rows in an order in which neighbors are close to each other: they share what is fetched
   // into the cache.
-  Galerkin_product(const Pruned_prolongation& prolongation, std::vector<Index> order)
-    : m_prolongation(prolongation), m_order(std::move(order))
+  Galerkin_product(const Pruned_prolongation& prolongation, Row_parts coarse_parts, std::vector<Index> order)
+    : m_prolongation(prolongation), m_order(std::move(order)), m_pattern(std::move(coarse_parts))
   { }
 
   Galerkin_product(const Galerkin_product&) = delete;
@@ -34,10 +36,13 @@ public:
   void compute(const Block_matrix& fine, Block_matrix& coarse, const Loops& loops)
   {
     const Factors factors{ m_prolongation, m_prolongation.transposed(), fine, right_blocks(fine) };
-    if (m_first.empty())
-      find_pattern(factors, loops);
-    coarse.set_pattern(m_order.size(), m_first.data(), m_columns.data());
+    const bool is_first_product = m_pattern.first.empty();
+    if (is_first_product)
+      count_blocks(factors, loops);
+    coarse.set_pattern(m_pattern);
     for_each_row(loops, [&](Index row, Scratch& scratch) { compute_row(factors, row, coarse, scratch); });
+    if (is_first_product)
+      m_pattern.find_joints();
   }
 
 private:
@@ -113,20 +118,32 @@ private:
     }
   };
 
-  void find_pattern(const Factors& factors, const Loops& loops)
+  void count_blocks(const Factors& factors, const Loops& loops)
   {
-    m_first.assign(m_order.size() + 1, 0);
+    std::vector<Index>&first = m_pattern.first, &first_joint = m_pattern.first_joint;
+    first.assign(m_order.size() + 1, 0);
+    first_joint.assign(m_order.size(), 0);
     for_each_row(loops, [&](Index row, Scratch& scratch) {
       factors.for_each_product(row, [&](const Pruned_prolongation::Row& p, const Block&) {
         for (const Index column : p.columns)
           scratch.position_of(column);
       });
-      m_first[row + 1] = Index(std::count_if(scratch.columns.begin(), scratch.columns.end(),
-                                             [row](Index column) { return column < row; }));
+      for (const Index column : scratch.columns)
+        if (column < row) {
+          ++first[row + 1];
+          first_joint[row] += joins_parts(row, column) ? 0 : 1;
+        }
     });
-    for (std::size_t row = 0; row < m_order.size(); ++row)
-      m_first[row + 1] += m_first[row];
-    m_columns.resize(m_first.back());
+    for (std::size_t row = 0; row < m_order.size(); ++row) {
+      first[row + 1] += first[row];
+      first_joint[row] += first[row];
+    }
+    m_pattern.columns.resize(first.back());
+  }
+
+  bool joins_parts(Index row, Index column) const
+  {
+    return m_pattern.parts.part_of(row) != m_pattern.parts.part_of(column);
   }
 
   void compute_row(const Factors& factors, Index row, Block_matrix& coarse, Scratch& scratch)
@@ -134,11 +151,13 @@ private:
     factors.for_each_product(
         row, [&](const Pruned_prolongation::Row& p, const Block& block) { add(p, block, scratch); });
     coarse.set_diagonal(row, scratch.sums[0]);
-    Index out = m_first[row];
+    const bool has_joint = m_pattern.has_joint(row);
+    Index next = m_pattern.first[row], next_joint = m_pattern.first_joint[row];
     for (std::size_t i = 1; i < scratch.columns.size(); ++i)
-      if (scratch.columns[i] < row) {
-        coarse.blocks[out] = scratch.sums[i];
-        m_columns[out++] = scratch.columns[i];
+      if (const Index column = scratch.columns[i]; column < row) {
+        const Index k = has_joint && joins_parts(row, column) ? next_joint++ : next++;
+        m_pattern.columns[k] = column;
+        coarse.blocks[k] = scratch.sums[i];
       }
   }
 
@@ -150,7 +169,8 @@ private:
   }
 
   const Pruned_prolongation& m_prolongation;
-  std::vector<Index> m_order, m_first, m_columns;
+  std::vector<Index> m_order;
+  Block_pattern m_pattern;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

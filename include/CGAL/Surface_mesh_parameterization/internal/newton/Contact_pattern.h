@@ -7,6 +7,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/Contact.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Block_pattern.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Row_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 
 #include <algorithm>
@@ -16,11 +18,12 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The pattern of a Hessian up to the diagonal: in each row the neighbors of lesser rank, in the order of the ring, and
-// behind them what contacts join besides.
+// behind them what contacts join besides; of both, those of the row's part come first.
 class Contact_pattern
 {
 public:
-  explicit Contact_pattern(const One_rings& rings) : m_rings(rings) { lay_out(); }
+  explicit Contact_pattern(const One_rings& rings) : Contact_pattern(rings, Row_parts(rings.number_of_vertices())) { }
+  Contact_pattern(const One_rings& rings, Row_parts parts) : m_rings(rings), m_pattern(std::move(parts)) { lay_out(); }
 
   // Has the pattern hold all that these contacts join; returns whether it is another one than before.
   bool join(const Contacts& contacts)
@@ -41,10 +44,7 @@ public:
   }
 
   // The matrix refers to this pattern until it gets another one.
-  void give_to(Block_matrix& matrix) const
-  {
-    matrix.set_pattern(m_rings.number_of_vertices(), m_first.data(), m_columns.data());
-  }
+  void give_to(Block_matrix& matrix) const { matrix.set_pattern(m_pattern); }
 
   // The Hessian lacks the curvature of distances and angles themselves, which is indefinite. Instead it resists motions
   // along a contact by this part of what it resists those across it: else steps are long there, and the line search
@@ -74,25 +74,34 @@ public:
 private:
   void lay_out()
   {
-    m_first.clear();
-    m_first.reserve(m_rings.number_of_vertices() + 1);
-    m_first.push_back(0);
-    m_columns.clear();
-    m_columns.reserve(m_rings.number_of_slots() / 2 + m_joined.size());
+    std::vector<Index>&first = m_pattern.first, &columns = m_pattern.columns;
+    const Row_parts& parts = m_pattern.parts;
+    first.clear();
+    first.reserve(m_rings.number_of_vertices() + 1);
+    first.push_back(0);
+    m_pattern.first_joint.clear();
+    m_pattern.first_joint.reserve(m_rings.number_of_vertices());
+    columns.clear();
+    columns.reserve(m_rings.number_of_slots() / 2 + m_joined.size());
     auto next = m_joined.begin();
     for (Index v = 0; v < m_rings.number_of_vertices(); ++v) {
       for (const Index w : m_rings[v])
         if (w < v)
-          m_columns.push_back(w);
+          columns.push_back(w);
       for (; next != m_joined.end() && next->first == v; ++next)
-        m_columns.push_back(next->second);
-      m_first.push_back(Index(m_columns.size()));
+        columns.push_back(next->second);
+      const auto first_joint = std::stable_partition(columns.begin() + first.back(), columns.end(), [&](Index w) {
+        return parts.part_of(w) == parts.part_of(v);
+      });
+      m_pattern.first_joint.push_back(Index(first_joint - columns.begin()));
+      first.push_back(Index(columns.size()));
     }
+    m_pattern.find_joints();
   }
 
   const One_rings& m_rings;
   std::vector<std::pair<Index, Index>> m_joined;      // vertices without an edge, the greater one first
-  std::vector<Index> m_first, m_columns;              // see Block_matrix
+  Block_pattern m_pattern;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

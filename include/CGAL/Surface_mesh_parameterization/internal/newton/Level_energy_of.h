@@ -140,10 +140,11 @@ private:
       row[i] -= h.to_v + h.to_b;
     }
     hessian.set_diagonal(v, diagonal);
+    const bool has_joint = hessian.pattern->has_joint(v);
     Block* out = hessian.blocks.data() + hessian.first[v];
     for (std::size_t i = 0; i < ring.size(); ++i)
       if (ring[i] < v)
-        *out++ = row[i];
+        (has_joint ? hessian.block(v, ring[i]) : *out++) = row[i];
   }
 
   Energy m_energy;
