@@ -84,7 +84,7 @@ private:
 
 struct Row_parts_options
 {
-  std::size_t rows_of_two_parts = 5000;
+  std::size_t rows_of_two_parts = 2500;
   double most_joints = 0.1;       // share of the edges that may join two parts
 };
 
