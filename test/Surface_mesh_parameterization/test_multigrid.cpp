@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Incomplete_LU.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Row_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Scalar_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 
@@ -94,6 +95,34 @@ TEST(Grid_transfer, restriction_is_the_transpose_and_the_Galerkin_product_as_def
   });
   const Sparse_rows<double> product = transfer.galerkin_product<double>(Incomplete_LU<double>(sparse(a), enlargement));
   EXPECT_NEAR((dense(product, p.cols()) - p.transpose() * a * p).norm(), 0, 1e-12 * a.norm());
+}
+
+// A restriction that several threads share reaches every coarse unknown once more.
+TEST(Grid_transfer, restriction_in_parts_is_the_transpose)
+{
+  const Collapse_hierarchy_3 hierarchy = hierarchy_of(grid(70, 60, wavy));
+  const std::size_t fine = hierarchy.number_of_levels() - 1;
+  const std::vector<Mesh_unknown> unknowns = some_unknowns(hierarchy, fine);
+  ASSERT_GT(internal::number_of_parts(unknowns.size()), 1u);
+  const Grid_transfer transfer(Pruned_prolongation(hierarchy, fine - 3, fine, Loops()), unknowns);
+  Random random(2);
+  const auto random_values = [&](std::size_t n) {
+    Values result(n);
+    for (Value& v : result)
+      v[0] = random(-1, 1);
+    return result;
+  };
+  const std::size_t n = transfer.coarse_unknowns().size();
+  const Values coarse = random_values(n), b = random_values(unknowns.size());
+  Values x(b.size(), Value::zero()), restricted(n);
+  transfer.add_prolongation(coarse, x);
+  transfer.restrict([&](Index i) { return b[i]; }, restricted);
+  double product = 0, product_of_restricted = 0;
+  for (std::size_t i = 0; i < b.size(); ++i)
+    product += x[i][0] * b[i][0];
+  for (std::size_t i = 0; i < n; ++i)
+    product_of_restricted += coarse[i][0] * restricted[i][0];
+  EXPECT_NEAR(product_of_restricted, product, 1e-10);
 }
 
 TEST(Grid_transfer, prolongs_components_apart_and_keeps_constants)

@@ -441,7 +441,7 @@ TEST(Multigrid_linear_solver, goes_on_below_the_tolerance_to_its_aim)
                                            : edge_matrix(m, Mean_value_edge_weights_3()));
     const auto solver = internal::make_multigrid_linear_solver<1>(
         &interpolation, system.matrix.rows(), internal::Mesh_unknowns(interpolation.ranks()).in_order(m.points.size()),
-        {});
+        {}, internal::Loops());
     Vector x(system.right_side.size());
     double last_residual = 1;
     for (const double aim : { 1., 1e-4, 1e-8, 1e-300 }) {

@@ -17,8 +17,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Galerkin_product.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/New_rows_by_part.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Row_parts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Rows_by_part.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/level_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Contact_pattern.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
@@ -178,7 +179,7 @@ TEST(Row_parts, are_as_many_as_rows_allow)
 
   Flat_mesh m = grid(40, 40, wavy);
   options.rows_of_two_parts = m.points.size() / 4;
-  EXPECT_EQ(row_parts(Finest_level(m).level, options).number_of_parts(), 4u);
+  EXPECT_EQ(level_parts(Finest_level(m).level, options).number_of_parts(), 4u);
 
   std::vector<Index> place(m.points.size());      // the same in random order, where parts would be no regions
   std::iota(place.begin(), place.end(), Index(0));
@@ -189,7 +190,7 @@ TEST(Row_parts, are_as_many_as_rows_allow)
   for (Index_triangle& t : m.triangles)
     for (Index& v : t)
       v = place[v];
-  EXPECT_EQ(row_parts(Finest_level(m).level, options).number_of_parts(), 1u);
+  EXPECT_EQ(level_parts(Finest_level(m).level, options).number_of_parts(), 1u);
 }
 
 TEST(Block_matrix, half_of_it_multiplies_as_the_whole)
@@ -291,7 +292,7 @@ TEST(Block_matrix, sweeps_converge_however_parts_are_joined)
   }
 }
 
-TEST(New_rows_by_part, come_all_once_and_those_of_two_parts_last)
+TEST(Rows_by_part, come_all_once_and_those_of_two_parts_last)
 {
   const Finest_level f(grid(40, 30, wavy), parameters::coarsest_size(20));
   const std::size_t fine = f.level.index(), coarse = fine - 3;
@@ -299,11 +300,15 @@ TEST(New_rows_by_part, come_all_once_and_those_of_two_parts_last)
   const Row_parts parts(f.hierarchy, fine, 4);
   std::vector<Index> rows;
   std::size_t last_inside = 0, first_split = p.fine_size();
-  New_rows_by_part(p, parts).for_each(Loops(), [&](Index row) {
+  const auto is_inside = [&](Index part, Index row) {
     const auto& columns = p.new_row(row).columns;
-    const bool is_inside = std::all_of(columns.begin(), columns.end(),
-                                       [&](Index c) { return parts.part_of(c) == parts.part_of(row); });
-    (is_inside ? last_inside : first_split) = is_inside ? rows.size() : (std::min)(first_split, rows.size());
+    return std::all_of(columns.begin(), columns.end(), [&](Index c) { return parts.part_of(c) == part; });
+  };
+  Rows_by_part(parts, Index(p.coarse_size()), is_inside).for_each(Loops(), [&](Index row) {
+    if (is_inside(parts.part_of(row), row))
+      last_inside = rows.size();
+    else
+      first_split = (std::min)(first_split, rows.size());
     rows.push_back(row);
   });
   EXPECT_LT(last_inside, first_split);

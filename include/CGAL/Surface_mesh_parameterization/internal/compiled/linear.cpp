@@ -24,10 +24,10 @@ template std::unique_ptr<Direct_solver> factorize_hermitian<double>(const Sparse
 template std::unique_ptr<Direct_solver> factorize<double>(Index, const std::vector<Matrix_entry>&);
 template std::unique_ptr<Linear_solver>
 make_multigrid_linear_solver<1>(const Hierarchy_interpolation*, std::shared_ptr<const Sparse_rows<double>>,
-                                std::vector<Mesh_unknown>, const std::vector<Index>&);
+                                std::vector<Mesh_unknown>, const std::vector<Index>&, const Loops&);
 template std::unique_ptr<Linear_solver>
 make_multigrid_linear_solver<2>(const Hierarchy_interpolation*, std::shared_ptr<const Sparse_rows<double>>,
-                                std::vector<Mesh_unknown>, const std::vector<Index>&);
+                                std::vector<Mesh_unknown>, const std::vector<Index>&, const Loops&);
 template std::unique_ptr<Direct_solver> make_own_solver<Default_solver_traits>(const Sparse_rows<double>&);
 template Error_code solve_directly<true>(const Edge_system&, Level::Uv&);
 template Error_code solve_directly<false>(const Edge_system&, Level::Uv&);

@@ -40,6 +40,16 @@ struct Sparse_rows
     first.push_back(Index(columns.size()));
   }
 
+  // Adds rows below the others.
+  void append(const Sparse_rows& rows)
+  {
+    const Index shift = first.back();
+    for (Index i = 1; i < rows.first.size(); ++i)
+      first.push_back(shift + rows.first[i]);
+    columns.insert(columns.end(), rows.columns.begin(), rows.columns.end());
+    values.insert(values.end(), rows.values.begin(), rows.values.end());
+  }
+
   Index number_of_rows() const { return Index(first.size() - 1); }
 
   // Calls f(column, value) for the entries of row i.

@@ -110,7 +110,7 @@ inline Linear_solver_result correct_by_multigrid(const Edge_system& system, cons
   const Hierarchy_interpolation interpolation(level.hierarchy().vertices(), level.index());
   const auto solver =
       make_multigrid_linear_solver<2>(&interpolation, std::make_shared<Sparse_rows<double>>(system.matrix(vertices)),
-                                      std::move(unknowns), {});
+                                      std::move(unknowns), {}, level.loops());
   const std::size_t n = vertices.size();
   Linear_solver_result result = solver->solve({ correction.right_side(), correction.right_side() + n },
                                               { correction.solution(), correction.solution() + n }, options);

@@ -11,9 +11,10 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Galerkin_product.h>
-#include <CGAL/Surface_mesh_parameterization/internal/linear/New_rows_by_part.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Row_parts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Rows_by_part.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/k_cycle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/level_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/v_cycle.h>
 
 #include <algorithm>
@@ -44,7 +45,7 @@ public:
     : m_options(options), m_loops(level.loops()), m_hierarchy(level.hierarchy())
   {
     std::size_t fine = level.index();
-    m_grids.emplace_back(row_parts(level));
+    m_grids.emplace_back(level_parts(level));
     while (fine > 0 && m_hierarchy.number_of_vertices(fine) > options.coarsest_size) {
       const std::size_t coarse = fine > options.groups_per_grid ? fine - options.groups_per_grid : 0;
       const Index coarse_parts =
@@ -204,7 +205,7 @@ private:
     Row_parts parts;
     Block_matrix matrix;
     std::unique_ptr<Pruned_prolongation> prolongation;      // from the next coarser grid
-    std::unique_ptr<New_rows_by_part> new_rows;             // of the prolongation
+    std::unique_ptr<Rows_by_part> new_rows;                 // of the prolongation
     std::unique_ptr<Galerkin_product> galerkin_product;
     Block_vectors right_side, solution;
     Block_vectors right;                        // see Block_matrix::relax_forward()
@@ -217,7 +218,11 @@ private:
                           Index coarse_parts, const Loops& loops)
     {
       prolongation = std::make_unique<Pruned_prolongation>(hierarchy, coarse, fine, loops, Pruning::TRIANGLE);
-      new_rows = std::make_unique<New_rows_by_part>(*prolongation, Row_parts(hierarchy, fine, coarse_parts));
+      const Row_parts rows(hierarchy, fine, coarse_parts);
+      new_rows = std::make_unique<Rows_by_part>(rows, Index(prolongation->coarse_size()), [&](Index part, Index row) {
+        const auto& columns = prolongation->new_row(row).columns;
+        return std::all_of(columns.begin(), columns.end(), [&](Index c) { return rows.part_of(c) == part; });
+      });
     }
   };
 

@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_INCOMPLETE_LU_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/Complex.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
@@ -27,8 +28,8 @@ public:
   // greater than 1, it grows as long as a pivot is less than `least_pivot` times the diagonal entry of its row, but for
   // few times.
   Incomplete_LU(Sparse_rows<Number> matrix, double enlargement,
-                double least_pivot = -(std::numeric_limits<double>::infinity)())
-    : m_matrix(std::move(matrix))
+                double least_pivot = -(std::numeric_limits<double>::infinity)(), const Loops& loops = Loops())
+    : m_loops(loops), m_matrix(std::move(matrix))
   {
     constexpr double growth = 2.5;
     constexpr int most_growths = 5;
@@ -62,8 +63,7 @@ public:
   template <class Vector>
   void multiply(const Vector& x, Vector& y) const
   {
-    for (Index i = 0; i < size(); ++i)
-      y[i] = row_times(i, x);
+    m_loops.for_each(0, size(), [&](Index i) { y[i] = row_times(i, x); });
   }
 
   // Row i of b - A x
@@ -87,8 +87,13 @@ public:
   template <class Vector>
   void relax(const Vector& b, Vector& x, Vector& correction) const
   {
-    for (Index i = 0; i < size(); ++i)
-      correction[i] = residual(i, b, x) - lower_times(i, correction);
+    if (m_loops.has_several_threads()) {
+      m_loops.for_each(0, size(), [&](Index i) { correction[i] = residual(i, b, x); });
+      for (Index i = 0; i < size(); ++i)
+        correction[i] = correction[i] - lower_times(i, correction);
+    } else
+      for (Index i = 0; i < size(); ++i)
+        correction[i] = residual(i, b, x) - lower_times(i, correction);
     for (Index i = size(); i-- > 0;) {
       correction[i] = m_inverse_pivots[i] * (correction[i] - upper_times(i, correction));
       x[i] += correction[i];
@@ -200,6 +205,7 @@ private:
       look_up(m_matrix.columns[k]);
   }
 
+  Loops m_loops;
   Sparse_rows<Number> m_matrix;           // without the diagonal
   std::vector<Index> m_first_upper;     // where in each row the entries above the diagonal begin
   std::vector<Number> m_diagonal;

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_LINEAR_SOLVER_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_LINEAR_SOLVER_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
@@ -49,6 +50,7 @@ struct Linear_solver_options
   // times as long, but where an energy hardly changes with conformal motions, as that of least squares conformal maps,
   // they save more than that in the end.
   std::size_t most_v_cycles = 100;
+  Loops loops;                // of the solver
   bool has_grids = true;      // else matrices are solved without multigrid
   // A matrix is solved without multigrid if more than so many rows are wild, or more than one of so many: the entries
   // beside the diagonal have a sum of absolute values that is greater than this, relative to the diagonal. Each one
@@ -101,17 +103,18 @@ public:
 template <int most_right_sides>
 std::unique_ptr<Linear_solver>
 make_multigrid_linear_solver(const Hierarchy_interpolation* hierarchy, std::shared_ptr<const Sparse_rows<double>> rows,
-                             std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices);
+                             std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices,
+                             const Loops& loops);
 
 typedef decltype(&make_multigrid_linear_solver<1>)   Make_linear_solver;
 
 #ifdef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE
 extern template std::unique_ptr<Linear_solver>
 make_multigrid_linear_solver<1>(const Hierarchy_interpolation*, std::shared_ptr<const Sparse_rows<double>>,
-                                std::vector<Mesh_unknown>, const std::vector<Index>&);
+                                std::vector<Mesh_unknown>, const std::vector<Index>&, const Loops&);
 extern template std::unique_ptr<Linear_solver>
 make_multigrid_linear_solver<2>(const Hierarchy_interpolation*, std::shared_ptr<const Sparse_rows<double>>,
-                                std::vector<Mesh_unknown>, const std::vector<Index>&);
+                                std::vector<Mesh_unknown>, const std::vector<Index>&, const Loops&);
 #endif
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -14,10 +14,12 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 template <int most_right_sides>
 std::unique_ptr<Linear_solver>
 make_multigrid_linear_solver(const Hierarchy_interpolation* hierarchy, std::shared_ptr<const Sparse_rows<double>> rows,
-                             std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices)
+                             std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices,
+                             const Loops& loops)
 {
   return std::make_unique<Multigrid_linear_solver<float, most_right_sides>>(hierarchy, std::move(rows),
-                                                                            std::move(unknowns), tied_vertices);
+                                                                            std::move(unknowns), tied_vertices,
+                                                                            loops);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -34,8 +34,8 @@ public:
 
   // `unknowns[i]` tells where unknown i sits; empty where nobody knows, and then there need be no hierarchy.
   Mesh_system(const Hierarchy_interpolation* hierarchy, std::shared_ptr<const Rows> rows,
-              const std::vector<Mesh_unknown>& unknowns)
-    : m_rows(std::move(rows))
+              const std::vector<Mesh_unknown>& unknowns, const Loops& loops = Loops())
+    : m_loops(loops), m_rows(std::move(rows))
   {
     read_rows();
     m_is_symmetric = has_symmetric_free_part();

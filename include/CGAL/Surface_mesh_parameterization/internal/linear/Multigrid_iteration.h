@@ -111,21 +111,24 @@ private:
   // Writes r, scaled to the size of 1, to the finest grid; returns that scale.
   Value give_to_grid(const Vector& r)
   {
-    Value greatest = Value::zero();
-    for (const Value& value : r)
-      greatest = max(greatest, abs(value));
+    const Value greatest = loops().reduce(0, Index(r.size()), Value::zero(), [&](Index begin, Index end) {
+      Value result = Value::zero();
+      for (Index i = begin; i < end; ++i)
+        result = max(result, abs(r[i]));
+      return result;
+    }, [](Value& a, const Value& b) { a = max(a, b); });
     const Value inverse = quotient(Value::all(1), greatest);
     const std::vector<Index>& unknowns = m_system.free_unknowns();
-    for (std::size_t k = 0; k < unknowns.size(); ++k)
-      set_unknown(m_space.right_side(0), k, r[unknowns[k]] * inverse);
+    loops().for_each(0, Index(unknowns.size()),
+                     [&](Index k) { set_unknown(m_space.right_side(0), k, r[unknowns[k]] * inverse); });
     return m_system.free_part_scale() * greatest;
   }
 
   void add_from_grid(const Value& scale, Vector& x)
   {
     const std::vector<Index>& unknowns = m_system.free_unknowns();
-    for (std::size_t k = 0; k < unknowns.size(); ++k)
-      x[unknowns[k]] += scale * unknown(m_space.solution(0), k);
+    loops().for_each(0, Index(unknowns.size()),
+                     [&](Index k) { x[unknowns[k]] += scale * unknown(m_space.solution(0), k); });
   }
 
   template <class Real>

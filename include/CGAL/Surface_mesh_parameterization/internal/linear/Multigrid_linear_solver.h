@@ -43,8 +43,9 @@ public:
   // `unknowns[i]` tells where unknown i sits; where there are none, all is solved directly, and there need be no
   // hierarchy. At `tied_vertices` there is no unknown, since the values of others give theirs.
   Multigrid_linear_solver(const Hierarchy_interpolation* hierarchy, std::shared_ptr<const Sparse_rows<double>> rows,
-                          std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices = {})
-    : m_system(hierarchy, std::move(rows), unknowns)
+                          std::vector<Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices = {},
+                          const Loops& loops = Loops())
+    : m_system(hierarchy, std::move(rows), unknowns, loops)
   {
     const std::vector<Index>& free_unknowns = m_system.free_unknowns();
     if (!m_system.is_regular() || free_unknowns.empty() || unknowns.empty())
@@ -99,7 +100,7 @@ private:
         if (auto complex = complex_rows(rows)) {
           rows = Sparse_rows<Real>();
           make_if_ready(m_complex_multigrid, hierarchy, complex_unknowns(unknowns), std::move(*complex), tied_vertices,
-                        complex_multigrid_options());
+                        complex_multigrid_options(), m_system.loops());
           return;
         }
     const bool is_in_plane =
@@ -107,7 +108,7 @@ private:
     Scalar_multigrid_options options = is_in_plane ? scalar_multigrid_options_in_plane() : Scalar_multigrid_options();
     if (!m_system.is_symmetric())
       options.least_pivot = -(std::numeric_limits<double>::infinity)();
-    make_if_ready(m_multigrid, hierarchy, unknowns, std::move(rows), tied_vertices, options);
+    make_if_ready(m_multigrid, hierarchy, unknowns, std::move(rows), tied_vertices, options, m_system.loops());
   }
 
   template <class Grids, class... Arguments>

@@ -161,7 +161,8 @@ bool Multigrid_session::make_solver(std::shared_ptr<const Sparse_rows<double>> r
   timer.start();
   m_has_grids = !unknowns.empty();
   m_last_was_direct = false;
-  m_solver = m_make_solver(m_interpolation.get(), std::move(rows), std::move(unknowns), tied_vertices);
+  m_solver =
+      m_make_solver(m_interpolation.get(), std::move(rows), std::move(unknowns), tied_vertices, m_options.loops);
   ++m_summary.setups;
   m_summary.seconds_setup += timer.time();
   return true;

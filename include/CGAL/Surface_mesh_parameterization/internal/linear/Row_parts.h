@@ -5,7 +5,6 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_ROW_PARTS_H
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
-#include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
@@ -20,28 +19,30 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Row_parts
 {
 public:
-  // All rows in one part.
-  explicit Row_parts(std::size_t number_of_rows = 0) : m_ranges{ { { Index(0), Index(number_of_rows) } } } { }
+  // Rows in the order of the input.
+  explicit Row_parts(std::size_t number_of_rows = 0, Index number_of_parts = 1)
+    : m_parts_per_vertex(double(number_of_parts) / double(number_of_rows)), m_ranges(number_of_parts)
+  {
+    collect_ranges(number_of_rows);
+  }
 
   // The rows of a level. A number of parts that is twice as great halves every part.
   Row_parts(const Collapse_hierarchy_3& hierarchy, std::size_t level, Index number_of_parts)
-    : m_hierarchy(&hierarchy), m_parts_per_vertex(double(number_of_parts) / double(input_size(hierarchy))),
+    : m_hierarchy(&hierarchy),
+      m_parts_per_vertex(double(number_of_parts) /
+                         double(hierarchy.number_of_vertices(hierarchy.number_of_levels() - 1))),
       m_ranges(number_of_parts)
   {
-    for (Index row = 0; row < hierarchy.number_of_vertices(level); ++row) {
-      Ranges& ranges = m_ranges[part_of(row)];
-      if (!ranges.empty() && ranges.back().second == row)
-        ++ranges.back().second;
-      else
-        ranges.push_back({ row, row + 1 });
-    }
+    collect_ranges(hierarchy.number_of_vertices(level));
   }
 
   Index number_of_parts() const { return Index(m_ranges.size()); }
 
   Index part_of(Index row) const
   {
-    return number_of_parts() == 1 ? 0 : Index(m_parts_per_vertex * double(m_hierarchy->input_vertex(row)));
+    return number_of_parts() == 1
+               ? 0
+               : Index(m_parts_per_vertex * double(m_hierarchy ? m_hierarchy->input_vertex(row) : row));
   }
 
   // Calls f(part) for every part, by several threads if `loops` has them.
@@ -51,13 +52,22 @@ public:
     loops.for_each_block(0, number_of_parts(), [&](Index part, Index) { f(part); }, 1);
   }
 
-  // Calls f(row) for the rows of a part, from the first to the last.
+  // Calls f(begin, end) for the rows of a part, from the first to the last.
+  template <class Function>
+  void for_each_range(Index part, const Function& f) const
+  {
+    for (const auto& [begin, end] : m_ranges[part])
+      f(begin, end);
+  }
+
+  // Calls f(row) for them.
   template <class Function>
   void for_each_row(Index part, const Function& f) const
   {
-    for (const auto& [begin, end] : m_ranges[part])
+    for_each_range(part, [&](Index begin, Index end) {
       for (Index row = begin; row < end; ++row)
         f(row);
+    });
   }
 
   // The same, from the last to the first.
@@ -72,13 +82,19 @@ public:
 private:
   typedef std::vector<std::pair<Index, Index>>   Ranges;      // of rows, ascending: the first one, and the one after
 
-  static std::size_t input_size(const Collapse_hierarchy_3& hierarchy)
+  void collect_ranges(std::size_t number_of_rows)
   {
-    return hierarchy.number_of_vertices(hierarchy.number_of_levels() - 1);
+    for (Index row = 0; row < number_of_rows; ++row) {
+      Ranges& ranges = m_ranges[part_of(row)];
+      if (!ranges.empty() && ranges.back().second == row)
+        ++ranges.back().second;
+      else
+        ranges.push_back({ row, row + 1 });
+    }
   }
 
   const Collapse_hierarchy_3* m_hierarchy = nullptr;
-  double m_parts_per_vertex = 0;
+  double m_parts_per_vertex;
   std::vector<Ranges> m_ranges;     // of each part
 };
 
@@ -95,30 +111,6 @@ inline Index number_of_parts(std::size_t number_of_rows, const Row_parts_options
   Index result = 1;
   while (number_of_rows / options.rows_of_two_parts >= result * result)
     result *= 2;
-  return result;
-}
-
-// The share of a level's edges that join two parts, by a sample.
-inline double share_of_joints(const Level& level, const Row_parts& parts)
-{
-  constexpr Index step = 16;
-  std::size_t edges = 0, joints = 0;
-  for (Index v = 0; v < level.number_of_vertices(); v += step)
-    for (const Index w : level.one_ring(v)) {
-      ++edges;
-      joints += parts.part_of(v) != parts.part_of(w) ? 1 : 0;
-    }
-  return double(joints) / double(edges);
-}
-
-// The rows of a level in parts; in fewer where these would be no regions, since the input's order does not follow the
-// surface.
-inline Row_parts row_parts(const Level& level, const Row_parts_options& options = Row_parts_options())
-{
-  Index number = number_of_parts(level.number_of_vertices(), options);
-  Row_parts result(level.hierarchy(), level.index(), number);
-  while (number > 1 && share_of_joints(level, result) > options.most_joints)
-    result = Row_parts(level.hierarchy(), level.index(), number /= 2);
   return result;
 }
 

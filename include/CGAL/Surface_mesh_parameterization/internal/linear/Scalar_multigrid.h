@@ -73,24 +73,25 @@ public:
   // input, for the cache. `tied_vertices` have none, but may have some on coarser grids, see Grid_transfer.
   Scalar_multigrid(const Hierarchy_interpolation& hierarchy, const std::vector<Mesh_unknown>& unknowns,
                    Sparse_rows<Number> matrix, const std::vector<Index>& tied_vertices = {},
-                   const Scalar_multigrid_options& options = Scalar_multigrid_options())
+                   const Scalar_multigrid_options& options = Scalar_multigrid_options(), const Loops& loops = Loops())
+    : m_loops(loops)
   {
     std::size_t fine = hierarchy.number_of_levels() - 1;
     const Pruning pruning = hierarchy.has_points() ? options.pruning : Pruning::GREATEST_WEIGHTS;
     const double enlargement = has_positive_entries(matrix) ? options.enlargement_of_diagonal : 1;
-    m_grids.emplace_back(std::move(matrix), enlargement, options.least_pivot);
+    m_grids.emplace_back(std::move(matrix), enlargement, options.least_pivot, loops);
     for (const std::vector<Mesh_unknown>* fine_unknowns = &unknowns;
          fine > 0 && fine_unknowns->size() > options.coarsest_size;) {
       const std::size_t coarse = fine > options.groups_per_grid ? fine - options.groups_per_grid : 0;
-      m_transfers.emplace_back(Pruned_prolongation(hierarchy, coarse, fine, Loops(), pruning), *fine_unknowns,
-                               tied_vertices);
+      m_transfers.emplace_back(Pruned_prolongation(hierarchy, coarse, fine, loops, pruning), *fine_unknowns,
+                               tied_vertices, loops);
       if (m_transfers.back().coarse_unknowns().empty()) {     // the values of all coarse vertices are known
         m_transfers.pop_back();
         break;
       }
-      m_grids.emplace_back(m_transfers.back().template galerkin_product<Number>(m_grids.back()), enlargement,
-                           options.least_pivot);
       fine_unknowns = &m_transfers.back().coarse_unknowns();
+      m_grids.emplace_back(m_transfers.back().template galerkin_product<Number>(m_grids.back()), enlargement,
+                           options.least_pivot, loops);
       fine = coarse;
     }
     factorize_coarsest();
@@ -143,7 +144,7 @@ public:
           const Incomplete_LU<Number>& grid = m_multigrid.m_grids[g];
           const auto product = [](const Value& a, const Value& b) { return double(inner_product(a[0], b[0])); };
           take_second_step<Number>(
-              Loops(), [&](const Vector& x, Vector& ax) { grid.multiply(x, ax); },
+              m_multigrid.m_loops, [&](const Vector& x, Vector& ax) { grid.multiply(x, ax); },
               [&](Index i, const Vector& x) { return product(x[i], grid.row_times(i, x)); }, product,
               [&](const Vector& r, Vector& z) { v_cycle(*this, g, r, z); }, m_solution[g], m_right_side[g],
               m_second_solution[g], m_product[g]);
@@ -185,11 +186,10 @@ public:
     while (g-- > 0) {
       Vector x(m_grids[g].size(), Values<Number, columns>::zero());
       m_transfers[g].add_prolongation(coarse, x);
-      for (Index i = 0; i < x.size(); ++i)
-        space.right_side(g)[i] = m_grids[g].residual(i, space.scratch(g), x);
+      m_loops.for_each(0, Index(x.size()),
+                       [&](Index i) { space.right_side(g)[i] = m_grids[g].residual(i, space.scratch(g), x); });
       cycle(space, g);
-      for (Index i = 0; i < x.size(); ++i)
-        x[i] += space.solution(g)[i];
+      m_loops.for_each(0, Index(x.size()), [&](Index i) { x[i] += space.solution(g)[i]; });
       coarse.swap(x);
     }
     space.solution(0).swap(coarse);
@@ -239,6 +239,7 @@ private:
                                         solution);
   }
 
+  Loops m_loops;
   std::vector<Incomplete_LU<Number>> m_grids;      // finest first
   std::vector<Grid_transfer> m_transfers;        // from the next coarser grid
   std::unique_ptr<Direct_solver> m_direct_solver;
