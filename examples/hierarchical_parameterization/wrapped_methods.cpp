@@ -16,6 +16,8 @@
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 
+#include <CGAL/tags.h>
+
 #include <functional>
 
 namespace {
@@ -25,7 +27,7 @@ template <class Parameterizer>
 SMP::Parameterization_summary run_wrapped(Input& input, const Method_options& options)
 {
   SMP::Parameterization_summary summary;
-  const SMP::Hierarchical_parameterizer_3<Parameterizer> hierarchical(
+  const SMP::Hierarchical_parameterizer_3<Parameterizer, CGAL::Parallel_if_available_tag> hierarchical(
     CGAL::parameters::tolerance(options.tolerance).flip_policy(options.flip_policy).fill_holes(options.fills_holes)
       .summary(std::ref(summary)).number_of_iterations(options.iterations).random_seed(options.seed)
       .visitor(Level_visitor(input, options, "residual")));

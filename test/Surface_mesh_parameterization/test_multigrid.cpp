@@ -125,6 +125,19 @@ TEST(Grid_transfer, restriction_in_parts_is_the_transpose)
   EXPECT_NEAR(product_of_restricted, product, 1e-10);
 }
 
+TEST(Grid_transfer, may_have_no_coarse_unknowns)
+{
+  const Collapse_hierarchy_3 hierarchy = hierarchy_of(grid(120, 110, wavy));
+  const std::size_t fine = hierarchy.number_of_levels() - 1, coarse = fine - 4;
+  std::vector<Mesh_unknown> unknowns;
+  for (const Mesh_unknown& u : some_unknowns(hierarchy, fine))
+    if (u.vertex >= hierarchy.number_of_vertices(coarse))
+      unknowns.push_back(u);
+  ASSERT_GT(internal::number_of_parts(unknowns.size()), 1u);
+  const Grid_transfer transfer(Pruned_prolongation(hierarchy, coarse, fine, Loops()), unknowns);
+  EXPECT_TRUE(transfer.coarse_unknowns().empty());
+}
+
 TEST(Grid_transfer, prolongs_components_apart_and_keeps_constants)
 {
   const Collapse_hierarchy_3 hierarchy = hierarchy_of(disk_with_hole());

@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Kernel/global_functions.h>
+#include <CGAL/tags.h>
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,13 @@ TEST(One_call, gives_the_map_of_the_class)
   EXPECT_TRUE(result.is_ok() && result.converged);
   EXPECT_EQ(by_class.uv(), by_call.uv());
   EXPECT_GT(result.levels.size(), 1u);
+
+#ifdef CGAL_LINKED_WITH_TBB
+  Mapped<Surface_mesh> in_threads(grid_with_holes(20));
+  result = hierarchical_parameterization<MIPS_parameterizer_3, CGAL::Parallel_tag>(in_threads.mesh, in_threads.uvmap);
+  EXPECT_TRUE(result.is_ok());
+  EXPECT_EQ(in_threads.uv(), by_call.uv());
+#endif
 
   result = hierarchical_parameterization<Symmetric_Dirichlet_parameterizer_3>(
       by_call.mesh, by_call.uvmap, parameters::coarsest_size(10000).number_of_iterations(0));

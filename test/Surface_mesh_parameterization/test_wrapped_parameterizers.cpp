@@ -33,6 +33,11 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
 
 #include <gtest/gtest.h>
 
@@ -83,6 +88,23 @@ TYPED_TEST(Wrapped, gives_the_map_of_CGAL)
     check<TypeParam>(mesh);
   }
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+// On grids that threads share by parts.
+TYPED_TEST(Wrapped, is_the_same_for_every_number_of_threads)
+{
+  Surface_mesh mesh = make<Surface_mesh>(grid(120, 110, wavy));
+  Wrapped_map<Surface_mesh> expected(mesh);
+  EXPECT_EQ(expected.parameterize(Hierarchical_parameterizer_3<TypeParam>(), longest_border(mesh)), OK);
+  for (const int threads : { 1, 2, 5 }) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+    Wrapped_map<Surface_mesh> found(mesh);
+    EXPECT_EQ(found.parameterize(Hierarchical_parameterizer_3<TypeParam, CGAL::Parallel_tag>(), longest_border(mesh)),
+              OK);
+    found.expect_same(expected);
+  }
+}
+#endif
 
 TYPED_TEST(Wrapped, leaves_other_components_alone)
 {
@@ -266,6 +288,23 @@ TEST(Wrapped_LSCM, gives_way_to_a_method_without_flips)
   EXPECT_GT(parameterization_quality(mesh, kept.uvmap).flips, 0u);
   EXPECT_FALSE(summary.is_replaced);
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST(Wrapped_LSCM, gives_way_to_the_same_map_in_threads)
+{
+  typedef LSCM_parameterizer_3<Surface_mesh, Ends_of_border<Surface_mesh>>   LSCM;
+  auto mesh = make<Surface_mesh>(tube_with_waves(200, 40));
+  Wrapped_map<Surface_mesh> expected(mesh), found(mesh);
+  Parameterization_summary summary;
+  const auto np = parameters::summary(std::ref(summary));
+  const Ends_of_border<Surface_mesh> border;
+  EXPECT_EQ(expected.parameterize(Hierarchical_parameterizer_3<LSCM>(border, np), longest_border(mesh)), OK);
+  EXPECT_EQ(found.parameterize(Hierarchical_parameterizer_3<LSCM, CGAL::Parallel_tag>(border, np),
+                               longest_border(mesh)), OK);
+  EXPECT_TRUE(summary.is_replaced);
+  found.expect_same(expected);
+}
+#endif
 
 // Where floats leave no room for the tube, that is an error.
 TEST(Wrapped_LSCM, has_no_flips_in_floats)

@@ -95,6 +95,12 @@ struct Wrapped_map
     return true;
   }
 
+  void expect_same(const Wrapped_map& other) const
+  {
+    for (const auto v : vertices(mesh))
+      ASSERT_EQ(get(uvmap, v), get(other.uvmap, v)) << "vertex " << get(vimap, v);
+  }
+
   void expect_equal(const Wrapped_map& other, double tolerance) const
   {
     for (const auto v : vertices(mesh)) {

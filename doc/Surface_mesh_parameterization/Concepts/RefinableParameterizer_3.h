@@ -24,8 +24,9 @@ public:
   /// the mesh type, a model of `FaceListGraph` with an internal vertex point map
   typedef unspecified_type Triangle_mesh;
 
-  /// `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`: whether several threads insert
-  /// vertices
+  /// `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`: whether several threads build
+  /// the hierarchy and insert vertices. Each level is refined by one call of the method, in any case. The tag of
+  /// `Hierarchical_parameterizer_3` may wish threads where this one does not
   typedef unspecified_type Concurrency_tag;
 
   /// whether the method keeps maps flip-free, at least on all levels below the finest. If so, new vertices are inserted

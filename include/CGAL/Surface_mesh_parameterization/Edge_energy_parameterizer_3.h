@@ -47,9 +47,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \tparam EdgeWeights a model of `EdgeWeights_3`
 /// \tparam BorderParameterizer one of CGAL's border parameterizers, a model of `Parameterizer_3` that places the border
 /// only
-/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has for the hierarchy and for weights and
-/// residuals, while the multigrid method runs in one; it needs `CGAL::TBB_support`. The result is the same for every
-/// number of threads
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result
+/// is the same. The factors of the multigrid method's smoother, and sweeps with them, are left to one thread
 template <class TriangleMesh_, class EdgeWeights,
           class BorderParameterizer = Circular_border_arc_length_parameterizer_3<TriangleMesh_>,
           class ConcurrencyTag = Sequential_tag>

@@ -13,6 +13,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/hierarchical_base.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
+#include <CGAL/tags.h>
+
 #include <type_traits>
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -49,12 +51,14 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// \tparam Parameterizer a model of `RefinableParameterizer_3` or of `RebindableParameterizer_3`, or one of CGAL's
 ///         classes that are named above
-template <class Parameterizer>
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result
+///         is the same. What CGAL's classes do themselves, as to assemble a matrix, is left to one thread
+template <class Parameterizer, class ConcurrencyTag = Sequential_tag>
 class Hierarchical_parameterizer_3
 #ifndef DOXYGEN_RUNNING
-  : public internal::Hierarchical_base<Parameterizer>::type
+  : public internal::Hierarchical_base<Parameterizer, ConcurrencyTag>::type
 {
-  typedef typename internal::Hierarchical_base<Parameterizer>::type   Base;
+  typedef typename internal::Hierarchical_base<Parameterizer, ConcurrencyTag>::type   Base;
 
 public:
   typedef typename Base::Triangle_mesh         Triangle_mesh;
@@ -268,13 +272,14 @@ public:
 /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
 ///
 /// \return what the parameterizer returns
-template <class TriangleMesh, class Parameterizer, class Halfedge, class VertexUVMap>
-Error_code parameterize(TriangleMesh& mesh, Hierarchical_parameterizer_3<Parameterizer> parameterizer, Halfedge bhd,
-                        VertexUVMap uvmap)
+template <class TriangleMesh, class Parameterizer, class ConcurrencyTag, class Halfedge, class VertexUVMap>
+Error_code parameterize(TriangleMesh& mesh, Hierarchical_parameterizer_3<Parameterizer, ConcurrencyTag> parameterizer,
+                        Halfedge bhd, VertexUVMap uvmap)
 {
   typedef std::remove_const_t<TriangleMesh>   Mesh;
   typedef std::conjunction<internal::Mesh_check<Mesh>, internal::Halfedge_check<Halfedge, Mesh>,
-                           internal::Same_mesh_check<Hierarchical_parameterizer_3<Parameterizer>, Mesh>>   Check;
+                           internal::Same_mesh_check<Hierarchical_parameterizer_3<Parameterizer, ConcurrencyTag>, Mesh>>
+      Check;
   if constexpr (Check::value)
     return parameterizer.parameterize(mesh, bhd, uvmap);
   else {

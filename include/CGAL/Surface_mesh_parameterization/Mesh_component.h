@@ -63,6 +63,13 @@ public:
       internal::Mesh_check<TriangleMesh>::tell();
   }
 
+  /// \cond SKIP_IN_MANUAL
+  Mesh_component(const TriangleMesh& mesh, halfedge_descriptor bhd, const internal::Loops& loops)
+  {
+    read(mesh, bhd, loops);
+  }
+  /// \endcond
+
   /// `OK`, or what is wrong and where:
   /// - `ERROR_EMPTY_MESH`: the mesh has no face;
   /// - `ERROR_WRONG_PARAMETER`: `bhd` is not a border halfedge, or a point has a coordinate that is not finite;

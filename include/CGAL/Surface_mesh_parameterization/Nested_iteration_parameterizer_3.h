@@ -16,6 +16,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <CGAL/tags.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <memory>
@@ -36,7 +38,9 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `Parameterizer_3`
 ///
 /// \tparam Method_ a model of `RefinableParameterizer_3`
-template <class Method_>
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`, as the
+///         `Concurrency_tag` of the method itself does; the result is the same
+template <class Method_, class ConcurrencyTag = Sequential_tag>
 class Nested_iteration_parameterizer_3
 {
   typedef internal::Checked<internal::Method_check<Method_>, Method_>   Method;
@@ -141,7 +145,9 @@ public:
     typedef std::conjunction<internal::Mesh_check<Triangle_mesh>,
                              internal::Uv_map_check<VertexUVMap, Triangle_mesh>>   Check;
     if constexpr (Check::value) {
-      return internal::run_nested_iteration(m_method, m_setup, m_visitor.get(), mesh, bhd, uvmap, vpmap);
+      return internal::run_nested_iteration(m_method, m_setup, m_visitor.get(),
+                                            internal::Loops::of<typename Method::Concurrency_tag, ConcurrencyTag>(),
+                                            mesh, bhd, uvmap, vpmap);
     } else {
       Check::tell();
       return ERROR_WRONG_PARAMETER;

@@ -67,7 +67,8 @@ public:
     typedef std::conjunction<internal::Mesh_check<Triangle_mesh>,
                              internal::Uv_map_check<VertexUVMap, Triangle_mesh>>   Check;
     if constexpr (Check::value) {
-      return internal::run_nested_iteration(static_cast<Method&>(*this), m_setup, nullptr, mesh, bhd, uvmap, vpmap);
+      return internal::run_nested_iteration(static_cast<Method&>(*this), m_setup, nullptr,
+                                            internal::Loops::of<ConcurrencyTag>(), mesh, bhd, uvmap, vpmap);
     } else {
       Check::tell();
       return ERROR_WRONG_PARAMETER;

@@ -15,6 +15,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/longest_border.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <CGAL/tags.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <functional>
@@ -39,7 +41,8 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// \tparam Method a class template of parameterizers. Its first argument is the mesh, and the others have defaults.
 ///         `Hierarchical_parameterizer_3` must take `Method<TriangleMesh>`. For other arguments write an alias:
-///         `template <class M> using Mine = SMP::MIPS_parameterizer_3<M, CGAL::Parallel_tag>;`
+///         `template <class M> using Mine = SMP::Edge_energy_parameterizer_3<M, My_weights>;`
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, see `Hierarchical_parameterizer_3`
 ///
 /// \param mesh a triangulated surface with a border and without handles, which may be `const`; it is only read
 /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error. For LSCM and the
@@ -49,8 +52,8 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// \return what the run did: the error if there was one, whether the map converged, its energy, the levels, seconds.
 ///         The error of a closed surface is `ERROR_NO_TOPOLOGICAL_DISC`
-template <template <class...> class Method = MIPS_parameterizer_3, class TriangleMesh, class VertexUVMap,
-          class NamedParameters = parameters::Default_named_parameters>
+template <template <class...> class Method = MIPS_parameterizer_3, class ConcurrencyTag = Sequential_tag,
+          class TriangleMesh, class VertexUVMap, class NamedParameters = parameters::Default_named_parameters>
 Parameterization_summary hierarchical_parameterization(TriangleMesh& mesh, VertexUVMap uvmap,
                                                        const NamedParameters& np = parameters::default_values())
 {
@@ -67,7 +70,7 @@ Parameterization_summary hierarchical_parameterization(TriangleMesh& mesh, Verte
     else if (border == boost::graph_traits<Mesh>::null_halfedge())
       result.error.code = ERROR_NO_TOPOLOGICAL_DISC;
     else
-      parameterize(mesh, Hierarchical_parameterizer_3<Method<Mesh>>(with_summary), border, uvmap);
+      parameterize(mesh, Hierarchical_parameterizer_3<Method<Mesh>, ConcurrencyTag>(with_summary), border, uvmap);
     if (Parameterization_summary* const users_summary = internal::summary_of(np))
       *users_summary = result;
   } else

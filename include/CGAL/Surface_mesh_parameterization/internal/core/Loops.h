@@ -27,13 +27,17 @@ public:
   // One thread.
   Loops() = default;
 
-  template <class ConcurrencyTag>
+  // Several threads if one of the tags wishes it.
+  template <class... ConcurrencyTags>
   static Loops of()
   {
+    static_assert((std::is_convertible<ConcurrencyTags, Sequential_tag>::value && ...),
+                  "the tag must be CGAL::Sequential_tag, Parallel_tag or Parallel_if_available_tag");
+    constexpr bool is_parallel = (std::is_convertible<ConcurrencyTags, Parallel_tag>::value || ...);
     Loops result;
-    result.m_is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+    result.m_is_parallel = is_parallel;
 #ifndef CGAL_LINKED_WITH_TBB
-    static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value, "CGAL::Parallel_tag needs TBB: link with CGAL::TBB_support");
+    static_assert(!is_parallel, "CGAL::Parallel_tag needs TBB: link with CGAL::TBB_support");
 #endif
     return result;
   }

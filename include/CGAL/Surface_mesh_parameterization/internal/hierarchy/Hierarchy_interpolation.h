@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
@@ -30,7 +31,8 @@ public:
   Hierarchy_interpolation(const Collapse_hierarchy_3& hierarchy, bool has_unit_edges = false);
 
   // Builds the hierarchy of a surface.
-  Hierarchy_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options);
+  Hierarchy_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options,
+                          const Loops& loops = Loops());
 
   // As of Collapse_hierarchy_3, the coordinates rounded to single precision.
   std::size_t number_of_levels() const { return m_level_vertices.size(); }

@@ -36,19 +36,21 @@ Hierarchy_interpolation::Hierarchy_interpolation(const Collapse_hierarchy_3& hie
   m_points = rounded(hierarchy.points(), hierarchy.point(first_of_input));
 }
 
-inline Vertex_hierarchy build_vertex_hierarchy(Triangulated_surface_3 surface, const Hierarchy_options& options)
+inline Vertex_hierarchy build_vertex_hierarchy(Triangulated_surface_3 surface, const Hierarchy_options& options,
+                                               const Loops& loops)
 {
   std::vector<bool> is_pinned = pinned_vertices(surface, options.is_constrained);
-  return Hierarchy_builder(std::move(surface.points), std::move(is_pinned), surface.triangles, Loops())
-      .build(options, Loops());
+  return Hierarchy_builder(std::move(surface.points), std::move(is_pinned), surface.triangles, loops)
+      .build(options, loops);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Hierarchy_interpolation::Hierarchy_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options)
+Hierarchy_interpolation::Hierarchy_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options,
+                                                 const Loops& loops)
 {
   const std::vector<Rounded_point> points =
       options.has_unit_edges ? std::vector<Rounded_point>() : rounded(surface.points, surface.points.front());
-  const Vertex_hierarchy vertices = build_vertex_hierarchy(std::move(surface), options);
+  const Vertex_hierarchy vertices = build_vertex_hierarchy(std::move(surface), options, loops);
   *this = Hierarchy_interpolation(vertices, vertices.level_vertices.size() - 1);
   if (points.empty())
     return;

@@ -35,6 +35,7 @@ struct Flip_settlement
   Flip_policy policy = Flip_policy::FAIL;
   decltype(&repair_map) repair = nullptr;
   bool may_give_up = false;       // whether the repair may fail early, since another method can take its place
+  Loops loops;                    // of the search for flips
 };
 
 // As named parameters say, or else a repair of maps that may have flips.
@@ -42,9 +43,9 @@ template <bool may_have_flips, class NamedParameters>
 Flip_settlement flip_settlement_of(const NamedParameters& np)
 {
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::flip_policy_t>::value)
-    return { parameters::get_parameter(np, internal_np::flip_policy), &repair_map, false };
+    return { parameters::get_parameter(np, internal_np::flip_policy), &repair_map, false, Loops() };
   else if constexpr (may_have_flips)
-    return { Flip_policy::REPAIR, &repair_map, false };
+    return { Flip_policy::REPAIR, &repair_map, false, Loops() };
   else
     return Flip_settlement();
 }

@@ -138,14 +138,14 @@ Error_code settle_flips(const Flip_settlement& settlement, const One_rings& ring
                         Function_ref<Triangulated_surface_3()> make_surface, std::vector<Point_2>& uv,
                         Parameterization_summary& summary)
 {
-  if (settlement.policy == Flip_policy::KEEP || has_no_flips(rings, uv))
+  if (settlement.policy == Flip_policy::KEEP || has_no_flips(rings, uv, settlement.loops))
     return OK;
   const Numbers_of_turns turns = count_turns(rings, uv);
   summary.flips = turns.flips() > 0 ? turns.flips() : count_windings(rings, uv, turns.right > turns.left);
   if (settlement.policy == Flip_policy::FAIL)
     return ERROR_NO_1_TO_1_MAPPING;
   const Error_code status = settlement.repair(make_surface(), settlement.may_give_up, uv, summary.moved_vertices);
-  return status != OK || has_no_flips(rings, uv) ? status : ERROR_NO_1_TO_1_MAPPING;
+  return status != OK || has_no_flips(rings, uv, settlement.loops) ? status : ERROR_NO_1_TO_1_MAPPING;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

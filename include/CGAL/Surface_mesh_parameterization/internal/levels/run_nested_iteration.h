@@ -40,10 +40,10 @@ class Refinable_method_of final
   : public Refinable_method
 {
 public:
-  explicit Refinable_method_of(Method& method) : m_method(method) { }
+  Refinable_method_of(Method& method, const Loops& loops) : m_method(method), m_loops(loops) { }
 
   bool is_flip_free() const override { return Method::is_flip_free; }
-  Loops loops() const override { return Loops::of<typename Method::Concurrency_tag>(); }
+  Loops loops() const override { return m_loops; }
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) override
   {
     return m_method.parameterize_coarsest(level, uv);
@@ -89,9 +89,11 @@ public:
                           Parameterization_summary& summary) const override
   {
     if constexpr (is_result_flip_free<Method>)
-      return settlement.policy == Flip_policy::KEEP || has_no_flips(rings, uv) ? OK : ERROR_NO_1_TO_1_MAPPING;
+      return settlement.policy == Flip_policy::KEEP || has_no_flips(rings, uv, m_loops) ? OK : ERROR_NO_1_TO_1_MAPPING;
     else {
-      const Error_code status = internal::settle_flips(settlement, rings, make_surface, uv, summary);
+      Flip_settlement settlement_in_threads = settlement;
+      settlement_in_threads.loops = m_loops;
+      const Error_code status = internal::settle_flips(settlement_in_threads, rings, make_surface, uv, summary);
       if (status == OK && settlement.policy != Flip_policy::KEEP)
         mirror_back(rings, uv);
       return status;
@@ -112,6 +114,7 @@ private:
       std::declval<const Level&>(), std::declval<Level::Uv&>(), std::declval<Level_summary&>()));
 
   Method& m_method;
+  Loops m_loops;
 };
 
 // The user's map of a component's surface, in its units. Vertices of the surface that the mesh does not have get
@@ -152,7 +155,7 @@ Parameterization_error add_places_if_readable(const Place_constraints<TriangleMe
 // if all went well. The visitor may be null.
 template <class Method, class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
 Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& setup, Any_hierarchy_visitor* visitor,
-                                const TriangleMesh& mesh,
+                                const Loops& loops, const TriangleMesh& mesh,
                                 typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap,
                                 VertexParameterizedMap vpmap)
 {
@@ -162,7 +165,7 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
   summary = Parameterization_summary();
   CGAL::Real_timer timer;
   timer.start();
-  Mesh_component<TriangleMesh> component(mesh, bhd, typename Method::Concurrency_tag());
+  Mesh_component<TriangleMesh> component(mesh, bhd, loops);
   summary.error = component.error();
   if (summary.error.code == OK)
     summary.error = place_border(method, mesh, bhd, component);
@@ -179,7 +182,7 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
   Nested_iteration_options options_of_run = options;
   options_of_run.round = rounding_to<User_point_2>();
   options_of_run.must_hold_places = !setup.constraints.empty();
-  Refinable_method_of<Method> engine_method(method);
+  Refinable_method_of<Method> engine_method(method, loops);
   std::vector<Point_2> uv;
   if (options.make_starting_map) {
     uv = read_map_if_readable(component, uvmap);

@@ -20,7 +20,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // A symmetric sparse matrix of 2x2 blocks, scaled so that every diagonal block has the trace 2. Each row is stored up
 // to the diagonal only: what is right of it stands transposed in the rows below. So a loop over the rows reads every
 // block once, takes it as the entry of its row, and adds what it contributes to the row above. That is inside a part of
-// the pattern; blocks that join two parts come apart from the others, as each part sees them. So parts run side by side.
+// the pattern; blocks that join two parts come apart from the others, as each part sees them. So parts run side by
+// side.
 //
 // In double precision: an almost conformal map can be changed into another one at a cost of 1e-9 of the diagonal, which
 // single precision does not see. Newton's method stalls with such a matrix, and takes more cycles where only the coarse
@@ -144,19 +145,20 @@ private:
     return Block_vector(y.x + d.x * y.x + d.y * y.y, y.y + d.y * y.x - d.x * y.y);
   }
 
-  // What x[i] has to be so that its diagonal block gives `r`; the damping holds it at its old place. A block that is
-  // hardly definite is shifted by a small multiple of its trace.
+  // What x[i] has to be so that its diagonal block gives `r`. The damping holds it at its old place, and so does a
+  // small multiple of the trace where the block is hardly definite.
   Block_vector relaxed(Index i, Block_vector r, const Block_vector& old) const
   {
     constexpr double least_determinant = 1e-4, shift = 1e-2;
     const Block_vector& d = diagonal[i];
-    const double radius2 = inner_product(d, d), one = (1 - radius2 > least_determinant ? 1 : 1 + shift) + damping[i];
-    r += double(damping[i]) * old;
+    const double radius2 = inner_product(d, d), added = (1 - radius2 > least_determinant ? 0 : shift) + damping[i],
+                 one = 1 + added;
+    r += added * old;
     return Block_vector((one - d.x) * r.x - d.y * r.y, (one + d.x) * r.y - d.y * r.x) / (one * one - radius2);
   }
 
-  // Adds a multiple of the identity to the diagonal blocks, for the sweeps only: half of the norms of what joins the row
-  // to other parts. With D, L and J for the diagonal, what is left of it in the parts, and the joints, a cycle is
+  // Adds a multiple of the identity to the diagonal blocks, for the sweeps only: half of the norms of what joins the
+  // row to other parts. With D, L and J for the diagonal, what is left of it in the parts, and the joints, a cycle is
   // positive definite if the sum of D + L + damping and its transpose is greater than A, that is D + 2 damping > J.
   void damp_joined_rows(const Loops& loops)
   {

@@ -16,16 +16,16 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Where a Block_matrix has blocks.
 struct Block_pattern
 {
-  // A block that joins two parts, as the row in one of them sees it. It is blocks[position], if row < column transposed.
+  // A block that joins two parts, as the row in one of them sees it: blocks[position], transposed if row < column.
   struct Joint { Index row, column, position; };
 
-  // The columns of row i, all less than i, are columns[first[i]] .. columns[first[i + 1] - 1]; those from first_joint[i]
-  // on are of other parts.
+  // The columns of row i, all less than i, are columns[first[i]] .. columns[first[i + 1] - 1]; those from
+  // first_joint[i] on are of other parts.
   std::vector<Index> first, first_joint, columns;
   Row_parts parts;
   Compressed_lists<Joint> joints;      // of each part
 
-  explicit Block_pattern(Row_parts parts_ = Row_parts()) : parts(std::move(parts_)) { }
+  explicit Block_pattern(Row_parts parts_) : parts(std::move(parts_)) { }
 
   Index number_of_rows() const { return Index(first.size()) - 1; }
   bool has_joint(Index row) const { return first_joint[row] != first[row + 1]; }

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -58,7 +59,7 @@ public:
       }
       m_rows.push_back(row);
     }
-    divide_rows(Row_parts(m_rows.size(), number_of_parts(m_rows.size())), prolongation, fine_unknowns);
+    divide_rows(prolongation, fine_unknowns);
   }
 
   const std::vector<Mesh_unknown>& coarse_unknowns() const { return m_coarse_unknowns; }
@@ -95,8 +96,11 @@ public:
     const Index n = Index(m_coarse_unknowns.size());
     const auto transpose =
         Pruned_prolongation::transposed(n, m_rows.size(), [this](Index i) -> const Row& { return m_rows[i]; });
+    constexpr std::size_t expected_row_size = 16;
+    Sparse_rows<Number> result;
+    result.reserve(n, expected_row_size * n);
     return m_loops.reduce_with_scratch(
-        0, n, Sparse_rows<Number>(), [n] { return Product_row<Number>(n); },
+        0, n, std::move(result), [n] { return Product_row<Number>(n); },
         [&](Index begin, Index end, Product_row<Number>& row) {
           Sparse_rows<Number> rows;
           for (Index c = begin; c < end; ++c) {
@@ -166,14 +170,15 @@ private:
     Index m_row = no_index;
   };
 
-  // A coarse unknown belongs to the part of the fine one at its place, and others to the last.
-  void divide_rows(const Row_parts& parts, const Pruned_prolongation& prolongation,
-                   const std::vector<Mesh_unknown>& fine_unknowns)
+  // A coarse unknown belongs to the part of the fine one at its place, and others to the last. Columns of weight 0
+  // count: restrict() adds to them, too.
+  void divide_rows(const Pruned_prolongation& prolongation, const std::vector<Mesh_unknown>& fine_unknowns)
   {
-    const Index number = parts.number_of_parts();
-    std::vector<Index> part_of_coarse(number > 1 ? m_coarse_unknowns.size() : 0, number - 1);
+    const Index number = m_coarse_unknowns.empty() ? 1 : number_of_parts(m_rows.size());
+    const Row_parts parts(m_rows.size(), number);
+    std::vector<Index> part_of_coarse(m_coarse_unknowns.size(), number - 1);
     Index coarse = 0;
-    for (Index i = 0; number > 1 && i < m_rows.size(); ++i)
+    for (Index i = 0; i < m_rows.size(); ++i)
       if (fine_unknowns[i].vertex < prolongation.coarse_size())
         part_of_coarse[coarse++] = parts.part_of(i);
     m_rows_by_part.emplace(parts, 0, [&](Index part, Index row) {

@@ -87,7 +87,7 @@ public:
   template <class Vector>
   void relax(const Vector& b, Vector& x, Vector& correction) const
   {
-    if (m_loops.has_several_threads()) {
+    if (m_loops.has_several_threads()) {      // else one pass does, with the same numbers
       m_loops.for_each(0, size(), [&](Index i) { correction[i] = residual(i, b, x); });
       for (Index i = 0; i < size(); ++i)
         correction[i] = correction[i] - lower_times(i, correction);

@@ -15,12 +15,14 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The rows of a grid in parts, for loops in which a row waits for the one before: those of different parts run side by
-// side. A part has the vertices of a region: a stretch of the hierarchy's input, which is numbered breadth first.
+// side. A part is a stretch of the hierarchy's input, which is a region of the surface where the input is numbered
+// breadth first, as Mesh_component does.
 class Row_parts
 {
 public:
-  // Rows in the order of the input.
-  explicit Row_parts(std::size_t number_of_rows = 0, Index number_of_parts = 1)
+  // Rows in the order of the input. The number of parts must be a power of two: then rounding leads no row beyond the
+  // last part.
+  explicit Row_parts(std::size_t number_of_rows, Index number_of_parts = 1)
     : m_parts_per_vertex(double(number_of_parts) / double(number_of_rows)), m_ranges(number_of_parts)
   {
     collect_ranges(number_of_rows);

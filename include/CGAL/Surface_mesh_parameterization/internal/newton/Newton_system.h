@@ -46,7 +46,8 @@ class Newton_system
 public:
   Newton_system(const Level_energy& energy, const Newton_options& options)
     : m_energy(energy), m_level(energy.level()), m_options(options),
-      m_multigrid(energy.level(), multigrid_options_of(energy)), m_pattern(energy.level().rings(), m_multigrid.parts_of_finest())
+      m_multigrid(energy.level(), multigrid_options_of(energy)),
+      m_pattern(energy.level().rings(), m_multigrid.parts_of_finest())
   {
     m_pattern.give_to(m_multigrid.matrix());
     for (Block_vectors* vectors : { &m_solution, &m_residual, &m_direction })

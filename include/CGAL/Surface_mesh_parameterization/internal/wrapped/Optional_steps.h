@@ -49,7 +49,7 @@ struct Optional_steps
   Error_code (*run_substitute)(const Triangle_mesh&, halfedge_descriptor, const Index_map&, std::vector<Point_2>& uv,
                                Run_progress&, Parameterization_summary&) = nullptr;
 
-  template <class NamedParameters>
+  template <class ConcurrencyTag, class NamedParameters>
   static Optional_steps of(const NamedParameters&)
   {
     using parameters::is_default_parameter;
@@ -60,7 +60,7 @@ struct Optional_steps
         return std::make_shared<Filled_mesh<Triangle_mesh>>(mesh, bhd);
       };
     if constexpr (!std::is_void<Substitute>::value)
-      steps.run_substitute = &run<Substitute>;
+      steps.run_substitute = &run<Substitute, ConcurrencyTag>;
     return steps;
   }
 
@@ -74,7 +74,7 @@ private:
     bool progressed(const Parameterization_progress& of_stage) { return progress.tell(of_stage); }
   };
 
-  template <class Method>
+  template <class Method, class ConcurrencyTag>
   static Error_code run(const Triangle_mesh& mesh, halfedge_descriptor bhd, const Index_map& index,
                         std::vector<Point_2>& uv, Run_progress& progress, Parameterization_summary& summary)
   {
@@ -83,7 +83,7 @@ private:
     constexpr double part_of_rest = 0.9;
     progress.start_stage(part_of_rest);
     const auto np = parameters::summary(std::ref(summary)).visitor(Relay(progress));
-    return Nested_iteration_parameterizer_3<Method>(Method(), np)
+    return Nested_iteration_parameterizer_3<Method, ConcurrencyTag>(Method(), np)
         .parameterize(mesh, bhd, Component_map<Index_map, Point_2>{ index, &uv }, index, is_parameterized);
   }
 };
@@ -94,7 +94,7 @@ struct Optional_steps<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 {
   typedef Names<>   Option_names;
 
-  template <class NamedParameters>
+  template <class ConcurrencyTag, class NamedParameters>
   static Optional_steps of(const NamedParameters&) { return Optional_steps(); }
 };
 

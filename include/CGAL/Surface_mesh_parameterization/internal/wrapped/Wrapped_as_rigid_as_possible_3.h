@@ -17,11 +17,11 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Runs, in the place of CGAL's ARAP_parameterizer_3, the refinable method with the same energy: that one makes its
 // first map and repairs flips with solvers of its own, which cannot be exchanged.
-template <class TriangleMesh_, class BorderParameterizer>
+template <class TriangleMesh_, class BorderParameterizer, class ConcurrencyTag>
 class Wrapped_as_rigid_as_possible_3
-  : public Nested_iteration_parameterizer_3<As_rigid_as_possible_parameterizer_3<TriangleMesh_>>
+  : public Nested_iteration_parameterizer_3<As_rigid_as_possible_parameterizer_3<TriangleMesh_, ConcurrencyTag>>
 {
-  typedef As_rigid_as_possible_parameterizer_3<TriangleMesh_>    Method;
+  typedef As_rigid_as_possible_parameterizer_3<TriangleMesh_, ConcurrencyTag>   Method;
   typedef Nested_iteration_parameterizer_3<Method>               Base;
   typedef parameters::Default_named_parameters                   Default_parameters;
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
@@ -27,6 +28,9 @@ struct Wrapped_options
   decltype(&build_interpolation) build = &build_interpolation;
   std::shared_ptr<Any_hierarchy_visitor> visitor;       // may be null
   Parameterization_summary* summary = nullptr;          // may be null
+
+  const Loops& loops() const { return solver.loops; }
+  void set_loops(const Loops& loops) { solver.loops = flips.loops = loops; }
 };
 
 // The names that all of them take.

@@ -27,11 +27,12 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Runs CGAL's Orbifold_Tutte_parameterizer_3 with the multigrid solver in place of its own, on private vertex indices
 // and a private map, which is copied to the user's if all went well. CGAL's header must not be included here: it has a
 // function that only one source file of a program may define.
-template <class SeamMesh, class SolverTraits>
+template <class SeamMesh, class SolverTraits, class ConcurrencyTag>
 class Wrapped_orbifold_parameterizer_3
-  : public Wrapped_parameterizer_base_3<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
+  : public Wrapped_parameterizer_base_3<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>, ConcurrencyTag>
 {
-  typedef Wrapped_parameterizer_base_3<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>   Base;
+  typedef Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>          Parameterizer;
+  typedef Wrapped_parameterizer_base_3<Parameterizer, ConcurrencyTag>     Base;
 
 public:
   typedef SeamMesh                                                      Triangle_mesh;

@@ -38,12 +38,12 @@ struct Border_parameterizer_type<Parameterizer, std::void_t<typename Parameteriz
 
 // Runs a parameterizer that solves linear systems with the multigrid solver in place of its own. Vertices are numbered
 // breadth first, and the parameterizer writes to private maps, which are copied to the user's if all went well.
-template <class Parameterizer>
+template <class Parameterizer, class ConcurrencyTag>
 class Wrapped_parameterizer_3
-  : public Wrapped_parameterizer_base_3<Parameterizer>, public Border_parameterizer_type<Parameterizer>
+  : public Wrapped_parameterizer_base_3<Parameterizer, ConcurrencyTag>, public Border_parameterizer_type<Parameterizer>
 {
-  typedef Wrapped_parameterizer_base_3<Parameterizer>   Base;
-  typedef Solver_use<Parameterizer>                     Use;
+  typedef Wrapped_parameterizer_base_3<Parameterizer, ConcurrencyTag>   Base;
+  typedef Solver_use<Parameterizer>                                     Use;
 
 public:
   typedef typename Parameterizer::Triangle_mesh                               Triangle_mesh;

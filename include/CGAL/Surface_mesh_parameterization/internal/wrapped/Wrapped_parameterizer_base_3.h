@@ -25,7 +25,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The constructor and the options of a class that runs a parameterizer with the multigrid solver in place of the
 // parameterizer's own.
-template <class Parameterizer>
+template <class Parameterizer, class ConcurrencyTag>
 class Wrapped_parameterizer_base_3
 {
 public:
@@ -101,8 +101,9 @@ private:
     Hierarchy_options hierarchy_defaults;
     hierarchy_defaults.has_unit_edges = Solver_use<Parameterizer>::has_uniform_weights;
     m_options = wrapped_options_of<may_have_flips<Parameterizer>>(np, hierarchy_defaults);
+    m_options.set_loops(Loops::of<ConcurrencyTag>());
     set_direct_solver<Parameterizer>(m_options.solver);
-    m_optional_steps = Optional_steps<Parameterizer>::of(np);
+    m_optional_steps = Optional_steps<Parameterizer>::template of<ConcurrencyTag>(np);
   }
 
   std::function<std::unique_ptr<Parameterizer_with_multigrid>()> m_make;

@@ -54,7 +54,7 @@ public:
   {
     summary() = Parameterization_summary();
     m_timer.start();
-    Mesh_component<TriangleMesh> component(mesh, bhd);
+    Mesh_component<TriangleMesh> component(mesh, bhd, options.loops());
     summary().error = component.error();
     if (error() != OK)
       return;
@@ -135,7 +135,7 @@ public:
     if (m_options.flips.policy == Flip_policy::KEEP)
       return error();
     std::vector<Point_2> map = flat_map(uv);
-    m_rings.emplace(uv.size(), m_surface.triangles);
+    m_rings.emplace().build(uv.size(), m_surface.triangles, m_options.loops());
     Flip_settlement settlement = m_options.flips;
     settlement.may_give_up = has_other_method;
     summary().error.code = internal::settle_flips(
@@ -237,7 +237,7 @@ private:
     Hierarchy_options options = m_options.hierarchy;
     options.progress = &m_progress;
     m_progress.start_stage(part_of_hierarchy);
-    m_interpolation = m_options.build(std::move(m_surface), options, m_options.visitor.get());
+    m_interpolation = m_options.build(std::move(m_surface), options, m_options.loops(), m_options.visitor.get());
     m_surface = std::move(rest);
     summary().seconds_hierarchy += timer.time();
     if (!m_interpolation)

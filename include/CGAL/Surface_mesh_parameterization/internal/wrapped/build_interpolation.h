@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
@@ -17,10 +18,11 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // The hierarchy of a surface as a linear solver needs it. Where no visitor wants to see it, it is built without its
 // faces; else it is null if the visitor has stopped the run, of which the options have the progress.
 std::shared_ptr<const Hierarchy_interpolation>
-build_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options, Any_hierarchy_visitor*);
+build_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options, const Loops& loops,
+                    Any_hierarchy_visitor*);
 std::shared_ptr<const Hierarchy_interpolation>
 build_visited_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options,
-                            Any_hierarchy_visitor* visitor);
+                            const Loops& loops, Any_hierarchy_visitor* visitor);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

@@ -14,17 +14,18 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 std::shared_ptr<const Hierarchy_interpolation>
-build_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options, Any_hierarchy_visitor*)
+build_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options, const Loops& loops,
+                    Any_hierarchy_visitor*)
 {
-  return std::make_shared<const Hierarchy_interpolation>(std::move(surface), options);
+  return std::make_shared<const Hierarchy_interpolation>(std::move(surface), options, loops);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 std::shared_ptr<const Hierarchy_interpolation>
 build_visited_interpolation(Triangulated_surface_3 surface, const Hierarchy_options& options,
-                            Any_hierarchy_visitor* visitor)
+                            const Loops& loops, Any_hierarchy_visitor* visitor)
 {
-  const Collapse_hierarchy_3 hierarchy(std::move(surface), options, Loops());
+  const Collapse_hierarchy_3 hierarchy(std::move(surface), options, loops);
   const bool may_go_on = !options.progress->is_stopped() && visitor->hierarchy_built(hierarchy);
   return may_go_on ? std::make_shared<const Hierarchy_interpolation>(hierarchy, options.has_unit_edges) : nullptr;
 }

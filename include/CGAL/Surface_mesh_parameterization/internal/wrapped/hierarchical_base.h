@@ -27,38 +27,38 @@ struct Base_type
 };
 
 // How a parameterizer is run hierarchically.
-template <class Parameterizer>
+template <class Parameterizer, class ConcurrencyTag>
 constexpr auto hierarchical_base()
 {
   if constexpr (!Shipped_check<Parameterizer>::value)
     return Base_type<Refused<Shipped_check<Parameterizer>>>();
   else if constexpr (is_refinable_parameterizer_v<Parameterizer>)
-    return Base_type<Short_calls<Parameterizer, Nested_iteration_parameterizer_3<Parameterizer>>>();
+    return Base_type<Short_calls<Parameterizer, Nested_iteration_parameterizer_3<Parameterizer, ConcurrencyTag>>>();
   else if constexpr (is_rebindable_parameterizer_v<Parameterizer>)
-    return Base_type<Short_calls<Parameterizer, Wrapped_parameterizer_3<Parameterizer>>>();
+    return Base_type<Short_calls<Parameterizer, Wrapped_parameterizer_3<Parameterizer, ConcurrencyTag>>>();
   else if constexpr (looks_refinable<Parameterizer>)
     return Base_type<Refused<Method_check<Parameterizer>>>();
   else
     return Base_type<Refused<No_parameterizer<Parameterizer>>>();
 }
 
-template <class Parameterizer>
+template <class Parameterizer, class ConcurrencyTag>
 struct Hierarchical_base
 {
-  typedef typename decltype(hierarchical_base<Parameterizer>())::type   type;
+  typedef typename decltype(hierarchical_base<Parameterizer, ConcurrencyTag>())::type   type;
 };
 
-template <class TriangleMesh, class BorderParameterizer, class SolverTraits>
-struct Hierarchical_base<ARAP_parameterizer_3<TriangleMesh, BorderParameterizer, SolverTraits>>
+template <class TriangleMesh, class BorderParameterizer, class SolverTraits, class ConcurrencyTag>
+struct Hierarchical_base<ARAP_parameterizer_3<TriangleMesh, BorderParameterizer, SolverTraits>, ConcurrencyTag>
 {
   typedef Short_calls<ARAP_parameterizer_3<TriangleMesh, BorderParameterizer, SolverTraits>,
-                      Wrapped_as_rigid_as_possible_3<TriangleMesh, BorderParameterizer>>   type;
+                      Wrapped_as_rigid_as_possible_3<TriangleMesh, BorderParameterizer, ConcurrencyTag>>   type;
 };
 
-template <class SeamMesh, class SolverTraits>
-struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
+template <class SeamMesh, class SolverTraits, class ConcurrencyTag>
+struct Hierarchical_base<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>, ConcurrencyTag>
 {
-  typedef Wrapped_orbifold_parameterizer_3<SeamMesh, SolverTraits>   type;
+  typedef Wrapped_orbifold_parameterizer_3<SeamMesh, SolverTraits, ConcurrencyTag>   type;
 };
 
 } // namespace internal
