@@ -252,7 +252,7 @@ TEST(Threads, run_at_the_same_time)
 
 TEST(Threads, do_not_change_the_map)
 {
-  const Flat_mesh m = grid(120, 110, wavy);     // groups of several blocks, two grids of several parts
+  const Flat_mesh m = grid(120, 110, wavy);     // groups of several blocks, two grids of two parts
   const auto mips = map_of<MIPS_parameterizer_3<Surface_mesh>>(m, 1);
   const auto symmetric_dirichlet = map_of<Symmetric_Dirichlet_parameterizer_3<Surface_mesh>>(m, 1);
   for (const int threads : { 1, 2, 5 }) {

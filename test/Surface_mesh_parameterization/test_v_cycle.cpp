@@ -172,9 +172,10 @@ TEST(Row_parts, are_stretches_of_the_input_and_hold_every_row_once)
 TEST(Row_parts, are_as_many_as_rows_allow)
 {
   Row_parts_options options;
+  options.least_rows = 30;
   options.rows_of_two_parts = 100;
   for (const auto& [rows, parts] : std::vector<std::pair<std::size_t, Index>>{
-           { 1, 1 }, { 99, 1 }, { 100, 2 }, { 399, 2 }, { 400, 4 }, { 1600, 8 }, { 100000000, 1024 } })
+           { 1, 1 }, { 29, 1 }, { 30, 2 }, { 399, 2 }, { 400, 4 }, { 1600, 8 }, { 100000000, 1024 } })
     EXPECT_EQ(number_of_parts(rows, options), parts) << rows;
 
   Flat_mesh m = grid(40, 40, wavy);
