@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/Mean_value_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
@@ -86,7 +87,7 @@ TEST(Multigrid_solver_traits, solves_directly_what_has_0_on_the_diagonal)
     a.set_coef(1, 0, 2, true);
     a.set_coef(1, 1, 1, true);
     a.set_coef(2, 2, 3, true);
-    const auto solver = internal::make_multigrid_linear_solver<1>(nullptr, a.rows(), {}, {});
+    const auto solver = internal::make_multigrid_linear_solver<1>(nullptr, a.rows(), {}, {}, internal::Loops());
     const double b[3] = { x[1], 2 * x[0] + x[1], 3 * x[2] };
     double found[3];
     EXPECT_TRUE(solver->solve({ b }, { found }, internal::Linear_solver_options()).is_solved);
@@ -108,7 +109,7 @@ TEST(Multigrid_solver_traits, solves_directly_what_has_next_to_nothing_on_the_di
       a.set_coef(2, 0, scale, true);
       a.set_coef(2, 1, -scale, true);
       a.set_coef(2, 2, nothing * scale, true);
-      const auto solver = internal::make_multigrid_linear_solver<1>(nullptr, a.rows(), {}, {});
+      const auto solver = internal::make_multigrid_linear_solver<1>(nullptr, a.rows(), {}, {}, internal::Loops());
       const double b[3] = { 0.1, 0.3, 0 }, x[3] = { 0.1, 0.1, -0.1 };
       double found[3] = {};
       EXPECT_TRUE(solver->solve({ b }, { found }, internal::Linear_solver_options()).is_solved)
@@ -155,7 +156,7 @@ TEST(Direct_solver, is_exact_where_the_diagonal_is_small)
         }
     }
     const Known_system system(std::move(matrix));
-    const auto solver = internal::make_multigrid_linear_solver<1>(nullptr, system.matrix.rows(), {}, {});
+    const auto solver = internal::make_multigrid_linear_solver<1>(nullptr, system.matrix.rows(), {}, {}, internal::Loops());
     Vector x(n * n);
     const internal::Linear_solver_result result = solver->solve(
         { system.right_side.values().data() }, { x.values().data() }, internal::Linear_solver_options());

@@ -7,6 +7,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
@@ -309,10 +310,11 @@ TEST(Multigrid_session, remembers_what_was_in_vain)
   Multigrid_session session(interpolation, internal::Mesh_unknowns(interpolation->ranks()), options,
                             [](const internal::Hierarchy_interpolation* hierarchy,
                                std::shared_ptr<const internal::Sparse_rows<double>> rows,
-                               std::vector<internal::Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices) {
+                               std::vector<internal::Mesh_unknown> unknowns, const std::vector<Index>& tied_vertices,
+                               const internal::Loops& loops) {
                               made_with_grids += !unknowns.empty();
-                              return internal::make_multigrid_linear_solver<1>(hierarchy, std::move(rows),
-                                                                               std::move(unknowns), tied_vertices);
+                              return internal::make_multigrid_linear_solver<1>(
+                                  hierarchy, std::move(rows), std::move(unknowns), tied_vertices, loops);
                             });
   for (int i = 1; i <= 4; ++i) {
     const Known_system system(edge_matrix(mesh, Uniform_edge_weights_3()));

@@ -40,7 +40,7 @@ void settle_flips_of_component(Mesh_component<TriangleMesh>& component, VertexUV
   std::vector<Point_2> uv = read_map(component, 0, uvmap);
   const One_rings rings(uv.size(), component.surface().triangles);
   summary.error.code = internal::settle_flips(
-      { policy, &repair_map, false }, rings, [&] { return std::move(component.surface()); }, uv, summary);
+      { policy, &repair_map, false, Loops() }, rings, [&] { return std::move(component.surface()); }, uv, summary);
   if (summary.error.code == OK && summary.moved_vertices > 0 && !round_map(rings, rounding_to<User_point_2>(), 0, uv))
     summary.error.code = ERROR_NO_1_TO_1_MAPPING;
   if (summary.error.code == OK && summary.moved_vertices > 0)

@@ -145,15 +145,14 @@ private:
     return Block_vector(y.x + d.x * y.x + d.y * y.y, y.y + d.y * y.x - d.x * y.y);
   }
 
-  // What x[i] has to be so that its diagonal block gives `r`. The damping holds it at its old place, and so does a
-  // small multiple of the trace where the block is hardly definite.
+  // What x[i] has to be so that its diagonal block gives `r`; the damping holds it at its old place. A block that is
+  // hardly definite is shifted by a small multiple of its trace.
   Block_vector relaxed(Index i, Block_vector r, const Block_vector& old) const
   {
     constexpr double least_determinant = 1e-4, shift = 1e-2;
     const Block_vector& d = diagonal[i];
-    const double radius2 = inner_product(d, d), added = (1 - radius2 > least_determinant ? 0 : shift) + damping[i],
-                 one = 1 + added;
-    r += added * old;
+    const double radius2 = inner_product(d, d), one = (1 - radius2 > least_determinant ? 1 : 1 + shift) + damping[i];
+    r += double(damping[i]) * old;
     return Block_vector((one - d.x) * r.x - d.y * r.y, (one + d.x) * r.y - d.y * r.x) / (one * one - radius2);
   }
 
