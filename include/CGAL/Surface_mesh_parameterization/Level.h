@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -153,6 +154,9 @@ public:
   // Asks for a draft of the finest level, or no longer.
   void set_draft(bool yes) { m_is_draft = yes; }
 
+  // From now on, progressed() ends the work on a level when many iterations have left the energy above this.
+  void give_up_above(double energy) { m_greatest_energy = energy; }
+
   const internal::One_rings& rings() const { return m_rings; }
   const internal::Loops& loops() const { return m_loops; }
 
@@ -174,6 +178,7 @@ private:
   const Collapse_hierarchy_3* m_hierarchy;
   std::size_t m_index;
   bool m_is_draft = false;                // what is asked for on the finest level
+  double m_greatest_energy = (std::numeric_limits<double>::infinity)();
   std::vector<Triangle> m_triangles;      // of a level below the finest
   internal::Loops m_loops;
   internal::Run_progress* m_progress;

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/starting_map.h>
 
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -152,16 +153,19 @@ Error_code Nested_iteration::climb_with_borders_apart(Level& level, Level::Uv& u
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::separate_borders_if_that_pays(Level& level, Level::Uv& uv)
 {
-  constexpr double greatest_ratio_of_energies = 1.02;
+  constexpr double greatest_ratio_of_energies = 1.02, hopeless_ratio_of_energies = 2;
   const double covered = covered_part(level.triangles(), uv);
   if (covered > m_overlap_bound)
     return OK;
   Level::Uv free = uv;
   std::vector<Level_summary> levels = m_summary.levels;
+  const double energy = levels.back().energy_end;
+  if (covered > 0)
+    level.give_up_above(hopeless_ratio_of_energies * energy);
   const Error_code status = climb_with_borders_apart(level, uv);
-  const bool pays = status == OK && m_summary.levels.back().energy_end <=
-                                        greatest_ratio_of_energies * levels.back().energy_end;
-  if (pays || covered == 0 || (status != OK && status != ERROR_NO_1_TO_1_MAPPING))
+  level.give_up_above((std::numeric_limits<double>::infinity)());
+  const bool pays = status == OK && m_summary.levels.back().energy_end <= greatest_ratio_of_energies * energy;
+  if (pays || covered == 0 || m_progress.is_stopped())
     return status;
   level.go_to(level.hierarchy().number_of_levels() - 1);
   uv.swap(free);

@@ -53,6 +53,9 @@ public:
   // Infinite if a triangle is not positive and the energy keeps them so.
   double operator()(const Level::Uv& uv) const;
 
+  // The greatest energy of the triangles whose least vertex is the same one.
+  double greatest_of_vertices(const Level::Uv& uv) const;
+
   // Writes the gradient, and the rows of a Hessian that is made positive semidefinite but for a part `indefinite_part`,
   // see Jacobian_hessian.
   void assemble(const Level::Uv& uv, double indefinite_part, Block_vectors& gradient, Block_matrix& hessian) const;

@@ -31,6 +31,13 @@ double Level_energy::operator()(const Level::Uv& uv) const
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+double Level_energy::greatest_of_vertices(const Level::Uv& uv) const
+{
+  return -m_level.loops().min(0, Index(m_level.number_of_vertices()), 0.,
+                              [&](Index v) { return -sum(v, v + 1, uv); });
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Level_energy::assemble(const Level::Uv& uv, double indefinite_part, Block_vectors& gradient,
                             Block_matrix& hessian) const
 {

@@ -201,9 +201,10 @@ private:
         sweep(relaxation);
       const double decrease = step.decrease + step.slack + (before_sweep - m_current);
       decreases.add(decrease, is_regular(step));
-      lull.add(m_current, little(least_decrease));
-      const bool is_at_rest = is_little(decrease, least_decrease) ||
-                              decreases.remainder() <= least_decrease * excess() ||
+      const bool jam = is_jammed();
+      lull.add(m_current, little(jam ? m_options.least_decrease_with_barrier : least_decrease));
+      const bool is_slow = is_little(decrease, least_decrease) || decreases.remainder() <= least_decrease * excess(),
+                 is_at_rest = (is_slow && !jam) ||
                               (m_barrier && lull.number_of_steps() >= m_options.most_steps_without_fall),
                  has_arrived = is_at_rest && !decreases.is_sudden();
       m_summary.converged = has_arrived && (has_barrier(newton) || !is_stuck(step, least_decrease));
@@ -217,6 +218,15 @@ private:
 
   // Whether there is something else to be minimized than the energy.
   bool has_barrier(const Newton_method& newton) const { return m_barrier || newton.turn_barrier().stiffness() > 0; }
+
+  // Whether vertices are wedged between borders that are kept apart, and may still come free: much of a great energy is
+  // at one of them.
+  bool is_jammed() const
+  {
+    return m_barrier && iterations() < m_options.most_steps_in_jam &&
+           m_current > m_options.least_ratio_of_jam * m_energy.minimum() * m_energy.total_weight() &&
+           m_energy.greatest_of_vertices(m_uv) > m_options.least_part_of_jam * m_current;
+  }
 
   // Whether the tolerance is below what energies in doubles tell.
   bool asks_for_last_digits() const { return !m_level.is_draft() && m_refinement.tolerance < m_options.rounding; }

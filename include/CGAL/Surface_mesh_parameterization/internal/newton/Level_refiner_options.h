@@ -42,6 +42,11 @@ struct Level_refiner_options
   // There, too, so many steps in a row that do not lower the energy to less than ever are enough: they gain only what
   // it costs to keep borders apart.
   std::size_t most_steps_without_fall = 20;
+  // Nothing less is enough there, and falls count from `least_decrease_with_barrier` on, while the energy is more than
+  // so many times its minimum, and that part of it at one vertex: then vertices are wedged between borders, which give
+  // way slowly, and what is not put right on a coarse level grows worse on finer ones. But so many steps must do.
+  double least_ratio_of_jam = 5, least_part_of_jam = 0.1;
+  std::size_t most_steps_in_jam = 60;
   // On a surface that can be laid in the plane without distortion the excess has no bound from below. Less of it than
   // this part of the energy is not looked at closer.
   double least_excess = 1e-4;
