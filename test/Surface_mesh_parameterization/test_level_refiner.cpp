@@ -104,6 +104,23 @@ TEST(Level_refiner, leaves_no_more_than_twice_the_tolerance)
   }
 }
 
+// Of the sum it is at least the mean and at most all, which it is nearly where one triangle is about to vanish.
+TEST(Level_energy, tells_the_greatest_part_of_it)
+{
+  const Finest_level f(grid(12, 9, wavy));
+  const Level_energy_of<MIPS_energy_2> energy(f.level, Triangle_weight::ONE);
+  Level::Uv uv = first_map(f.level);
+  const double all = energy(uv), greatest = energy.greatest_of_vertices(uv);
+  EXPECT_GE(greatest, all / double(f.level.number_of_vertices()));
+  EXPECT_LT(greatest, 0.5 * all);
+  const Level::Triangle t = f.level.triangles().front();
+  const Point_2 middle = CGAL::midpoint(uv[t[1]], uv[t[2]]);
+  uv[t[0]] = middle + 1e-9 * (uv[t[0]] - middle);
+  EXPECT_GT(energy.greatest_of_vertices(uv), 0.25 * energy(uv));
+  EXPECT_GT(energy(uv), 1e6 * all);
+  EXPECT_LE(energy.greatest_of_vertices(uv), energy(uv));
+}
+
 TEST(Level_refiner, tells_what_it_did)
 {
   const Finest_level f(grid(12, 9, wavy));
