@@ -6,7 +6,10 @@
 #include "dense_matrices.h"
 #include "test_meshes.h"
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Elimination_order.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Incomplete_LU.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Row_parts.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -16,13 +19,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace test_incomplete_LU {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
 using namespace test_systems;
+using internal::Elimination_order;
 using internal::Incomplete_LU;
+using internal::Loops;
+using internal::Row_parts_options;
+
+// Four parts of 36 rows, whatever joins them; and one.
+const Row_parts_options in_parts{ 10, 4, 1 }, in_one;
+
+Incomplete_LU<double> factors_of(const Eigen::MatrixXd& a, double enlargement_of_diagonal,
+                                 const Row_parts_options& parts)
+{
+  return Incomplete_LU<double>(sparse(a), enlargement_of_diagonal, -(std::numeric_limits<double>::infinity)(), Loops(),
+                               parts);
+}
 
 Eigen::MatrixXd inverse_of(const Incomplete_LU<double>& factors)
 {
@@ -67,28 +85,32 @@ TEST(Incomplete_LU, is_exact_without_fill_in)
 
 TEST(Incomplete_LU, keeps_the_matrix_itself)
 {
-  const Eigen::MatrixXd a = laplacian(5, false);
-  const Incomplete_LU<double> factors(sparse(a), enlargement);
-  const Values zero(25, Value::zero());
-  const Eigen::MatrixXd residuals = matrix_of(25, [&](const Values& x) {
-    Values r(25);
-    for (Index i = 0; i < 25; ++i)
-      r[i] = factors.residual(i, zero, x);
-    return r;
-  });
-  EXPECT_NEAR((residuals + a).norm(), 0, 1e-14);
-  for (Index i = 0; i < 25; ++i) {
-    Eigen::VectorXd row = Eigen::VectorXd::Zero(25);
-    row[i] = factors.diagonal(i);
-    factors.for_each_entry(i, [&](Index column, double value) { row[column] += value; });
-    EXPECT_EQ(row, a.row(i).transpose());
+  const Eigen::MatrixXd a = laplacian(6, false);
+  for (const Row_parts_options& parts : { in_one, in_parts }) {
+    const Incomplete_LU<double> factors = factors_of(a, enlargement, parts);
+    const Values zero(36, Value::zero());
+    const Eigen::MatrixXd residuals = matrix_of(36, [&](const Values& x) {
+      Values r(36);
+      for (Index i = 0; i < 36; ++i)
+        r[i] = factors.residual(i, zero, x);
+      return r;
+    });
+    EXPECT_NEAR((residuals + a).norm(), 0, 1e-14);
+    for (Index i = 0; i < 36; ++i) {
+      Eigen::VectorXd row = Eigen::VectorXd::Zero(36);
+      row[i] = factors.diagonal(i);
+      factors.for_each_entry(i, [&](Index column, double value) { row[column] += value; });
+      EXPECT_EQ(row, a.row(i).transpose());
+    }
   }
 }
 
 TEST(Incomplete_LU, smoother_of_a_symmetric_matrix_is_symmetric)
 {
-  const Eigen::MatrixXd smoother = inverse_of(Incomplete_LU<double>(sparse(laplacian(6, true)), enlargement));
-  EXPECT_NEAR((smoother - smoother.transpose()).norm(), 0, 1e-12 * smoother.norm());
+  for (const Row_parts_options& parts : { in_one, in_parts }) {
+    const Eigen::MatrixXd smoother = inverse_of(factors_of(laplacian(6, true), enlargement, parts));
+    EXPECT_NEAR((smoother - smoother.transpose()).norm(), 0, 1e-12 * smoother.norm());
+  }
 }
 
 // With an unknown in the middle that is joined with all others.
@@ -108,17 +130,66 @@ Eigen::MatrixXd with_hub(Eigen::MatrixXd a)
 // Which is what makes it incomplete: L U agrees with what is factorized where that has entries.
 TEST(Incomplete_LU, factors_agree_with_the_matrix_on_its_pattern)
 {
-  for (const Eigen::MatrixXd& matrix : { laplacian(6, false), with_hub(laplacian(15, false)) }) {
-    const Eigen::MatrixXd a = enlarged(matrix),
-                          product = inverse_of(Incomplete_LU<double>(sparse(matrix), enlargement)).inverse();
-    double fill_in = 0;
-    for (Eigen::Index i = 0; i < a.rows(); ++i)
-      for (Eigen::Index j = 0; j < a.cols(); ++j)
-        if (a(i, j) != 0)
-          EXPECT_NEAR(product(i, j), a(i, j), 1e-12 * a.diagonal().maxCoeff());
-        else
-          fill_in = (std::max)(fill_in, std::abs(product(i, j)));
-    EXPECT_GT(fill_in, 1e-3);
+  for (const Eigen::MatrixXd& matrix : { laplacian(6, false), with_hub(laplacian(15, false)) })
+    for (const Row_parts_options& parts : { in_one, in_parts }) {
+      const Eigen::MatrixXd a = enlarged(matrix),
+                            product = inverse_of(factors_of(matrix, enlargement, parts)).inverse();
+      double fill_in = 0;
+      for (Eigen::Index i = 0; i < a.rows(); ++i)
+        for (Eigen::Index j = 0; j < a.cols(); ++j)
+          if (a(i, j) != 0)
+            EXPECT_NEAR(product(i, j), a(i, j), 1e-12 * a.diagonal().maxCoeff());
+          else
+            fill_in = (std::max)(fill_in, std::abs(product(i, j)));
+      EXPECT_GT(fill_in, 1e-3);
+    }
+}
+
+// Whatever the order is, rows of two parts do not meet, and of two rows that meet the later one comes later.
+TEST(Elimination_order, lets_parts_be_eliminated_side_by_side)
+{
+  const Eigen::MatrixXd a = laplacian(12, false);
+  Eigen::MatrixXd one_way = a;        // an entry need not have one across the diagonal
+  for (Eigen::Index i = 0; i < a.rows(); ++i)
+    for (Eigen::Index j = 0; j < i; ++j)
+      one_way(i, j) = (i + j) % 3 == 0 ? 0 : a(i, j);
+  for (const Eigen::MatrixXd& matrix : { a, one_way }) {
+    const Elimination_order order(sparse(matrix), Row_parts_options{ 10, 16, 1 });
+    ASSERT_EQ(order.number_of_parts(), 4u);
+    std::vector<Index> forward, backward;
+    order.for_each(Loops(), [&](Index row) { forward.push_back(row); });
+    order.for_each_backward(Loops(), [&](Index row) { backward.push_back(row); });
+    ASSERT_EQ(forward.size(), 144u);
+    const auto is_before = [&](Index i, Index j) { return order.is_before(i, j); };
+    EXPECT_TRUE(std::is_sorted(forward.begin(), forward.end(), is_before));
+    std::vector<Index> sorted = forward;
+    std::sort(sorted.begin(), sorted.end());
+    for (Index i = 0; i < 144; ++i)
+      EXPECT_EQ(sorted[i], i);
+
+    const auto place_in = [](const std::vector<Index>& rows, Index row) {
+      return std::find(rows.begin(), rows.end(), row) - rows.begin();
+    };
+    for (Index i = 0; i < 144; ++i)
+      for (Index j = 0; j < 144; ++j)
+        if (i != j && matrix(i, j) != 0) {
+          EXPECT_EQ(order.is_before(i, j), place_in(forward, i) < place_in(forward, j));
+          EXPECT_EQ(order.is_before(i, j), place_in(backward, i) > place_in(backward, j));
+          const bool are_in_one_part = i * 4 / 144 == j * 4 / 144;
+          EXPECT_TRUE(are_in_one_part || order.is_separator(i) || order.is_separator(j));
+        }
+  }
+}
+
+// Where too many rows would separate them, there is but one part, and so there is of few rows.
+TEST(Elimination_order, has_parts_if_that_pays)
+{
+  const auto rows = sparse(laplacian(12, false));
+  for (const Row_parts_options& options : { Row_parts_options{ 10, 8, 0.05 }, Row_parts_options{ 145, 8, 1 } }) {
+    const Elimination_order order(rows, options);
+    EXPECT_EQ(order.number_of_parts(), 1u);
+    EXPECT_TRUE(order.separators().empty());
+    EXPECT_TRUE(order.is_before(3, 4) && !order.is_before(4, 3));
   }
 }
 
@@ -141,15 +212,17 @@ TEST(Incomplete_LU, is_positive_definite_if_pivots_must_not_be_small)
 TEST(Incomplete_LU, relaxation_adds_the_solution_for_the_residual)
 {
   const Eigen::MatrixXd a = laplacian(6, false);
-  const Incomplete_LU<double> factors(sparse(a), enlargement);
-  const Eigen::MatrixXd smoother = inverse_of(factors);
-  const Values zero(36, Value::zero());
-  const Eigen::MatrixXd iteration = matrix_of(36, [&](const Values& start) {
-    Values x = start, scratch(36);
-    factors.relax(zero, x, scratch);
-    return x;
-  });
-  EXPECT_NEAR((iteration - (Eigen::MatrixXd::Identity(36, 36) - smoother * a)).norm(), 0, 1e-12);
+  for (const Row_parts_options& parts : { in_one, in_parts }) {
+    const Incomplete_LU<double> factors = factors_of(a, enlargement, parts);
+    const Eigen::MatrixXd smoother = inverse_of(factors);
+    const Values zero(36, Value::zero());
+    const Eigen::MatrixXd iteration = matrix_of(36, [&](const Values& start) {
+      Values x = start, scratch(36);
+      factors.relax(zero, x, scratch);
+      return x;
+    });
+    EXPECT_NEAR((iteration - (Eigen::MatrixXd::Identity(36, 36) - smoother * a)).norm(), 0, 1e-12);
+  }
 }
 
 } // namespace test_incomplete_LU

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/number_utils.h>
 
 #include <gtest/gtest.h>

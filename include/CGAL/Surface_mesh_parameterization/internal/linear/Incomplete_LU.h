@@ -8,6 +8,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Elimination_order.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Row_parts.h>
 
 #include <algorithm>
 #include <limits>
@@ -28,8 +30,9 @@ public:
   // greater than 1, it grows as long as a pivot is less than `least_pivot` times the diagonal entry of its row, but for
   // few times.
   Incomplete_LU(Sparse_rows<Number> matrix, double enlargement,
-                double least_pivot = -(std::numeric_limits<double>::infinity)(), const Loops& loops = Loops())
-    : m_loops(loops), m_matrix(std::move(matrix))
+                double least_pivot = -(std::numeric_limits<double>::infinity)(), const Loops& loops = Loops(),
+                const Row_parts_options& options = Row_parts_options())
+    : m_loops(loops), m_matrix(std::move(matrix)), m_order(m_matrix, options)
   {
     constexpr double growth = 2.5;
     constexpr int most_growths = 5;
@@ -77,27 +80,19 @@ public:
   template <class Vector>
   void solve(const Vector& b, Vector& x) const
   {
-    for (Index i = 0; i < size(); ++i)
-      x[i] = b[i] - lower_times(i, x);
-    for (Index i = size(); i-- > 0;)
-      x[i] = m_inverse_pivots[i] * (x[i] - upper_times(i, x));
+    m_order.for_each(m_loops, [&](Index i) { x[i] = b[i] - lower_times(i, x); });
+    m_order.for_each_backward(m_loops, [&](Index i) { x[i] = m_inverse_pivots[i] * (x[i] - upper_times(i, x)); });
   }
 
   // x := x + (L U)^-1 (b - A x)
   template <class Vector>
   void relax(const Vector& b, Vector& x, Vector& correction) const
   {
-    if (m_loops.has_several_threads()) {      // else one pass does, with the same numbers
-      m_loops.for_each(0, size(), [&](Index i) { correction[i] = residual(i, b, x); });
-      for (Index i = 0; i < size(); ++i)
-        correction[i] = correction[i] - lower_times(i, correction);
-    } else
-      for (Index i = 0; i < size(); ++i)
-        correction[i] = residual(i, b, x) - lower_times(i, correction);
-    for (Index i = size(); i-- > 0;) {
+    m_order.for_each(m_loops, [&](Index i) { correction[i] = residual(i, b, x) - lower_times(i, correction); });
+    m_order.for_each_backward(m_loops, [&](Index i) {
       correction[i] = m_inverse_pivots[i] * (correction[i] - upper_times(i, correction));
       x[i] += correction[i];
-    }
+    });
   }
 
 private:
@@ -122,24 +117,29 @@ private:
     return sum;
   }
 
-  // Takes the diagonal out of the rows, whose columns are ascending.
+  // Takes the diagonal out of the rows, and puts their other columns in the order of elimination.
   void split_rows()
   {
     m_diagonal.assign(size(), 0);
     m_first_upper.resize(size());
+    std::vector<std::pair<Index, Number>> row;
+    const auto is_before = [this](const auto& a, const auto& b) { return m_order.is_before(a.first, b.first); };
     Index end = 0;
     for (Index i = 0; i < size(); ++i) {
       const Index begin = std::exchange(m_matrix.first[i], end);
-      m_first_upper[i] = end;
-      for (Index k = begin; k < m_matrix.first[i + 1]; ++k) {
-        const Index column = m_matrix.columns[k];
-        if (column == i) {
+      row.clear();
+      for (Index k = begin; k < m_matrix.first[i + 1]; ++k)
+        if (m_matrix.columns[k] == i)
           m_diagonal[i] = m_matrix.values[k];
-          continue;
-        }
+        else
+          row.emplace_back(m_matrix.columns[k], m_matrix.values[k]);
+      if (!std::is_sorted(row.begin(), row.end(), is_before))
+        std::sort(row.begin(), row.end(), is_before);
+      m_first_upper[i] = end;
+      for (const auto& [column, value] : row) {
         m_matrix.columns[end] = column;
-        m_matrix.values[end++] = m_matrix.values[k];
-        if (column < i)
+        m_matrix.values[end++] = value;
+        if (m_order.is_before(column, i))
           m_first_upper[i] = end;
       }
     }
@@ -161,9 +161,9 @@ private:
     const std::vector<Index> &first = m_matrix.first, &columns = m_matrix.columns;
     m_factors = m_matrix.values;
     m_inverse_pivots.resize(size());
-    std::vector<Index> position(size(), no_index);      // of a column in row i
     constexpr Index great_factor = 8;
-    for (Index i = 0; i < size(); ++i) {
+    const auto make_position = [this] { return std::vector<Index>(size(), no_index); };     // of a column in row i
+    m_order.for_each_with_scratch(m_loops, make_position, [&](Index i, std::vector<Index>& position) {
       Number pivot = Number(enlargement) * m_diagonal[i];
       for (Index k = first[i]; k < first[i + 1]; ++k)
         position[columns[k]] = k;
@@ -186,17 +186,18 @@ private:
       for (Index k = first[i]; k < first[i + 1]; ++k)
         position[columns[k]] = no_index;
       m_inverse_pivots[i] = Number(1) / pivot;
-    }
+    });
   }
 
-  // Calls f(l) for those of the entries l from `begin` to `end`, whose columns are ascending, that lie in a column of
-  // row i behind that of its entry k, or in column i. In the row of a vertex of high valence there are few.
+  // Calls f(l) for those of the entries l from `begin` to `end`, a stretch of a row, that lie in a column of row i
+  // behind that of its entry k, or in column i. In the row of a vertex of high valence there are few.
   template <class Function>
   void for_each_common_column(Index i, Index k, Index begin, Index end, const Function& f) const
   {
     const auto columns = m_matrix.columns.begin();
     const auto look_up = [&](Index column) {
-      const auto found = std::lower_bound(columns + begin, columns + end, column);
+      const auto found = std::lower_bound(columns + begin, columns + end, column,
+                                          [this](Index a, Index b) { return m_order.is_before(a, b); });
       if (found != columns + end && *found == column)
         f(Index(found - columns));
     };
@@ -206,8 +207,9 @@ private:
   }
 
   Loops m_loops;
-  Sparse_rows<Number> m_matrix;           // without the diagonal
-  std::vector<Index> m_first_upper;     // where in each row the entries above the diagonal begin
+  Sparse_rows<Number> m_matrix;           // without the diagonal; the columns of each row in the order of elimination
+  Elimination_order m_order;
+  std::vector<Index> m_first_upper;       // where in each row the columns behind the diagonal begin
   std::vector<Number> m_diagonal;
   std::vector<Number> m_factors;          // in the places of the matrix's entries: L, whose diagonal is 1, and U
   std::vector<Number> m_inverse_pivots;   // of the diagonal of U
