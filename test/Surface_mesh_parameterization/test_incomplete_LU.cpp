@@ -113,12 +113,12 @@ TEST(Incomplete_LU, smoother_of_a_symmetric_matrix_is_symmetric)
   }
 }
 
-// With an unknown in the middle that is joined with all others.
-Eigen::MatrixXd with_hub(Eigen::MatrixXd a)
+// With an unknown that is joined with most of those from `first` on.
+Eigen::MatrixXd with_hub(Eigen::MatrixXd a, Eigen::Index hub, Eigen::Index first)
 {
   Random random(3);
-  const Eigen::Index n = a.rows(), hub = n / 2;
-  for (Eigen::Index i = 0; i < n; ++i)
+  const Eigen::Index n = a.rows();
+  for (Eigen::Index i = first; i < n; ++i)
     if (i != hub && i % 5 != 0) {
       a(hub, i) = random(-0.1, -0.05);
       a(i, hub) = random(-0.1, -0.05);
@@ -130,8 +130,10 @@ Eigen::MatrixXd with_hub(Eigen::MatrixXd a)
 // Which is what makes it incomplete: L U agrees with what is factorized where that has entries.
 TEST(Incomplete_LU, factors_agree_with_the_matrix_on_its_pattern)
 {
-  for (const Eigen::MatrixXd& matrix : { laplacian(6, false), with_hub(laplacian(15, false)) })
-    for (const Row_parts_options& parts : { in_one, in_parts }) {
+  const Row_parts_options in_halves{ 10, 100, 1 };
+  for (const Eigen::MatrixXd& matrix : { laplacian(6, false), with_hub(laplacian(15, false), 112, 0),
+                                         with_hub(laplacian(16, false), 150, 128) })
+    for (const Row_parts_options& parts : { in_one, in_parts, in_halves }) {
       const Eigen::MatrixXd a = enlarged(matrix),
                             product = inverse_of(factors_of(matrix, enlargement, parts)).inverse();
       double fill_in = 0;
