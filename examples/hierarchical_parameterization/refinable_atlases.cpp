@@ -21,18 +21,12 @@ namespace {
 
 typedef CGAL::Parallel_if_available_tag   Tag;
 
-template <class ChartMesh>
-using MIPS = SMP::MIPS_parameterizer_3<ChartMesh, Tag>;
-
-template <class ChartMesh>
-using Symmetric_Dirichlet = SMP::Symmetric_Dirichlet_parameterizer_3<ChartMesh, Tag>;
-
 template <class EdgeWeights>
 struct Edge_energy
 {
   template <class ChartMesh>
-  using Method = SMP::Edge_energy_parameterizer_3<
-      ChartMesh, EdgeWeights, SMP::Circular_border_arc_length_parameterizer_3<ChartMesh>, Tag>;
+  using Method = SMP::Edge_energy_parameterizer_3<ChartMesh, EdgeWeights,
+                                                  SMP::Circular_border_arc_length_parameterizer_3<ChartMesh>>;
 };
 
 // Such a method knows how to keep the charts' borders apart, and does.
@@ -52,12 +46,12 @@ SMP::Atlas_summary minimize(const Atlas_mesh& atlas, const Method_options& optio
 
 SMP::Atlas_summary run_mips_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return minimize_distortion<MIPS>(atlas, options);
+  return minimize_distortion<SMP::MIPS_parameterizer_3>(atlas, options);
 }
 
 SMP::Atlas_summary run_symmetric_dirichlet_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return minimize_distortion<Symmetric_Dirichlet>(atlas, options);
+  return minimize_distortion<SMP::Symmetric_Dirichlet_parameterizer_3>(atlas, options);
 }
 
 SMP::Atlas_summary run_arap_atlas(const Atlas_mesh& atlas, const Method_options& options)

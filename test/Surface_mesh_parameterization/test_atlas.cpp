@@ -11,6 +11,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
@@ -371,13 +372,21 @@ TEST(Atlas, tells_the_chart_of_each_face)
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
+template <template <class...> class Method>
+void expect_same_with_several_threads(const Flat_mesh& m)
+{
+  Surface one(m), several(m);
+  ASSERT_TRUE(atlas_parameterization<Method>(one.mesh, one.uv).is_ok());
+  ASSERT_TRUE((atlas_parameterization<Method, CGAL::Parallel_tag>(several.mesh, several.uv).is_ok()));
+  EXPECT_EQ(one.corners(), several.corners());
+}
+
+// One chart is large enough for threads of its own.
 TEST(Atlas, is_the_same_with_several_threads)
 {
-  Surface one(uncut_surfaces().back().mesh), several(uncut_surfaces().back().mesh);
-  ASSERT_TRUE(atlas_parameterization(one.mesh, one.uv).is_ok());
-  ASSERT_TRUE((atlas_parameterization<Symmetric_Dirichlet_parameterizer_3, CGAL::Parallel_tag>(several.mesh, several.uv)
-                   .is_ok()));
-  EXPECT_EQ(one.corners(), several.corners());
+  expect_same_with_several_threads<Symmetric_Dirichlet_parameterizer_3>(uncut_surfaces().back().mesh);
+  expect_same_with_several_threads<Symmetric_Dirichlet_parameterizer_3>(grid(60, 60, wavy));
+  expect_same_with_several_threads<LSCM_parameterizer_3>(grid(60, 60, wavy));
 }
 #endif
 

@@ -57,8 +57,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// algorithms for energy minimization in vision*, 2004.
 ///
 /// \tparam Method a class template of parameterizers, as of `hierarchical_parameterization()`
-/// \tparam ConcurrencyTag `CGAL::Parallel_tag` cuts several components side by side, then lays out several charts, and
-///         needs `CGAL::TBB_support`; the result is the same
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` cuts several components side by side, then lays out several charts, each
+///         with the threads that are left, and needs `CGAL::TBB_support`; the result is the same
 ///
 /// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; it is only read
 /// \param uvmap a writable property map from halfedges to points of the plane. Untouched on an error, except that of a
@@ -124,8 +124,8 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
     result.chart_of_face = internal::chart_of_face(atlas);
     result.seconds_cut = timer.time();
 
-    std::vector<bool> has_map = internal::parameterize_charts<Method>(
-        atlas, np_of_charts, options.cut, options.overlap_bound, loops, result);
+    std::vector<bool> has_map = internal::parameterize_charts<Method, ConcurrencyTag>(
+        atlas, np_of_charts, options.cut, options.overlap_bound, result);
     result.seconds_parameterize = timer.time() - result.seconds_cut;
 
     if (result.error.code != ERROR_STOPPED) {

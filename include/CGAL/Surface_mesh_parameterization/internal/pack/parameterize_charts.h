@@ -56,7 +56,7 @@ auto with_options(const NamedParameters& np, [[maybe_unused]] double overlap_bou
 }
 
 // Parameterizes charts, and divides those whose maps lie over themselves by more than a bound.
-template <template <class...> class Method, class NamedParameters>
+template <template <class...> class Method, class ConcurrencyTag, class NamedParameters>
 class Chart_parameterizer
 {
 public:
@@ -105,8 +105,8 @@ private:
       summary.error.code = ERROR_NO_TOPOLOGICAL_DISC;
     else {
       const auto uvmap = mesh.add_property_map<Chart_mesh::Vertex_index, Point_2>("v:uv").first;
-      summary = hierarchical_parameterization<Method>(mesh, uvmap,
-                                                      with_options<Method<Chart_mesh>>(m_np, overlap_bound));
+      summary = hierarchical_parameterization<Method, ConcurrencyTag>(
+          mesh, uvmap, with_options<Method<Chart_mesh>>(m_np, overlap_bound));
       if (summary.is_ok()) {
         part.uv.assign(uvmap.begin(), uvmap.end());
         scale_to_area_in_space(part.mesh, part.uv);
@@ -125,11 +125,11 @@ private:
 
 // Parameterizes all charts, unless a visitor stops the run, and divides them where that is needed. Returns which have a
 // map.
-template <template <class...> class Method, class NamedParameters>
+template <template <class...> class Method, class ConcurrencyTag, class NamedParameters>
 std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, const Cut_options& cut_options,
-                                      double overlap_bound, const Loops& loops, Atlas_summary& result)
+                                      double overlap_bound, Atlas_summary& result)
 {
-  Chart_parameterizer<Method, NamedParameters> parameterizer(np, cut_options, overlap_bound);
+  Chart_parameterizer<Method, ConcurrencyTag, NamedParameters> parameterizer(np, cut_options, overlap_bound);
   std::vector<Parts_with_map> parts(atlas.charts.size());
   const auto make_scratch = [&] { return std::vector<Index>(atlas.mesh.number_of_vertices(), no_index); };
   const auto parameterize = [&](Index begin, Index end, std::vector<Index>& scratch) {
@@ -138,7 +138,7 @@ std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, c
       parameterizer(Chart_part{ i, faces, component_of(atlas.mesh, faces, scratch), {} }, parts[i]);
     }
   };
-  loops.for_each_block_with_scratch(0, Index(atlas.charts.size()), make_scratch, parameterize, 1);
+  Loops::of<ConcurrencyTag>().for_each_block_with_scratch(0, Index(atlas.charts.size()), make_scratch, parameterize, 1);
   return take_parts(parts, atlas, result);
 }
 
