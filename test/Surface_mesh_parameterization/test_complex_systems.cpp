@@ -16,11 +16,13 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Direct_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Krylov_methods.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Row_parts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Scalar_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/complex_rows.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -178,18 +180,54 @@ TEST(Hermitian_factorization, takes_symmetric_matrices_that_are_not_complex)
 }
 
 // As a preconditioner of conjugate gradients must be, and linear for complex factors.
+// One for each row of complex_rows() of its matrix.
+std::vector<Mesh_unknown> unknowns_of(const Flat_mesh& m, const Collapse_hierarchy_3& hierarchy)
+{
+  std::vector<Index> rank_of(m.points.size());
+  for (Index rank = 0; rank < m.points.size(); ++rank)
+    rank_of[hierarchy.input_vertex(rank)] = rank;
+  std::vector<Mesh_unknown> result;
+  for (Index v = 1; v + 1 < m.points.size(); ++v)
+    result.push_back({ rank_of[v], 0 });
+  return result;
+}
+
+// With default options, this many unknowns are the coarsest grid, and enough for parts of their own.
+TEST(Complex_multigrid, solves_the_coarsest_grid)
+{
+  typedef internal::Value_vector<Complex<double>, 1>    Vector;
+  const Flat_mesh m = grid(60, 60, wavy);
+  const Collapse_hierarchy_3 hierarchy = hierarchy_of(m);
+  const std::vector<Mesh_unknown> unknowns = unknowns_of(m, hierarchy);
+  ASSERT_GT(unknowns.size(), internal::Row_parts_options().least_rows);
+  const auto rows = complex_rows(*conformal_matrix(m).rows());
+  ASSERT_TRUE(rows);
+  const Scalar_multigrid<Complex<double>> multigrid(hierarchy, unknowns, *rows, {},
+                                                    internal::complex_multigrid_options());
+  ASSERT_TRUE(multigrid.is_ready());
+  Scalar_multigrid<Complex<double>>::Space<1> space(multigrid);
+  ASSERT_TRUE(space.is_coarsest(0));
+  Random random(9);
+  Vector b;
+  for (std::size_t k = 0; k < unknowns.size(); ++k)
+    b.push_back({ { { random(-1, 1), random(-1, 1) } } });
+  space.right_side(0) = b;
+  multigrid.cycle(space);
+  double error = 0;
+  for (Index k = 0; k < unknowns.size(); ++k) {
+    const Complex<double> expected = b[k][0], found = rows->row_times(k, space.solution(0))[0];
+    error = (std::max)({ error, std::abs(found.re - expected.re), std::abs(found.im - expected.im) });
+  }
+  EXPECT_LT(error, 1e-9);
+}
+
 TEST(Complex_multigrid, cycle_is_hermitian_positive_and_complex_linear)
 {
   typedef internal::Values<Complex<double>, 1>          Value;
   typedef internal::Value_vector<Complex<double>, 1>    Vector;
   const Flat_mesh m = delaunay_patch(3000, 2, wavy);
   const Collapse_hierarchy_3 hierarchy = hierarchy_of(m);
-  std::vector<Index> rank_of(m.points.size());
-  for (Index rank = 0; rank < m.points.size(); ++rank)
-    rank_of[hierarchy.input_vertex(rank)] = rank;
-  std::vector<Mesh_unknown> unknowns;
-  for (Index v = 1; v + 1 < m.points.size(); ++v)
-    unknowns.push_back({ rank_of[v], 0 });
+  const std::vector<Mesh_unknown> unknowns = unknowns_of(m, hierarchy);
   internal::Scalar_multigrid_options options = internal::complex_multigrid_options();
   options.coarsest_size = 300;
   auto rows = complex_rows(*conformal_matrix(m).rows());

@@ -15,6 +15,8 @@
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Decreases.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <CGAL/Kernel/global_functions.h>
@@ -25,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace test_level_refiner {
@@ -103,6 +106,55 @@ TEST(Level_refiner, leaves_no_more_than_twice_the_tolerance)
     for (const double tolerance : { 1e-3, 1e-4, 1e-5, 1e-6, 1e-7 })
       EXPECT_LE(excess(tolerance), best * (1 + 2 * tolerance)) << m.triangles.size() << " triangles, " << tolerance;
   }
+}
+
+// Its steps, and whether it was given up, with borders kept apart or not.
+std::pair<std::size_t, bool> steps_of(const Level& level, bool keeps_borders_apart, const Level_refiner_options& options)
+{
+  const Level_energy_of<MIPS_energy_2> energy(level, Triangle_weight::ONE);
+  Refinement_options refinement;
+  refinement.is_globally_injective = keeps_borders_apart;
+  Level::Uv uv = first_map(level);
+  Level_summary summary;
+  summary.iterations = 1000;        // those of another start
+  const bool is_run = Level_refiner(energy, uv, refinement, summary, options).run();
+  return { summary.iterations - 1000, !is_run };
+}
+
+TEST(Level_refiner, gives_up_what_keeps_borders_apart_in_vain)
+{
+  Finest_level f(grid(12, 9, wavy));
+  Level_refiner_options options;
+  options.most_steps_in_vain = 2;
+  const auto [steps, unused] = steps_of(f.level, true, options);
+  ASSERT_GT(steps, 2u);
+  typedef std::pair<std::size_t, bool>   Result;
+  const double minimum = 2 * double(f.level.number_of_faces());
+  f.level.give_up_above(minimum);
+  EXPECT_EQ(steps_of(f.level, true, options), Result(2, true));
+  EXPECT_EQ(steps_of(f.level, true, Level_refiner_options()), Result(steps, false));
+  EXPECT_FALSE(steps_of(f.level, false, options).second);
+  f.level.give_up_above(100 * minimum);
+  EXPECT_EQ(steps_of(f.level, true, options), Result(steps, false));
+}
+
+// It is at rest only when the energy has not fallen for long, or it has had its steps.
+TEST(Level_refiner, goes_on_while_vertices_are_wedged_between_borders)
+{
+  const Finest_level f(grid(12, 9, wavy));
+  Level_refiner_options options;
+  const std::size_t steps = steps_of(f.level, true, options).first;
+  ASSERT_LT(steps, options.most_steps_without_fall);
+  options.least_part_of_jam = 0;        // else much of the energy must be at one vertex
+  EXPECT_EQ(steps_of(f.level, true, options).first, steps);
+  options.least_ratio_of_jam = 0;
+  EXPECT_GE(steps_of(f.level, true, options).first, options.most_steps_without_fall);
+  EXPECT_LT(steps_of(f.level, false, options).first, options.most_steps_without_fall);
+  options.most_steps_in_jam = steps + 2;
+  EXPECT_LE(steps_of(f.level, true, options).first, steps + 3);
+  options.most_steps_in_jam = 60;
+  options.least_part_of_jam = 1;
+  EXPECT_EQ(steps_of(f.level, true, options).first, steps);
 }
 
 // Of the sum it is at least the mean and at most all, which it is nearly where one triangle is about to vanish.

@@ -154,8 +154,10 @@ public:
   // Asks for a draft of the finest level, or no longer.
   void set_draft(bool yes) { m_is_draft = yes; }
 
-  // From now on, progressed() ends the work on a level when many iterations have left the energy above this.
+  // Has a method that keeps borders apart give up the finest level when many iterations have left its energy above
+  // this.
   void give_up_above(double energy) { m_greatest_energy = energy; }
+  bool is_given_up_at(double energy) const { return is_finest() && energy > m_greatest_energy; }
 
   const internal::One_rings& rings() const { return m_rings; }
   const internal::Loops& loops() const { return m_loops; }

@@ -39,9 +39,7 @@ void Level::go_to(std::size_t index)
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Level::progressed(const Level_summary& summary, double part) const
 {
-  constexpr std::size_t many_iterations = 80;
-  const bool is_in_vain = summary.iterations >= many_iterations && summary.energy_end > m_greatest_energy;
-  return (!m_progress || m_progress->tell(summary.iterations, summary.energy_end, part)) && !is_in_vain;
+  return !m_progress || m_progress->tell(summary.iterations, summary.energy_end, part);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -160,12 +160,14 @@ Error_code Nested_iteration::separate_borders_if_that_pays(Level& level, Level::
   Level::Uv free = uv;
   std::vector<Level_summary> levels = m_summary.levels;
   const double energy = levels.back().energy_end;
-  if (covered > 0)
+  if (covered > 0 && energy > 0)
     level.give_up_above(hopeless_ratio_of_energies * energy);
   const Error_code status = climb_with_borders_apart(level, uv);
   level.give_up_above((std::numeric_limits<double>::infinity)());
   const bool pays = status == OK && m_summary.levels.back().energy_end <= greatest_ratio_of_energies * energy;
-  if (pays || covered == 0 || m_progress.is_stopped())
+  const bool has_failed =
+      status == ERROR_NO_1_TO_1_MAPPING || (status == ERROR_STOPPED && !m_progress.is_stopped());
+  if (pays || covered == 0 || (status != OK && !has_failed))
     return status;
   level.go_to(level.hierarchy().number_of_levels() - 1);
   uv.swap(free);

@@ -26,22 +26,21 @@ public:
   // separate parts.
   template <class Number>
   explicit Elimination_order(const Sparse_rows<Number>& matrix, const Row_parts_options& options = Row_parts_options())
+    : m_parts(matrix.number_of_rows())
   {
     const Index n = matrix.number_of_rows();
     for (Index number = internal::number_of_parts(n, options); number > 1; number /= 2) {
-      const Row_parts parts(n, number);
-      find_separators(matrix, parts);
+      find_separators(matrix, Row_parts(n, number));
       if (double(m_separators.size()) <= options.most_joints * double(n)) {
-        collect_ranges(n, parts);
+        m_parts = Row_parts(n, number, [this](Index row) { return !m_is_separator[row]; });
         return;
       }
     }
     m_is_separator.clear();
     m_separators.clear();
-    m_ranges.assign(1, { { 0, n } });
   }
 
-  Index number_of_parts() const { return Index(m_ranges.size()); }
+  Index number_of_parts() const { return m_parts.number_of_parts(); }
   const std::vector<Index>& separators() const { return m_separators; }
   bool is_separator(Index row) const { return !m_is_separator.empty() && m_is_separator[row]; }
 
@@ -54,7 +53,7 @@ public:
   template <class Function>
   void for_each(const Loops& loops, const Function& f) const
   {
-    loops.for_each_block(0, number_of_parts(), [&](Index part, Index) { for_each_row_of_part(part, f); }, 1);
+    m_parts.for_each(loops, [&](Index part) { m_parts.for_each_row(part, f); });
     for (const Index row : m_separators)
       f(row);
   }
@@ -64,7 +63,7 @@ public:
   void for_each_with_scratch(const Loops& loops, const Make_scratch& make_scratch, const Function& f) const
   {
     loops.for_each_block_with_scratch(0, number_of_parts(), make_scratch, [&](Index part, Index, auto& scratch) {
-      for_each_row_of_part(part, [&](Index row) { f(row, scratch); });
+      m_parts.for_each_row(part, [&](Index row) { f(row, scratch); });
     }, 1);
     if (m_separators.empty())
       return;
@@ -79,25 +78,10 @@ public:
   {
     for (std::size_t k = m_separators.size(); k-- > 0;)
       f(m_separators[k]);
-    loops.for_each_block(0, number_of_parts(), [&](Index part, Index) {
-      const Ranges& ranges = m_ranges[part];
-      for (std::size_t k = ranges.size(); k-- > 0;)
-        for (Index row = ranges[k].second; row-- > ranges[k].first;)
-          f(row);
-    }, 1);
+    m_parts.for_each(loops, [&](Index part) { m_parts.for_each_row_backward(part, f); });
   }
 
 private:
-  typedef std::vector<std::pair<Index, Index>>   Ranges;      // of rows, ascending: the first one, and the one after
-
-  template <class Function>
-  void for_each_row_of_part(Index part, const Function& f) const
-  {
-    for (const auto& [begin, end] : m_ranges[part])
-      for (Index row = begin; row < end; ++row)
-        f(row);
-  }
-
   // Of two rows of different parts that meet, the one of the later part.
   template <class Number>
   void find_separators(const Sparse_rows<Number>& matrix, const Row_parts& parts)
@@ -117,26 +101,7 @@ private:
         m_separators.push_back(row);
   }
 
-  void collect_ranges(Index number_of_rows, const Row_parts& parts)
-  {
-    m_ranges.resize(parts.number_of_parts());
-    Index begin = 0;
-    const auto end_range = [&](Index end) {
-      if (begin < end)
-        m_ranges[parts.part_of(begin)].push_back({ begin, end });
-    };
-    for (Index row = 0; row < number_of_rows; ++row)
-      if (m_is_separator[row]) {
-        end_range(row);
-        begin = row + 1;
-      } else if (parts.part_of(row) != parts.part_of(begin)) {
-        end_range(row);
-        begin = row;
-      }
-    end_range(number_of_rows);
-  }
-
-  std::vector<Ranges> m_ranges;           // of each part, without separators
+  Row_parts m_parts;                      // without separators
   std::vector<Index> m_separators;        // ascending
   std::vector<bool> m_is_separator;       // by row; empty: there is none
 };

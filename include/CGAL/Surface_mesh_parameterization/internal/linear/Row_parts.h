@@ -23,9 +23,15 @@ public:
   // Rows in the order of the input. The number of parts must be a power of two: then rounding leads no row beyond the
   // last part.
   explicit Row_parts(std::size_t number_of_rows, Index number_of_parts = 1)
+    : Row_parts(number_of_rows, number_of_parts, [](Index) { return true; })
+  { }
+
+  // Those of them that are wanted.
+  template <class Is_wanted>
+  Row_parts(std::size_t number_of_rows, Index number_of_parts, const Is_wanted& is_wanted)
     : m_parts_per_vertex(double(number_of_parts) / double(number_of_rows)), m_ranges(number_of_parts)
   {
-    collect_ranges(number_of_rows);
+    collect_ranges(number_of_rows, is_wanted);
   }
 
   // The rows of a level. A number of parts that is twice as great halves every part.
@@ -35,7 +41,7 @@ public:
                          double(hierarchy.number_of_vertices(hierarchy.number_of_levels() - 1))),
       m_ranges(number_of_parts)
   {
-    collect_ranges(hierarchy.number_of_vertices(level));
+    collect_ranges(hierarchy.number_of_vertices(level), [](Index) { return true; });
   }
 
   Index number_of_parts() const { return Index(m_ranges.size()); }
@@ -84,9 +90,12 @@ public:
 private:
   typedef std::vector<std::pair<Index, Index>>   Ranges;      // of rows, ascending: the first one, and the one after
 
-  void collect_ranges(std::size_t number_of_rows)
+  template <class Is_wanted>
+  void collect_ranges(std::size_t number_of_rows, const Is_wanted& is_wanted)
   {
     for (Index row = 0; row < number_of_rows; ++row) {
+      if (!is_wanted(row))
+        continue;
       Ranges& ranges = m_ranges[part_of(row)];
       if (!ranges.empty() && ranges.back().second == row)
         ++ranges.back().second;
@@ -106,7 +115,7 @@ struct Row_parts_options
   // Where parts meet, sweeps are weaker, and where a part ends in a collapse group, the processor does not see ahead:
   // so four times as many rows have only twice as many parts.
   std::size_t rows_of_two_parts = 10000;
-  double most_joints = 0.1;                 // share of the edges that may join two parts
+  double most_joints = 0.1;                 // share of the edges, or of the rows, that may join two parts
 };
 
 // A power of two.

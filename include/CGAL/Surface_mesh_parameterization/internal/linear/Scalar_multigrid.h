@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/k_cycle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/v_cycle.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <type_traits>
@@ -70,7 +71,8 @@ class Scalar_multigrid
 {
 public:
   // `matrix` has a row, with ascending columns, for each of `unknowns`. These are best in the order of the hierarchy's
-  // input, for the cache. `tied_vertices` have none, but may have some on coarser grids, see Grid_transfer.
+  // input, for the cache and for threads, see Elimination_order. `tied_vertices` have none, but may have some on
+  // coarser grids, see Grid_transfer.
   Scalar_multigrid(const Hierarchy_interpolation& hierarchy, const std::vector<Mesh_unknown>& unknowns,
                    Sparse_rows<Number> matrix, const std::vector<Index>& tied_vertices = {},
                    const Scalar_multigrid_options& options = Scalar_multigrid_options(), const Loops& loops = Loops())
@@ -217,13 +219,17 @@ private:
   {
     const Incomplete_LU<Number>& grid = m_grids.back();
     Sparse_rows<Double_number> rows;
+    std::vector<std::pair<Index, Double_number>> row;
     for (Index i = 0; i < grid.size(); ++i) {
-      const auto append = [&](Index column, const Number& value) {
+      row.assign(1, { i, Double_number(grid.diagonal(i)) });
+      grid.for_each_entry(i, [&](Index column, const Number& value) {
+        row.emplace_back(column, Double_number(value));
+      });
+      std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+      for (const auto& [column, value] : row) {
         rows.columns.push_back(column);
-        rows.values.push_back(Double_number(value));
-      };
-      append(i, grid.diagonal(i));
-      grid.for_each_entry(i, append);
+        rows.values.push_back(value);
+      }
       rows.first.push_back(Index(rows.columns.size()));
     }
     if constexpr (std::is_same<Double_number, double>::value)

@@ -29,9 +29,10 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Level_refiner
 {
 public:
-  Level_refiner(const Level_energy& energy, Level::Uv& uv, const Refinement_options& refinement, Level_summary& summary)
-    : m_energy(energy), m_level(energy.level()), m_uv(uv), m_refinement(refinement), m_summary(summary),
-      m_iterations_before(summary.iterations), m_unit(m_energy.unit()), m_current(m_energy(uv))
+  Level_refiner(const Level_energy& energy, Level::Uv& uv, const Refinement_options& refinement, Level_summary& summary,
+                const Level_refiner_options& options = Level_refiner_options())
+    : m_energy(energy), m_level(energy.level()), m_uv(uv), m_refinement(refinement), m_options(options),
+      m_summary(summary), m_iterations_before(summary.iterations), m_unit(m_energy.unit()), m_current(m_energy(uv))
   {
     if (refinement.is_globally_injective)
       m_barrier =
@@ -39,7 +40,7 @@ public:
   }
 
   // Energies are reported as the sum over the triangles, or as the mean over the area if triangles are weighted so.
-  // Returns false if a visitor stopped the run.
+  // Returns false if a visitor stopped the run, or what keeps borders apart is given up.
   bool run()
   {
     m_summary.energy_start = m_current / m_unit;
@@ -64,7 +65,9 @@ private:
   bool tell(double part)
   {
     m_summary.energy_end = m_current / m_unit;
-    m_is_stopped = !m_level.progressed(m_summary, part);
+    const bool is_in_vain = m_barrier && iterations() >= m_options.most_steps_in_vain &&
+                            m_level.is_given_up_at(m_summary.energy_end);
+    m_is_stopped = !m_level.progressed(m_summary, part) || is_in_vain;
     return !m_is_stopped;
   }
 
@@ -162,8 +165,8 @@ private:
       sweep(relaxation);
   }
 
-  // A sweep costs little beside a Newton step and is better at what is wrong in small places. Returns false if a
-  // visitor stopped the run.
+  // A sweep costs little beside a Newton step and is better at what is wrong in small places. Returns whether the run
+  // may go on.
   bool sweep_while_it_pays(const Vertex_relaxation& relaxation)
   {
     double before;
@@ -283,7 +286,7 @@ private:
   const Level& m_level;
   Level::Uv& m_uv;
   const Refinement_options& m_refinement;
-  Level_refiner_options m_options;
+  const Level_refiner_options m_options;
   Level_summary& m_summary;
   const std::size_t m_iterations_before;
   std::unique_ptr<Border_barrier> m_barrier;      // none unless the map has to be globally injective
