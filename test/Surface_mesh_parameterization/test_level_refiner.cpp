@@ -109,7 +109,8 @@ TEST(Level_refiner, leaves_no_more_than_twice_the_tolerance)
 }
 
 // Its steps, and whether it was given up, with borders kept apart or not.
-std::pair<std::size_t, bool> steps_of(const Level& level, bool keeps_borders_apart, const Level_refiner_options& options)
+std::pair<std::size_t, bool> steps_of(const Level& level, bool keeps_borders_apart,
+                                      const Level_refiner_options& options)
 {
   const Level_energy_of<MIPS_energy_2> energy(level, Triangle_weight::ONE);
   Refinement_options refinement;
