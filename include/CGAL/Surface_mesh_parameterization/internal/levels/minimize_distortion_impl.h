@@ -229,7 +229,7 @@ inline void start_again(const Level_energy& energy, Level::Uv start, Level::Uv& 
   const Error_code other_status = minimize_from(energy, start, options, summary);
   const bool is_better = other_status == OK && !(status == OK && !(energy(start) < value));
   summary.energy_start = before.energy_start;
-  if (other_status == ERROR_STOPPED && !energy.level().may_go_on())
+  if (other_status == ERROR_STOPPED && !energy.level().may_go_on())      // else it has but given up
     status = ERROR_STOPPED;
   if (is_better) {
     uv.swap(start);

@@ -226,7 +226,7 @@ private:
   // at one of them.
   bool is_jammed() const
   {
-    return m_barrier && iterations() < m_options.most_steps_in_jam &&
+    return m_barrier && m_energy.minimum() > 0 && iterations() < m_options.most_steps_in_jam &&
            m_current > m_options.least_ratio_of_jam * m_energy.minimum() * m_energy.total_weight() &&
            m_energy.greatest_of_vertices(m_uv) > m_options.least_part_of_jam * m_current;
   }

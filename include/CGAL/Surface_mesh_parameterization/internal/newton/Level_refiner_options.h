@@ -47,7 +47,7 @@ struct Level_refiner_options
   // way slowly, and what is not put right on a coarse level grows worse on finer ones. But so many steps must do.
   double least_ratio_of_jam = 5, least_part_of_jam = 0.1;
   std::size_t most_steps_in_jam = 60;
-  // And so many, if the energy is more than what Level::give_up_above() says.
+  // After so many steps it gives up where the energy is more than Level::give_up_above() says.
   std::size_t most_steps_in_vain = 80;
   // On a surface that can be laid in the plane without distortion the excess has no bound from below. Less of it than
   // this part of the energy is not looked at closer.
