@@ -6,8 +6,9 @@
 #ifndef CONFINEMENT_H
 #define CONFINEMENT_H
 
-#include <unistd.h>
+#include <stdlib.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <iostream>
 #include <streambuf>
@@ -19,12 +20,10 @@ class Confinement
 {
 public:
   Confinement()
-    : m_outside(std::filesystem::current_path()),
-      m_folder(std::filesystem::temp_directory_path() / ("hierarchical_parameterization_" + std::to_string(getpid()))),
-      m_output(std::cout.rdbuf(nullptr))
+    : m_outside(std::filesystem::current_path()), m_folder(make_folder())
   {
-    std::filesystem::create_directory(m_folder);
     std::filesystem::current_path(m_folder);
+    m_output = std::cout.rdbuf(nullptr);
   }
 
   ~Confinement()
@@ -39,8 +38,17 @@ public:
   Confinement& operator=(const Confinement&) = delete;
 
 private:
+  // A folder that nobody had before.
+  static std::filesystem::path make_folder()
+  {
+    std::string name = (std::filesystem::temp_directory_path() / "hierarchical_parameterization_XXXXXX").string();
+    if (!::mkdtemp(name.data()))
+      throw std::system_error(errno, std::generic_category(), name);
+    return name;
+  }
+
   std::filesystem::path m_outside, m_folder;
-  std::streambuf* m_output;
+  std::streambuf* m_output = nullptr;
 };
 
 #endif // CONFINEMENT_H

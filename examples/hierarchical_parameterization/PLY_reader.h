@@ -31,7 +31,7 @@ public:
     read_header();
     for (const Element& element : m_elements)
       read_element(element);
-    return m_soup;
+    return std::move(m_soup);
   }
 
 private:

@@ -15,6 +15,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 // Reads STL, text or binary. It has no other way to join triangles than by coordinates, so vertices that coincide are
@@ -33,7 +34,7 @@ public:
     // Before merging, which compares: a NaN is equal to everything.
     check_coordinates(m_soup);
     merge_points();
-    return m_soup;
+    return std::move(m_soup);
   }
 
 private:
@@ -148,7 +149,7 @@ private:
           merged.push_back(m_soup.points[v]);
         v = found->second;
       }
-    m_soup.points = merged;
+    m_soup.points = std::move(merged);
   }
 
   File_scanner& m_file;

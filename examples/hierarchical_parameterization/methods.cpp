@@ -10,41 +10,84 @@
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
+
+namespace {
+
+// One that minimizes the distortion of triangles.
+Method distortion_method(std::string name, std::string description, Run_method* run, Run_atlas* run_atlas,
+                         SMP::Triangle_weight weight)
+{
+  const SMP::Refinement_options defaults;
+  Method result{ std::move(name), std::move(description), run, run_atlas };
+  result.tolerance = defaults.tolerance;
+  result.iterations = defaults.number_of_iterations;
+  result.triangle_weight = weight;
+  result.is_flip_free = true;
+  result.improves_map = true;
+  return result;
+}
+
+// One with a linear system on each level.
+Method edge_energy_method(std::string name, std::string description, Run_method* run, Run_atlas* run_atlas)
+{
+  Method result{ std::move(name), std::move(description), run, run_atlas };
+  result.tolerance = 1e-8;
+  return result;
+}
+
+// One of CGAL's, with a linear system on the input.
+Method linear_method_of_CGAL(std::string name, std::string description, Run_method* run, Run_atlas* run_atlas,
+                             Run_method* run_shipped)
+{
+  Method result = edge_energy_method(std::move(name), std::move(description), run, run_atlas);
+  result.tolerance = 1e-10;
+  result.has_levels = false;
+  result.run_shipped = run_shipped;
+  return result;
+}
+
+// The package's own, which stands in for CGAL's.
+Method as_rigid_as_possible_method(std::string name, std::string description)
+{
+  Method result = distortion_method(std::move(name), std::move(description), run_arap, run_arap_atlas,
+                                    SMP::Triangle_weight::AREA);
+  result.is_flip_free = false;
+  result.run_shipped = run_shipped_arap;
+  return result;
+}
+
+} // namespace
 
 const std::vector<Method>& methods()
 {
-  constexpr SMP::Triangle_weight one = SMP::Triangle_weight::ONE, area = SMP::Triangle_weight::AREA;
-  static const std::size_t newton_steps = SMP::Refinement_options().number_of_iterations;
-  constexpr std::size_t linear_steps = 300;
   static const std::vector<Method> all = {
-    { "mips", "least distortion of angles, free border", run_mips, run_mips_atlas, true, 1e-6, newton_steps, one, true,
-      true },
-    { "symmetric-dirichlet", "least distortion of lengths, free border", run_symmetric_dirichlet,
-      run_symmetric_dirichlet_atlas, true, 1e-6, newton_steps, area, true, true },
-    { "uniform", "every vertex the mean of its neighbors, border on a circle", run_uniform, run_uniform_atlas, false,
-      1e-8, linear_steps, one },
-    { "chordal", "the same, weighted by the inverse lengths of the edges", run_chordal, run_chordal_atlas, false, 1e-8,
-      linear_steps, one },
-    { "harmonic", "the same, weighted by cotangents", run_harmonic, run_harmonic_atlas, false, 1e-8, linear_steps, one },
-    { "shape-preserving", "the same, by Floater's weights", run_shape_preserving, run_shape_preserving_atlas, false,
-      1e-8, linear_steps, one },
-    { "barycentric", "CGAL's Tutte map, border on a circle", run_barycentric, run_barycentric_atlas, false, 1e-10,
-      linear_steps, one, false, false, run_shipped_barycentric },
-    { "mean-value", "CGAL's mean value coordinates, border on a circle", run_mean_value, run_mean_value_atlas, false,
-      1e-10, linear_steps, one, false, false, run_shipped_mean_value },
-    { "conformal", "CGAL's discrete conformal map, border on a circle", run_conformal, run_conformal_atlas, false, 1e-10,
-      linear_steps, one, false, false, run_shipped_conformal },
-    { "authalic", "CGAL's discrete authalic map, border on a circle", run_authalic, run_authalic_atlas, false, 1e-10,
-      linear_steps, one, false, false, run_shipped_authalic },
-    { "iterative-authalic", "CGAL's iterative authalic map, border on a circle", run_iterative_authalic,
-      run_iterative_authalic_atlas, false, 1e-10, linear_steps, one, false, false, run_shipped_iterative_authalic },
-    { "lscm", "CGAL's least squares conformal map, free border", run_lscm, run_lscm_atlas, false, 1e-10, linear_steps,
-      one, false, false, run_shipped_lscm },
-    { "arap", "as rigid as possible, free border", run_arap, run_arap_atlas, false, 1e-6, newton_steps, area, true,
-      true, run_shipped_arap }
+    distortion_method("mips", "least distortion of angles, free border", run_mips, run_mips_atlas,
+                      SMP::Triangle_weight::ONE),
+    distortion_method("symmetric-dirichlet", "least distortion of lengths, free border", run_symmetric_dirichlet,
+                      run_symmetric_dirichlet_atlas, SMP::Triangle_weight::AREA),
+    edge_energy_method("uniform", "every vertex the mean of its neighbors, border on a circle", run_uniform,
+                       run_uniform_atlas),
+    edge_energy_method("chordal", "the same, weighted by the inverse lengths of the edges", run_chordal,
+                       run_chordal_atlas),
+    edge_energy_method("harmonic", "the same, weighted by cotangents", run_harmonic, run_harmonic_atlas),
+    edge_energy_method("shape-preserving", "the same, by Floater's weights", run_shape_preserving,
+                       run_shape_preserving_atlas),
+    linear_method_of_CGAL("barycentric", "CGAL's Tutte map, border on a circle", run_barycentric,
+                          run_barycentric_atlas, run_shipped_barycentric),
+    linear_method_of_CGAL("mean-value", "CGAL's mean value coordinates, border on a circle", run_mean_value,
+                          run_mean_value_atlas, run_shipped_mean_value),
+    linear_method_of_CGAL("conformal", "CGAL's discrete conformal map, border on a circle", run_conformal,
+                          run_conformal_atlas, run_shipped_conformal),
+    linear_method_of_CGAL("authalic", "CGAL's discrete authalic map, border on a circle", run_authalic,
+                          run_authalic_atlas, run_shipped_authalic),
+    linear_method_of_CGAL("iterative-authalic", "CGAL's iterative authalic map, border on a circle",
+                          run_iterative_authalic, run_iterative_authalic_atlas, run_shipped_iterative_authalic),
+    linear_method_of_CGAL("lscm", "CGAL's least squares conformal map, free border", run_lscm, run_lscm_atlas,
+                          run_shipped_lscm),
+    as_rigid_as_possible_method("arap", "as rigid as possible, free border")
   };
   return all;
 }

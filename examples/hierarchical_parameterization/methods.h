@@ -63,12 +63,12 @@ typedef SMP::Atlas_summary Run_atlas(const Atlas_mesh&, const Method_options&);
 struct Method
 {
   std::string name, description;
-  Run_method* run;
-  Run_atlas* run_atlas;
-  bool is_flip_free;                          // whether flips are a failure
-  double tolerance;                           // the defaults of the options
-  std::size_t iterations;
-  SMP::Triangle_weight triangle_weight;
+  Run_method* run = nullptr;
+  Run_atlas* run_atlas = nullptr;
+  double tolerance = 0;                       // the defaults of the options
+  std::size_t iterations = 300;
+  SMP::Triangle_weight triangle_weight = SMP::Triangle_weight::ONE;
+  bool is_flip_free = false;                  // whether flips are a failure
   bool has_levels = true;                     // whether every level is parameterized
   bool improves_map = false;                  // whether a run may start from a map, and hold vertices
   Run_method* run_shipped = nullptr;          // with --flat, if that is not run()

@@ -211,44 +211,61 @@ void check_effects(const po::variables_map& values, const Options& options)
       throw Usage_error{ "--" + option + ": not with --flat, where " + options.method->name + " does not use it" };
 }
 
-// Which part of a mesh is laid out, and whether it may be cut: what the command line says, or the defaults.
-void read_part(const std::string& components, const std::string& cut, Options& options)
+// The option that asks for an atlas; empty if none does.
+std::string option_of_atlas(const std::string& components, const std::string& cut, const Options& options)
 {
-  if (!components.empty() && components != "all" && components != "largest")
-    throw Usage_error{ "unknown components '" + components + "'; there are: all, largest" };
-  if (!cut.empty() && cut != "auto" && cut != "none")
-    throw Usage_error{ "unknown way to cut '" + cut + "'; there are: auto, none" };
-  const std::string option_of_atlas = components == "all"           ? "--components all"
-                                      : cut == "auto"               ? "--cut auto"
-                                      : options.least_used_part     ? "--least-used-part"
-                                      : options.distortion_bound    ? "--distortion-bound"
-                                      : options.overlap_bound       ? "--overlap-bound"
-                                      : options.hole_bound          ? "--hole-bound"
-                                      : options.sharp_angle         ? "--sharp-angle"
-                                      : options.makes_atlas         ? "--atlas"
-                                                                    : "";
-  const std::string option_of_one_chart = options.flat              ? "--flat"
-                                          : !options.levels.empty() ? "--levels"
-                                          : !options.start.empty()  ? "--start"
-                                          : !options.hold.empty()   ? "--hold"
-                                                                    : "";
-  if (!option_of_one_chart.empty() && !option_of_atlas.empty())
-    throw Usage_error{ option_of_atlas + ": not with " + option_of_one_chart + ", which takes one chart" };
-  options.takes_all_components = components.empty() ? option_of_one_chart.empty() : components == "all";
-  options.cuts = cut.empty() ? option_of_one_chart.empty() : cut == "auto";
-  options.makes_atlas = options.makes_atlas || options.least_used_part || options.distortion_bound ||
-                        options.overlap_bound || options.hole_bound || options.sharp_angle;
-  options.avoids_overlaps = options.cuts && options.method->is_flip_free;
-  if (options.sharp_angle && !options.distortion_bound)
-    options.distortion_bound = 4.5;
-  if (options.cuts)
-    return;
+  return components == "all"        ? "--components all"
+         : cut == "auto"            ? "--cut auto"
+         : options.least_used_part  ? "--least-used-part"
+         : options.distortion_bound ? "--distortion-bound"
+         : options.overlap_bound    ? "--overlap-bound"
+         : options.hole_bound       ? "--hole-bound"
+         : options.sharp_angle      ? "--sharp-angle"
+         : options.makes_atlas      ? "--atlas"
+                                    : "";
+}
+
+// The option that takes one chart; empty if none does.
+std::string option_of_one_chart(const Options& options)
+{
+  return options.flat              ? "--flat"
+         : !options.levels.empty() ? "--levels"
+         : !options.start.empty()  ? "--start"
+         : !options.hold.empty()   ? "--hold"
+                                   : "";
+}
+
+// Fits the options of an atlas to one whose charts stay whole.
+void forbid_cuts(Options& options)
+{
   if (options.least_used_part.value_or(0) > 0 || options.distortion_bound || options.overlap_bound ||
       options.sharp_angle)
     throw Usage_error{ "--least-used-part, --distortion-bound, --overlap-bound, --sharp-angle: not with --cut none" };
   options.least_used_part = 0;
   options.distortion_bound = std::numeric_limits<double>::infinity();
   options.overlap_bound = 1;
+}
+
+// Which part of a mesh is laid out, and whether it may be cut: what the command line says, or the defaults.
+void read_part(const std::string& components, const std::string& cut, Options& options)
+{
+  constexpr double bound_of_regions = 4.5;      // between sharp edges, rings, too, as the side of a cylinder
+  if (!components.empty() && components != "all" && components != "largest")
+    throw Usage_error{ "unknown components '" + components + "'; there are: all, largest" };
+  if (!cut.empty() && cut != "auto" && cut != "none")
+    throw Usage_error{ "unknown way to cut '" + cut + "'; there are: auto, none" };
+  const std::string atlas = option_of_atlas(components, cut, options), one_chart = option_of_one_chart(options);
+  if (!one_chart.empty() && !atlas.empty())
+    throw Usage_error{ atlas + ": not with " + one_chart + ", which takes one chart" };
+  options.takes_all_components = components.empty() ? one_chart.empty() : components == "all";
+  options.cuts = cut.empty() ? one_chart.empty() : cut == "auto";
+  options.makes_atlas = options.makes_atlas || options.least_used_part || options.distortion_bound ||
+                        options.overlap_bound || options.hole_bound || options.sharp_angle;
+  options.avoids_overlaps = options.cuts && options.method->is_flip_free;
+  if (!options.cuts)
+    forbid_cuts(options);
+  else if (options.sharp_angle && !options.distortion_bound)
+    options.distortion_bound = bound_of_regions;
 }
 
 void check_several_inputs(const Options& options)

@@ -118,8 +118,8 @@ std::pair<std::size_t, bool> steps_of(const Level& level, bool keeps_borders_apa
   Level::Uv uv = first_map(level);
   Level_summary summary;
   summary.iterations = 1000;        // those of another start
-  const bool is_run = Level_refiner(energy, uv, refinement, summary, options).run();
-  return { summary.iterations - 1000, !is_run };
+  const Error_code status = Level_refiner(energy, uv, refinement, summary, options).run();
+  return { summary.iterations - 1000, status == GIVEN_UP };
 }
 
 TEST(Level_refiner, gives_up_what_keeps_borders_apart_in_vain)

@@ -233,6 +233,48 @@ TYPED_TEST(Tolerance, is_at_least_zero)
   }
 }
 
+// Runs that are to be refused, with a text that has the option's name.
+template <class Parameterizer>
+void expect_refused(const Parameterizer& parameterizer, Mapped<Surface_mesh>& mapped, const std::string& option)
+{
+  const Points before = mapped.uv();
+  EXPECT_EQ(mapped.parameterize(parameterizer).code, ERROR_WRONG_PARAMETER);
+  EXPECT_NE(error_message(mapped.summary.error).find(option), std::string::npos)
+      << error_message(mapped.summary.error);
+  EXPECT_EQ(mapped.uv(), before);
+}
+
+TEST(Counts, are_not_negative)
+{
+  typedef Hierarchical_parameterizer_3<Edge_energy_parameterizer_3<Surface_mesh, Uniform_edge_weights_3>>   Edge_energy;
+  Mapped<Surface_mesh> mapped(grid(12, 9, wavy));
+  const auto summary = std::ref(mapped.summary);
+  expect_refused(Hierarchical_MIPS(np::number_of_iterations(-1).summary(summary)), mapped, "count");
+  expect_refused(Hierarchical_MIPS(np::number_of_local_steps(-1).summary(summary)), mapped, "count");
+  expect_refused(Hierarchical_MIPS(np::coarsest_size(-5).summary(summary)), mapped, "coarsest_size");
+  expect_refused(Edge_energy(np::number_of_iterations(-1).summary(summary)), mapped, "count");
+  EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(np::number_of_iterations(50).coarsest_size(5))).code, OK);
+}
+
+TEST(Options, of_methods_of_CGAL_are_checked)
+{
+  typedef Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Surface_mesh>>   Barycentric;
+  Mapped<Surface_mesh> mapped(grid(60, 45, wavy));
+  const Linear_solver_summary& solver = mapped.summary.linear_solver;
+  const auto summary = std::ref(mapped.summary);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  expect_refused(Barycentric(np::tolerance(-1e-6).summary(summary)), mapped, "tolerance");
+  expect_refused(Barycentric(np::tolerance(nan).summary(summary)), mapped, "tolerance");
+  expect_refused(Barycentric(np::number_of_iterations(-1).summary(summary)), mapped, "number_of_iterations");
+  expect_refused(Barycentric(np::coarsest_size(-5).summary(summary)), mapped, "coarsest_size");
+
+  // no tolerance asks for what rounding leaves, not for a factorization
+  EXPECT_EQ(mapped.parameterize(Barycentric(np::tolerance(0).summary(summary))).code, OK);
+  EXPECT_GT(solver.iterations, 0u);
+  EXPECT_EQ(solver.direct_solutions, 0u);
+  EXPECT_LT(solver.residual, 1e-14);
+}
+
 template <class Parameterizer>
 class Const_mesh : public testing::Test
 { };

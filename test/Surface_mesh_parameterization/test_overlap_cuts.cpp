@@ -400,7 +400,7 @@ struct Despairing_parameterizer_3 : Symmetric_Dirichlet_parameterizer_3<Triangle
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     if (!level.is_draft() && level.is_given_up_at(energy()))
-      return ERROR_STOPPED;
+      return SMP::internal::GIVEN_UP;
     return Base::refine(level, uv, summary);
   }
 

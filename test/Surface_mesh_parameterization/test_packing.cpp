@@ -32,9 +32,9 @@ using namespace CGAL::Surface_mesh_parameterization::internal;
 typedef CGAL::Simple_cartesian<double>::Segment_2   Segment_2;
 
 // A fan of triangles around the first point.
-Chart fan(const Point_2& center, const std::vector<Point_2>& polygon, double scale)
+Flat_chart fan(const Point_2& center, const std::vector<Point_2>& polygon, double scale)
 {
-  Chart chart;
+  Flat_chart chart;
   chart.points.push_back(center);
   for (const Point_2& p : polygon)
     chart.points.push_back(center + scale * (p - center));
@@ -43,7 +43,7 @@ Chart fan(const Point_2& center, const std::vector<Point_2>& polygon, double sca
   return chart;
 }
 
-Chart regular_polygon(Index corners, double radius)
+Flat_chart regular_polygon(Index corners, double radius)
 {
   std::vector<Point_2> polygon;
   for (Index i = 0; i < corners; ++i)
@@ -52,39 +52,39 @@ Chart regular_polygon(Index corners, double radius)
 }
 
 // Polygons of three to twenty corners, whose sizes differ more with `spread`.
-std::vector<Chart> polygons(std::size_t number, double spread)
+std::vector<Flat_chart> polygons(std::size_t number, double spread)
 {
   Random random(7);
-  std::vector<Chart> charts;
+  std::vector<Flat_chart> charts;
   for (std::size_t i = 0; i < number; ++i)
     charts.push_back(regular_polygon(Index(3 + random.below(18)), std::exp(random(-spread, spread))));
   return charts;
 }
 
 // Stars, some of them a hundred times as long as others.
-std::vector<Chart> few_large_stars_and_many_small_ones(std::size_t number)
+std::vector<Flat_chart> few_large_stars_and_many_small_ones(std::size_t number)
 {
   Random random(7);
-  std::vector<Chart> charts;
+  std::vector<Flat_chart> charts;
   for (std::size_t i = 0; i < number; ++i)
     charts.push_back(fan(Point_2(3, 4), random_star_polygon(12, Point_2(3, 4), random), i < 5 ? 100 : random(0.5, 4)));
   return charts;
 }
 
-std::vector<Triangle_2> triangles_of(const std::vector<Chart>& charts)
+std::vector<Triangle_2> triangles_of(const std::vector<Flat_chart>& charts)
 {
   std::vector<Triangle_2> triangles;
-  for (const Chart& chart : charts)
+  for (const Flat_chart& chart : charts)
     for (const Index_triangle& t : chart.triangles)
       triangles.push_back({ chart.points[t[0]], chart.points[t[1]], chart.points[t[2]] });
   return triangles;
 }
 
 // The least distance between points of two charts and outlines of the others, as far as it is less than `reach`.
-double least_distance(const std::vector<Chart>& charts, double reach)
+double least_distance(const std::vector<Flat_chart>& charts, double reach)
 {
   std::vector<CGAL::Bbox_2> boxes;
-  for (const Chart& chart : charts) {
+  for (const Flat_chart& chart : charts) {
     boxes.emplace_back();
     for (const Point_2& p : chart.points)
       boxes.back() += p.bbox();
@@ -104,16 +104,16 @@ double least_distance(const std::vector<Chart>& charts, double reach)
 }
 
 // The charts lie in the square, no two of their triangles overlap, by exact predicates, and the margin is kept.
-void expect_packed(const std::vector<Chart>& charts, const Packing& packing, double margin)
+void expect_packed(const std::vector<Flat_chart>& charts, const Packing& packing, double margin)
 {
-  for (const Chart& chart : charts)
+  for (const Flat_chart& chart : charts)
     for (const Point_2& p : chart.points)
       EXPECT_TRUE(p.x() > 0 && p.x() < packing.side && p.y() > 0 && p.y() < packing.side) << p;
   EXPECT_EQ(number_of_overlapping_pairs(triangles_of(charts)), 0u);
   EXPECT_GE(least_distance(charts, 2 * margin * packing.side), margin * packing.side);
 }
 
-double total_area(const std::vector<Chart>& charts)
+double total_area(const std::vector<Flat_chart>& charts)
 {
   double sum = 0;
   for (const Triangle_2& t : triangles_of(charts))
@@ -123,10 +123,10 @@ double total_area(const std::vector<Chart>& charts)
 
 TEST(Pack_charts, keeps_the_margin_and_fills_the_square)
 {
-  for (const std::vector<Chart>& original : { polygons(100, 0.5), polygons(1000, 0.), polygons(1000, 2.),
+  for (const std::vector<Flat_chart>& original : { polygons(100, 0.5), polygons(1000, 0.), polygons(1000, 2.),
                                               polygons(3000, 0.5), few_large_stars_and_many_small_ones(2000) }) {
     SCOPED_TRACE(original.size());
-    std::vector<Chart> charts = original;
+    std::vector<Flat_chart> charts = original;
     const Packing packing = pack_charts(charts, Pack_options());
     expect_packed(charts, packing, (std::min)(1. / 256, 1 / (32 * std::sqrt(double(charts.size())))));
     EXPECT_NEAR(total_area(charts), total_area(original), 1e-9 * total_area(original));
@@ -139,7 +139,7 @@ TEST(Pack_charts, keeps_wide_margins)
 {
   for (const std::size_t number : { 1, 2, 3, 10, 100 }) {
     SCOPED_TRACE(number);
-    std::vector<Chart> charts = polygons(number, 1);
+    std::vector<Flat_chart> charts = polygons(number, 1);
     Pack_options options;
     options.margin = 0.025;
     options.margin_of_chart = 0.25;
@@ -150,7 +150,7 @@ TEST(Pack_charts, keeps_wide_margins)
 
 TEST(Pack_charts, gives_the_same_bytes_again)
 {
-  std::vector<Chart> charts = few_large_stars_and_many_small_ones(50), again = charts;
+  std::vector<Flat_chart> charts = few_large_stars_and_many_small_ones(50), again = charts;
   pack_charts(charts, Pack_options());
   pack_charts(again, Pack_options());
   EXPECT_EQ(triangles_of(charts), triangles_of(again));
@@ -162,21 +162,22 @@ TEST(Pack_charts, puts_a_chart_into_the_least_square)
 {
   Pack_options options;
   options.margin = 0;
-  std::vector<Chart> triangle(1, regular_polygon(3, std::sqrt(1. / 3))), square(1, regular_polygon(4, std::sqrt(0.5)));
+  std::vector<Flat_chart> triangle(1, regular_polygon(3, std::sqrt(1. / 3))),
+      square(1, regular_polygon(4, std::sqrt(0.5)));
   EXPECT_NEAR(pack_charts(triangle, options).side, std::cos(CGAL_PI / 12), 1e-5);
   EXPECT_NEAR(pack_charts(square, options).side, 1, 1e-5);
-  Chart strip;
+  Flat_chart strip;
   strip.points = { Point_2(0, 0), Point_2(10, 0), Point_2(10, 0.1), Point_2(0, 0.1) };
   strip.triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
-  std::vector<Chart> strips(1, strip);
+  std::vector<Flat_chart> strips(1, strip);
   EXPECT_NEAR(pack_charts(strips, options).side, 10.1 * std::sqrt(0.5), 1e-4);
 }
 
 // A strip that is far longer than the square that its area would fill takes no more memory than others.
 TEST(Pack_charts, packs_very_long_charts)
 {
-  std::vector<Chart> charts = polygons(10, 1);
-  Chart strip;
+  std::vector<Flat_chart> charts = polygons(10, 1);
+  Flat_chart strip;
   strip.points = { Point_2(0, 0), Point_2(1e6, 0), Point_2(1e6, 1e-3), Point_2(0, 1e-3) };
   strip.triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
   charts.push_back(strip);
@@ -198,7 +199,7 @@ TEST(Chart_mask, has_the_cells_of_the_triangles)
   Random random(3);
   const double cell = 0.01;
   for (int repetition = 0; repetition < 5; ++repetition) {
-    Chart chart = fan(Point_2(2, 2), random_star_polygon(9, Point_2(2, 2), random), 0.6);
+    Flat_chart chart = fan(Point_2(2, 2), random_star_polygon(9, Point_2(2, 2), random), 0.6);
     const Chart_mask mask = make_mask(rasterize(chart, cell));
     const std::vector<Triangle_2> triangles = triangles_of({ chart });
     for (Index i = 0; i < 2000; ++i) {

@@ -10,8 +10,9 @@
 /// kind is defined for positive `d` and goes to infinity as `d` goes to 0 with `f` fixed: it keeps triangles positive.
 /// The other kind is defined for every `d`, and maps may have flips.
 ///
-/// Models are `DefaultConstructible` and `CopyConstructible`. An energy with parameters of its own is passed to the
-/// constructor of `Distortion_parameterizer_3` as an object; the functions of one without may be `static`.
+/// Models are classes, not `final`, that are `DefaultConstructible`, `CopyConstructible` and `Assignable`. An energy
+/// with parameters of its own is passed to the constructor of `Distortion_parameterizer_3` as an object; the functions
+/// of one without may be `static`.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::As_rigid_as_possible_energy_2`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::MIPS_energy_2`

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Refused.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/named_counts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/Edge_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/solve_edge_system.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -100,8 +101,8 @@ public:
     using parameters::get_parameter;
     internal::assert_names<Option_names>(np);
     m_tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), m_tolerance);
-    m_number_of_iterations =
-        choose_parameter(get_parameter(np, internal_np::number_of_iterations), m_number_of_iterations);
+    m_are_options_valid = internal::set_count(np, internal_np::number_of_iterations, m_number_of_iterations) &&
+                          m_tolerance >= 0;
   }
 
   /// \param np as above; the border parameterizer and the weights are made by their default constructors
@@ -120,11 +121,11 @@ public:
   }
 
   /// solves a level directly.
-  /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_WRONG_PARAMETER` if `tolerance` is negative or no
+  /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_WRONG_PARAMETER` if an option is negative or no
   /// number
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
-    if (!(m_tolerance >= 0))
+    if (!m_are_options_valid)
       return ERROR_WRONG_PARAMETER;
     return internal::solve_directly<Edge_weights::is_symmetric>(internal::Edge_system(level, m_weights), uv);
   }
@@ -142,6 +143,7 @@ private:
   Edge_weights m_weights;
   double m_tolerance = 1e-8;
   std::size_t m_number_of_iterations = 300;
+  bool m_are_options_valid = true;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -7,6 +7,8 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
@@ -19,9 +21,15 @@
 
 namespace CGAL::Surface_mesh_parameterization {
 
-struct Level_summary;
+namespace internal {
 
-namespace internal { class Run_progress; }
+class Run_progress;
+
+// What a method returns that has given up a level, see Level::give_up_above(). No run ends with it.
+constexpr Error_code GIVEN_UP = Error_code(ERROR_STOPPED - 1);
+static_assert(ERROR_WRONG_PARAMETER < GIVEN_UP, "the value of GIVEN_UP is a code of CGAL's");
+
+} // namespace internal
 
 /// \ingroup PkgHierarchicalParameterizationHierarchy
 ///
@@ -56,6 +64,7 @@ public:
   explicit Level(const Collapse_hierarchy_3& hierarchy, std::size_t index = 0)
     : Level(hierarchy, index, internal::Loops())
   { }
+  explicit Level(Collapse_hierarchy_3&&, std::size_t = 0) = delete;
 
   /// \cond SKIP_IN_MANUAL
   // `loops` tells whether what is computed on the level may use several threads; `progress`, which may be null and must

@@ -107,13 +107,14 @@ public:
   ///        to
   ///        k i + k - 1. A vertex with a negative index is not in the system
   /// \param np
-  /// - `tolerance`: greatest relative residual, rows scaled to unit diagonal; default 1e-10
+  /// - `tolerance`: greatest relative residual, rows scaled to unit diagonal; default 1e-10. Less than
+  ///   1e-15 counts as that
   /// - `number_of_iterations`: the most iterations before the direct solver takes over; default 300
   /// - `coarsest_size`, `random_seed`: of the hierarchy, see `Collapse_hierarchy_3`
   /// - `unit_edges`: of the hierarchy. For a matrix of uniform weights, as in `Barycentric_mapping_parameterizer_3`,
   ///   `true` saves iterations on stretched triangles
   ///
-  /// If the mesh is rejected, `error()` says why, and the object cannot solve anything.
+  /// If the mesh or an option is rejected, `error()` says why, and the object cannot solve anything.
   template <class TriangleMesh, class Halfedge, class VertexIndexMap,
             class NamedParameters = parameters::Default_named_parameters>
   Multigrid_solver_traits(const TriangleMesh& mesh, Halfedge bhd, VertexIndexMap vimap,
@@ -135,7 +136,7 @@ public:
   { }
   /// \endcond
 
-  /// `OK`, or the error of `Mesh_component`
+  /// `OK`, the error of `Mesh_component`, or `ERROR_WRONG_PARAMETER` if an option is negative or no number
   const Parameterization_error& error() const { return m_error; }
 
   /// what has been done so far
@@ -167,10 +168,15 @@ private:
   {
     Mesh_component<TriangleMesh> component(mesh, bhd);
     m_error = component.error();
+    const internal::Hierarchy_options hierarchy_options = internal::hierarchy_options_of(np);
+    const internal::Linear_solver_options solver_options = internal::linear_solver_options_of(np);
+    for (const char* fault : { hierarchy_options.fault, solver_options.fault })
+      if (fault)
+        m_error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
     if (m_error.code != OK)
       return;
     const auto hierarchy = std::make_shared<const internal::Hierarchy_interpolation>(
-      std::move(component.surface()), internal::hierarchy_options_of(np));
+      std::move(component.surface()), hierarchy_options);
     std::vector<std::pair<std::ptrdiff_t, internal::Index>> order;      // index, rank
     for (internal::Index rank = 0; rank < hierarchy->number_of_vertices(); ++rank)
       if (const std::ptrdiff_t index = get(vimap, component.vertices_of_component()[hierarchy->input_vertex(rank)]);
@@ -181,7 +187,7 @@ private:
     for (const auto& [index, rank] : order)
       ranks.push_back(rank);
     m_session = std::make_shared<internal::Multigrid_session>(hierarchy, internal::Mesh_unknowns(std::move(ranks)),
-                                                              internal::linear_solver_options_of(np),
+                                                              solver_options,
                                                               &internal::make_multigrid_linear_solver<1>);
   }
 

@@ -136,8 +136,8 @@ public:
   ///         is not finite, or if a weight is negative or not finite; `ERROR_NO_1_TO_1_MAPPING` if a vertex could not be
   ///         inserted without a flip, because its neighbors lie too close together for doubles, if a constrained vertex
   ///         could not be brought to its place without a flip, or if there are flips and the `Flip_policy` is `FAIL`;
-  ///         `ERROR_STOPPED` if the visitor stopped the run. The `summary` names the vertex, or the triangle whose
-  ///         corners contradict each other
+  ///         `ERROR_STOPPED` if the visitor stopped the run. The `summary` names a constrained vertex that is
+  ///         the cause, or the triangle whose corners contradict each other
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
                           VertexParameterizedMap vpmap)

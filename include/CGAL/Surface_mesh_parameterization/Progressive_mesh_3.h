@@ -41,6 +41,8 @@ public:
       m_triangles.push_back(hierarchy.last_triangle(Index(f)));
   }
 
+  explicit Progressive_mesh_3(Collapse_hierarchy_3&&) = delete;
+
   /// the hierarchy
   const Collapse_hierarchy_3& hierarchy() const { return *m_hierarchy; }
 

@@ -7,6 +7,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/named_counts.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <cstddef>
@@ -45,7 +46,8 @@ struct Refinement_options
   /// the map reaches the minimum to rounding, not only to the square root of it. `globally_injective` prevents them;
   /// where it keeps borders apart, a level has converged when a step lowers the excess by less than 1e-4, if that is
   /// greater.
-  /// A tolerance that is negative or no number makes a method return `ERROR_WRONG_PARAMETER`
+  /// A tolerance or a count that is negative, or a tolerance that is no number, makes a method return
+  /// `ERROR_WRONG_PARAMETER`
   double tolerance = 1e-6;
 
   /// named parameter `number_of_iterations`: the most iterations on a level, from each start: Newton steps, or sweeps
@@ -66,8 +68,12 @@ struct Refinement_options
   /// named parameter `random_seed`, of vertices chosen at random
   unsigned int random_seed = 0;
 
+  /// \cond SKIP_IN_MANUAL
+  bool has_negative_count = false;      // among the named parameters
+  /// \endcond
+
   /// whether the options make sense
-  bool are_valid() const { return tolerance >= 0; }
+  bool are_valid() const { return tolerance >= 0 && !has_negative_count; }
 
   /// sets the options that are among the given named parameters.
   template <class NamedParameters>
@@ -77,9 +83,8 @@ struct Refinement_options
     using parameters::get_parameter;
     optimizer = choose_parameter(get_parameter(np, internal_np::optimizer), optimizer);
     tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), tolerance);
-    number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), number_of_iterations);
-    number_of_local_steps =
-        choose_parameter(get_parameter(np, internal_np::number_of_local_steps), number_of_local_steps);
+    has_negative_count = !internal::set_count(np, internal_np::number_of_iterations, number_of_iterations) ||
+                         !internal::set_count(np, internal_np::number_of_local_steps, number_of_local_steps);
     triangle_weight = choose_parameter(get_parameter(np, internal_np::triangle_weight), triangle_weight);
     is_globally_injective = choose_parameter(get_parameter(np, internal_np::globally_injective), is_globally_injective);
     random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), random_seed);

@@ -82,7 +82,8 @@ template <class Energy>
 struct Energy_check
 {
   static constexpr int missing = first_missing(
-      { std::is_default_constructible<Energy>::value && std::is_copy_constructible<Energy>::value,
+      { std::is_default_constructible<Energy>::value && std::is_copy_constructible<Energy>::value &&
+            std::is_copy_assignable<Energy>::value && !std::is_final<Energy>::value,
         is_detected_as<double, Minimum, Energy>, is_detected<Is_scale_invariant, Energy>,
         is_detected<Is_flip_free, Energy>, is_detected_as<Energy, Of_area, Energy>,
         is_detected_as<double, Value, Energy>, is_detected_as<Distortion_derivatives_2, Derivatives, Energy> });
@@ -90,7 +91,8 @@ struct Energy_check
 
   static void tell()
   {
-    static_assert(missing != 0, "Energy has no default or copy constructor: see DistortionEnergy_2");
+    static_assert(missing != 0, "Energy has no default or copy constructor or no assignment, or is final: see "
+                                "DistortionEnergy_2");
     static_assert(missing != 1, "Energy has no constant minimum, a double: see DistortionEnergy_2");
     static_assert(missing != 2, "Energy has no constant is_scale_invariant: see DistortionEnergy_2");
     static_assert(missing != 3, "Energy has no constant is_flip_free: see DistortionEnergy_2");

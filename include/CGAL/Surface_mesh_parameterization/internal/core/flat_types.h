@@ -46,6 +46,13 @@ inline void mirror(std::vector<Point_2>& points)
     mirror(p);
 }
 
+inline std::vector<Point_2> scaled(std::vector<Point_2> points, double factor)
+{
+  for (Point_2& p : points)
+    p = Point_2(factor * p.x(), factor * p.y());
+  return points;
+}
+
 inline void replace_corner(Index_triangle& t, Index from, Index to)
 {
   for (Index& corner : t)

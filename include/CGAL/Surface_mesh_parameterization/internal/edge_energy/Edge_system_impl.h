@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/Edge_system.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -117,6 +118,8 @@ double Edge_system::energy(const Level::Uv& uv) const
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Edge_system::set_row(Index i, const std::vector<double>& row)
 {
+  CGAL_precondition_msg(row.size() == m_level.one_ring(i).size(), "the edge weights' functor makes one weight for each "
+                                                                  "neighbor");
   double sum = 0;
   for (double w : row)
     sum += w;

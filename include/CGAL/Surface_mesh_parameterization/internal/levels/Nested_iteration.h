@@ -12,13 +12,13 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Border_watch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Map_finisher.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Refinable_method.h>
 
 #include <CGAL/Real_timer.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -61,7 +61,7 @@ private:
 
   // Whether the level is the finest one, and borders met on the one before: they will most likely meet again, and its
   // map be given up. A draft of it tells. If they do not, the result is the same as without it.
-  bool begins_with_draft(const Level& level) const { return level.is_finest() && m_watches_borders && !m_is_apart; }
+  bool begins_with_draft(const Level& level) const { return level.is_finest() && m_watch.have_met(); }
   Error_code refine_draft(Level& level, Level::Uv& uv, Level_summary& summary);
 
   Error_code refine_once(const Level& level, Level::Uv& uv, Level_summary& summary);
@@ -79,11 +79,7 @@ private:
   Map_finisher m_finisher;
   CGAL::Real_timer m_timer_of_level;
   bool m_is_finished = false;
-  bool m_watches_borders = false;
-  bool m_is_apart = true;           // no borders met on the last level, if they are watched
-  Level::Uv m_start;                // by rank, if its borders are not kept apart at first; empty: none
-  Level::Uv m_map_apart;            // of the last level below the finest on which no borders met; empty: there is none
-  std::size_t m_level_apart = 0;
+  Border_watch m_watch;             // while the borders of the result have to be apart, and are not kept so
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -5,7 +5,6 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_NESTED_ITERATION_IMPL_H
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/covered_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/vertex_order.h>
@@ -35,8 +34,6 @@ Nested_iteration::Nested_iteration(Refinable_method& method, const Nested_iterat
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::run(const Collapse_hierarchy_3& hierarchy, std::vector<Point_2> start, Level::Uv& uv)
 {
-  if (!(m_overlap_bound >= 0 && m_overlap_bound <= 1))
-    return ERROR_WRONG_PARAMETER;
   if (!m_progress.is_stopped() && m_visitor && !m_visitor->hierarchy_built(hierarchy))
     m_progress.stop();
   if (m_progress.is_stopped())
@@ -62,10 +59,9 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::parameterize_level_by_level(Level& level, Level::Uv& uv)
 {
   m_summary.levels.clear();
-  m_start = Level::Uv();
-  m_is_apart = true;
   m_method.keep_borders_apart(false);
-  m_watches_borders = m_must_keep_apart;
+  if (m_must_keep_apart)
+    m_watch.begin();
   level.go_to(0);
   Error_code status = parameterize_coarsest(level, uv);
   if (status == OK)
@@ -108,11 +104,9 @@ Error_code Nested_iteration::refine_start(Level& level, std::vector<Point_2> sta
   start = std::vector<Point_2>();
   if (is_free(level) && !bring_to_scale(level, m_must_keep_apart, uv))
     return ERROR_NO_1_TO_1_MAPPING;
-  m_watches_borders = m_must_keep_apart && !m_start_is_users;
-  if (m_watches_borders) {
+  if (m_must_keep_apart && !m_start_is_users) {
     m_method.keep_borders_apart(false);
-    m_start = uv;
-    m_is_apart = !has_crossings(border_edges(level.rings()), uv);
+    m_watch.begin_at(level, uv);
   }
   start_stage(level);
   const Error_code status = refine(level, uv);
@@ -122,7 +116,7 @@ Error_code Nested_iteration::refine_start(Level& level, std::vector<Point_2> sta
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::separate_borders(Level& level, Level::Uv& uv)
 {
-  if (!m_watches_borders || m_is_apart)
+  if (!m_watch.have_met())
     return OK;
   if (m_overlap_bound == 1)
     return climb_with_borders_apart(level, uv);
@@ -132,21 +126,22 @@ Error_code Nested_iteration::separate_borders(Level& level, Level::Uv& uv)
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::climb_with_borders_apart(Level& level, Level::Uv& uv)
 {
-  m_watches_borders = false;
+  m_watch.end();
   m_method.keep_borders_apart(true);
-  if (!m_start.empty()) {
+  if (Level::Uv start = m_watch.take_start(); !start.empty()) {
     m_summary.levels.clear();
     m_timer_of_level.reset();
-    uv.swap(m_start);
+    uv = std::move(start);
     return refine(level, uv);
   }
-  level.go_to(m_level_apart);
-  m_summary.levels.resize(m_map_apart.empty() ? 0 : m_level_apart + 1);
+  auto [map_apart, index] = m_watch.take_map_apart();
+  level.go_to(index);
+  m_summary.levels.resize(map_apart.empty() ? 0 : index + 1);
   Error_code status = OK;
-  if (m_map_apart.empty())
+  if (map_apart.empty())
     status = parameterize_coarsest(level, uv);
   else
-    uv.swap(m_map_apart);
+    uv = std::move(map_apart);
   return status == OK ? climb(level, uv) : status;
 }
 
@@ -165,8 +160,7 @@ Error_code Nested_iteration::separate_borders_if_that_pays(Level& level, Level::
   const Error_code status = climb_with_borders_apart(level, uv);
   level.give_up_above((std::numeric_limits<double>::infinity)());
   const bool pays = status == OK && m_summary.levels.back().energy_end <= greatest_ratio_of_energies * energy;
-  const bool has_failed =
-      status == ERROR_NO_1_TO_1_MAPPING || (status == ERROR_STOPPED && !m_progress.is_stopped());
+  const bool has_failed = status == ERROR_NO_1_TO_1_MAPPING || status == GIVEN_UP;
   if (pays || covered == 0 || (status != OK && !has_failed))
     return status;
   level.go_to(level.hierarchy().number_of_levels() - 1);
@@ -211,11 +205,11 @@ Error_code Nested_iteration::refine_draft(Level& level, Level::Uv& uv, Level_sum
   const Error_code status = refine_once(level, uv, summary);
   level.set_draft(false);
   summary.converged = false;
-  if (status == ERROR_STOPPED || (status == OK && !m_is_apart))
+  if (status == ERROR_STOPPED || (status == OK && m_watch.have_met()))
     return status;
   uv = start;
   summary = summary_at_start;
-  m_is_apart = true;
+  m_watch.forget_last_map();
   start_stage(level);
   return refine_once(level, uv, summary);
 }
@@ -227,13 +221,8 @@ Error_code Nested_iteration::refine_once(const Level& level, Level::Uv& uv, Leve
   summary.seconds = m_timer_of_level.time();
   if (m_progress.is_stopped() || (status == OK && !level.progressed(summary, 1)))
     return ERROR_STOPPED;
-  if (status == OK && m_watches_borders) {
-    m_is_apart = !has_crossings(border_edges(level.rings()), uv);
-    if (m_is_apart && !level.is_finest()) {
-      m_map_apart = uv;
-      m_level_apart = level.index();
-    }
-  }
+  if (status == OK)
+    m_watch.look_at(level, uv);
   return status;
 }
 

@@ -25,6 +25,14 @@ struct Nested_iteration_options
   Make_starting_map make_starting_map = nullptr;      // of the user's map; null if the run starts on the coarsest level
   Flip_settlement flips;            // for what methods leave that do not keep triangles positive
   Round_coordinate round = nullptr;       // to the number type of the result; null if that holds doubles
+
+  // What is wrong with the named parameters; null if nothing is.
+  const char* fault() const
+  {
+    if (hierarchy.fault)
+      return hierarchy.fault;
+    return overlap_bound >= 0 && overlap_bound <= 1 ? nullptr : "overlap_bound is not from 0 to 1";
+  }
 };
 
 // Whether a method declares that its results have no flips either: is_flip_free only speaks of the levels below the

@@ -14,8 +14,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // every other vertex to the mean of its neighbors (Tutte 1963). Each further border is closed by a virtual vertex in
 // its middle. In exact arithmetic the map has no flip; whether it has in doubles is tested.
 //
-// Returns `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING` if a triangle is not positive; `uv` is
-// meaningful only with `OK`.
+// Returns `OK`, `ERROR_NO_TOPOLOGICAL_DISC` without an outer border, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or
+// `ERROR_NO_1_TO_1_MAPPING` if a triangle is not positive; then `uv` is what doubles gave.
 Error_code compute_Tutte_embedding(const Level& level, Level::Uv& uv);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

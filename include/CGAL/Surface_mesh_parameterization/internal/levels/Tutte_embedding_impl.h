@@ -55,6 +55,8 @@ Error_code compute_Tutte_embedding(const Level& level, Level::Uv& uv)
   const auto outer = std::find_if(borders.begin(), borders.end(), [&](const std::vector<Index>& border) {
     return level.hierarchy().is_on_outer_border(border.front());
   });
+  if (outer == borders.end())
+    return ERROR_NO_TOPOLOGICAL_DISC;
   std::swap(borders.front(), *outer);
   const std::vector<Index> border = std::move(borders.front());
   borders.erase(borders.begin());

@@ -47,15 +47,6 @@ Error_code compute_first_map(const Level& level, Level::Uv& uv)
   return status;
 }
 
-inline Level::Uv scaled(const Level::Uv& uv, double factor)
-{
-  Level::Uv result;
-  result.reserve(uv.size());
-  for (const Point_2& p : uv)
-    result.emplace_back(factor * p.x(), factor * p.y());
-  return result;
-}
-
 // Scales a map so that the energy is about least: Tutte's map of a long surface is far too small in most places if it
 // has the right area.
 inline void scale_to_energy(const Level_energy& energy, Level::Uv& uv)
@@ -130,7 +121,7 @@ void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv
 inline Error_code refine_map(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
                              Level_summary& summary)
 {
-  return Level_refiner(energy, uv, options, summary).run() ? OK : ERROR_STOPPED;
+  return Level_refiner(energy, uv, options, summary).run();
 }
 
 // Minimizes the energy from `uv`. What keeps borders apart is paid for with energy: where that leads astray, `uv`
@@ -145,8 +136,8 @@ inline Error_code minimize_from(const Level_energy& energy, Level::Uv& uv, const
   if (!separate_borders(energy.level(), uv))
     return ERROR_NO_1_TO_1_MAPPING;
   const Level::Uv start = uv;
-  if (refine_map(energy, uv, options, summary) == ERROR_STOPPED)
-    return ERROR_STOPPED;
+  if (const Error_code status = refine_map(energy, uv, options, summary); status != OK)
+    return status;
   if (!(energy(uv) <= energy(start)) || has_crossings(border_edges(energy.level().rings()), uv)) {
     uv = start;
     summary.energy_end = summary.energy_start;
@@ -229,7 +220,7 @@ inline void start_again(const Level_energy& energy, Level::Uv start, Level::Uv& 
   const Error_code other_status = minimize_from(energy, start, options, summary);
   const bool is_better = other_status == OK && !(status == OK && !(energy(start) < value));
   summary.energy_start = before.energy_start;
-  if (other_status == ERROR_STOPPED && !energy.level().may_go_on())      // else it has but given up
+  if (other_status == ERROR_STOPPED)
     status = ERROR_STOPPED;
   if (is_better) {
     uv.swap(start);
@@ -270,7 +261,7 @@ Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, L
   if (level.is_finest() && !is_experiment && is_almost_developable(level))
     unfold_to_lower_energy(energy, true, options, uv);
   Error_code status = minimize_from(energy, uv, options, summary);
-  if (status == ERROR_STOPPED)
+  if (status == ERROR_STOPPED || status == GIVEN_UP)
     return status;
   const double value = summary.energy_end * energy.unit();
   if (!level.is_draft() && (status != OK || (!is_experiment && is_far_above_minimum(energy, value))))

@@ -163,6 +163,10 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
   Parameterization_summary unused_summary;
   Parameterization_summary& summary = setup.summary ? *setup.summary : unused_summary;
   summary = Parameterization_summary();
+  if (const char* fault = options.fault()) {
+    summary.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
+    return ERROR_WRONG_PARAMETER;
+  }
   CGAL::Real_timer timer;
   timer.start();
   Mesh_component<TriangleMesh> component(mesh, bhd, loops);
@@ -204,7 +208,7 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
     if (status != OK)
       summary.error.cause = "the map is too large for doubles";
   } else if (status == ERROR_WRONG_PARAMETER)
-    summary.error.cause = "the method refuses one of its options, as a lambda or tolerance that is negative or no number";
+    summary.error.cause = "the method refuses one of its options, as a lambda, tolerance or count that is negative";
   else if (summary.error.place == Parameterization_error::VERTEX)
     summary.error.index = position_in(vertices(mesh), component.vertices_of_component()[summary.error.index]);
   return status;

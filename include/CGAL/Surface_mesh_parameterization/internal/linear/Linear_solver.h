@@ -22,7 +22,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 struct Linear_solver_options
 {
-  // Of the residual, relative to that of the free unknowns at 0; rows scaled to unit diagonal.
+  // Of the residual, relative to that of the free unknowns at 0; rows scaled to unit diagonal. What is less than the
+  // rounding error counts as that.
   double tolerance = 1e-10;
   // Once it is below the tolerance, the residual goes on to this times the tolerance, or to what rounding leaves, as
   // long as so many steps in a row halve it; bi-conjugate gradients take two steps in an iteration.
@@ -66,6 +67,7 @@ struct Linear_solver_options
   bool may_solve_directly = true;       // if not, what multigrid does not solve stays unsolved
   Run_progress* progress = nullptr;     // is told of each iteration, and may end them unsolved; may be null
   double part_of_rest = 0.9;            // of the progress's run: a solution takes so much of what is left, more or less
+  const char* fault = nullptr;          // what is wrong with the named parameters; null if nothing is
 };
 
 inline bool is_stopped(const Linear_solver_options& options)

@@ -61,8 +61,10 @@ public:
   const std::shared_ptr<const Sparse_rows<double>>& rows() const override { return m_system.rows(); }
 
   Linear_solver_result solve(const std::vector<const double*>& right_sides, const std::vector<double*>& solutions,
-                             const Linear_solver_options& options) override
+                             const Linear_solver_options& given_options) override
   {
+    Linear_solver_options options = given_options;
+    options.tolerance = (std::max)(options.tolerance, options.rounding_error);
     const Side_by_side b{ right_sides, scales_of(right_sides) };
     Vector x;
     m_system.set_to_fixed_unknowns(b, x);

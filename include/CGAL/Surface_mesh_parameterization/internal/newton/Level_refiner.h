@@ -40,8 +40,8 @@ public:
   }
 
   // Energies are reported as the sum over the triangles, or as the mean over the area if triangles are weighted so.
-  // Returns false if a visitor stopped the run, or what keeps borders apart is given up.
-  bool run()
+  // Returns `OK`, `ERROR_STOPPED` if a visitor stopped the run, or `GIVEN_UP` if keeping borders apart is in vain.
+  Error_code run()
   {
     m_summary.energy_start = m_current / m_unit;
     if (tell(0)) {
@@ -57,7 +57,7 @@ public:
     }
     m_summary.energy_end = (m_level.is_finest() ? m_energy(m_uv) : m_current) / m_unit;
     m_summary.converged = m_summary.converged && std::isfinite(m_summary.energy_end);
-    return !m_is_stopped;
+    return m_status;
   }
 
 private:
@@ -65,10 +65,11 @@ private:
   bool tell(double part)
   {
     m_summary.energy_end = m_current / m_unit;
-    const bool is_in_vain = m_barrier && iterations() >= m_options.most_steps_in_vain &&
-                            m_level.is_given_up_at(m_summary.energy_end);
-    m_is_stopped = !m_level.progressed(m_summary, part) || is_in_vain;
-    return !m_is_stopped;
+    if (!m_level.progressed(m_summary, part))
+      m_status = ERROR_STOPPED;
+    else if (m_barrier && iterations() >= m_options.most_steps_in_vain && m_level.is_given_up_at(m_summary.energy_end))
+      m_status = GIVEN_UP;
+    return m_status == OK;
   }
 
   // Those of this refinement: the summary may have others before them.
@@ -141,7 +142,7 @@ private:
     const bool is_random = m_refinement.optimizer == Optimizer::RANDOM_VERTICES;
     const Vertex_relaxation relaxation(m_energy, is_random ? 1 : m_options.over_relaxation, m_barrier.get());
     std::mt19937 random(m_refinement.random_seed);
-    while (!m_is_stopped && iterations() < most_sweeps && !m_summary.converged) {
+    while (m_status == OK && iterations() < most_sweeps && !m_summary.converged) {
       const double before = m_current;
       lower_by(is_random ? relaxation.random_steps(m_uv, size(), random) : relaxation.sweep(m_uv));
       m_summary.vertex_visits += size();
@@ -176,7 +177,7 @@ private:
       sweep(relaxation);
     } while (tell(0) && ++sweeps < m_options.most_first_sweeps &&
              !is_little(before - m_current, m_options.least_decrease_of_first_sweeps));
-    return !m_is_stopped;
+    return m_status == OK;
   }
 
   void take_newton_steps(Vertex_relaxation& relaxation)
@@ -189,7 +190,7 @@ private:
     relaxation.set_turn_barrier(newton.turn_barrier());
     Decreases decreases(m_options.sudden_fall);
     Lull lull(m_current);
-    while (!m_is_stopped && iterations() < m_refinement.number_of_iterations && !m_summary.converged) {
+    while (m_status == OK && iterations() < m_refinement.number_of_iterations && !m_summary.converged) {
       const double negligible =
           m_energy.is_flip_free() ? m_options.negligible_part * m_refinement.tolerance * excess() : 0;
       const auto step = newton.step(m_uv, m_current, negligible);
@@ -239,7 +240,7 @@ private:
   void take_last_steps(Newton_method& newton)
   {
     double greatest_promise = (std::numeric_limits<double>::infinity)();
-    while (!m_is_stopped && iterations() < m_refinement.number_of_iterations) {
+    while (m_status == OK && iterations() < m_refinement.number_of_iterations) {
       const auto step = newton.last_step(m_uv, greatest_promise, m_options.rounding * m_current);
       m_summary.cycles += step.cycles;
       if (step.length == 0)
@@ -292,7 +293,7 @@ private:
   std::unique_ptr<Border_barrier> m_barrier;      // none unless the map has to be globally injective
   const double m_unit;
   double m_current;       // the energy of m_uv
-  bool m_is_stopped = false;
+  Error_code m_status = OK;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 
@@ -56,10 +57,10 @@ void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv);
 std::vector<Point_2> map_of(const Atlas& atlas, const std::vector<Index>& faces);
 
 // The triangles of a chart in the plane.
-Chart chart_of(const Corner_mesh& mesh, std::vector<Point_2> uv);
+Flat_chart chart_of(const Corner_mesh& mesh, std::vector<Point_2> uv);
 
 // Whether all triangles of a chart are positive.
-bool is_positive(const Chart& chart);
+bool is_positive(const Flat_chart& chart);
 
 // Makes the charts of an atlas from the places of its corners: they end where the two sides of an edge have different
 // places.
@@ -70,7 +71,7 @@ void split_charts(const std::vector<Point_2>& corners, Atlas& atlas);
 
 // Moves border vertices of a chart a little into it, where rounding has made borders meet that do not in its shape.
 // Returns whether that is done, or they met before.
-bool part_borders(Chart& chart, const std::vector<Point_2>& shape, Round_coordinate round);
+bool part_borders(Flat_chart& chart, const std::vector<Point_2>& shape, Round_coordinate round);
 
 // Packs those charts of an atlas that are wanted. Coordinates are rounded by `round` if that is not null. A chart
 // without flips stays so: where rounding makes a flip, vertices move, or the chart is scaled up, but not so far

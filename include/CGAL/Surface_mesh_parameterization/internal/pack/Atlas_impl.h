@@ -48,13 +48,6 @@ std::vector<std::size_t> chart_of_face(const Atlas& atlas)
   return result;
 }
 
-inline std::vector<Point_2> scaled_places(std::vector<Point_2> points, double scale)
-{
-  for (Point_2& p : points)
-    p = Point_2(scale * p.x(), scale * p.y());
-  return points;
-}
-
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
 {
@@ -66,7 +59,7 @@ void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
   }
   const double scale = std::sqrt(area_in_space / area_in_plane);
   if (std::isfinite(scale) && scale > 0)
-    uv = scaled_places(std::move(uv), scale);
+    uv = scaled(std::move(uv), scale);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -79,7 +72,7 @@ std::vector<Point_2> map_of(const Atlas& atlas, const std::vector<Index>& faces)
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Chart chart_of(const Corner_mesh& mesh, std::vector<Point_2> uv)
+Flat_chart chart_of(const Corner_mesh& mesh, std::vector<Point_2> uv)
 {
   return { std::move(uv), triangles_of(mesh) };
 }
@@ -108,7 +101,7 @@ void split_charts(const std::vector<Point_2>& corners, Atlas& atlas)
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool is_positive(const Chart& chart)
+bool is_positive(const Flat_chart& chart)
 {
   return std::all_of(chart.triangles.begin(), chart.triangles.end(), [&](const Index_triangle& t) {
     return is_left_turn(chart.points[t[0]], chart.points[t[1]], chart.points[t[2]]);
@@ -132,7 +125,7 @@ inline bool is_near(const std::vector<Point_2>& points, const std::vector<Point_
 
 // The next three functions round the places of a chart so that no triangle is flipped, and return whether they could.
 // This one moves vertices within their stars; if that fails, the chart stays as it was.
-inline bool round_places(Chart& chart, Round_coordinate round)
+inline bool round_places(Flat_chart& chart, Round_coordinate round)
 {
   const std::vector<Point_2> exact = chart.points;
   round_all(chart.points, round);
@@ -148,7 +141,7 @@ inline bool round_places(Chart& chart, Round_coordinate round)
 
 // Of a chart that is too small for the steps of its coordinates: its shape is scaled up around the middle of its place,
 // up to a size. If that fails, the chart stays as it was.
-inline bool round_places_enlarged(Chart& chart, const std::vector<Point_2>& shape, Round_coordinate round,
+inline bool round_places_enlarged(Flat_chart& chart, const std::vector<Point_2>& shape, Round_coordinate round,
                                   double most_size)
 {
   const auto middle_of = [](const Bbox_2& box) {
@@ -168,14 +161,14 @@ inline bool round_places_enlarged(Chart& chart, const std::vector<Point_2>& shap
 }
 
 // By a repair of the flips.
-inline bool round_places_repaired(Chart& chart, const Corner_mesh& mesh, Round_coordinate round)
+inline bool round_places_repaired(Flat_chart& chart, const Corner_mesh& mesh, Round_coordinate round)
 {
   std::size_t unused_number = 0;
   return repair_map(surface_of(mesh), false, chart.points, unused_number) == OK && round_places(chart, round);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool part_borders(Chart& chart, const std::vector<Point_2>& shape, Round_coordinate round)
+bool part_borders(Flat_chart& chart, const std::vector<Point_2>& shape, Round_coordinate round)
 {
   constexpr double first_part_of_way = 1e-9, greatest_part_of_way = 0.1;
   const One_rings rings(chart.points.size(), chart.triangles);
@@ -220,7 +213,7 @@ inline bool are_apart(const Atlas& atlas, const std::vector<bool>& is_wanted, do
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_options& options, Round_coordinate round)
 {
-  std::vector<Chart> charts;
+  std::vector<Flat_chart> charts;
   std::vector<Index> scratch(atlas.mesh.number_of_vertices(), no_index);
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < atlas.charts.size(); ++i)
@@ -229,7 +222,7 @@ Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_option
       numbers.push_back(i);
     }
   std::vector<bool> was_positive;
-  for (const Chart& chart : charts)
+  for (const Flat_chart& chart : charts)
     was_positive.push_back(is_positive(chart));
   Packing packing = pack_charts(charts, options);
   if (packing.side == 0)
@@ -243,14 +236,14 @@ Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_option
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const std::size_t number = numbers[i];
     const std::vector<Index>& faces = atlas.charts[number];
-    Chart& chart = charts[i];
-    chart.points = scaled_places(std::move(chart.points), scale);
+    Flat_chart& chart = charts[i];
+    chart.points = scaled(std::move(chart.points), scale);
     const std::vector<Point_2> exact = chart.points;
     if (was_positive[i]) {
       const std::vector<Point_2> shape = map_of(atlas, faces);
       is_wanted[number] =
           (round_places(chart, round) ||
-           round_places_enlarged(chart, scaled_places(shape, scale), round, most_distance) ||
+           round_places_enlarged(chart, scaled(shape, scale), round, most_distance) ||
            round_places_repaired(chart, component_of(atlas.mesh, faces, scratch), round)) &&
           part_borders(chart, shape, round);
       if (is_wanted[number] && !is_near(chart.points, exact, most_distance))

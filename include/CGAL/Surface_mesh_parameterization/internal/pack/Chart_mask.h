@@ -7,18 +7,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Bitmap.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
-
-// A piece of an atlas: triangles in the plane.
-struct Chart
-{
-  std::vector<Point_2> points;
-  std::vector<Index_triangle> triangles;
-};
 
 // The cells that a chart takes on a grid, as squares whose sides are powers of two. They may overlap. The largest ones
 // come first: where these do not fit, the others need no look.
@@ -38,7 +32,7 @@ struct Chart_mask
 };
 
 // The cells that triangles of a chart meet, or nearly so. No point has a negative coordinate.
-Bitmap rasterize(const Chart& chart, double cell);
+Bitmap rasterize(const Flat_chart& chart, double cell);
 
 // Squares that cover just the cells that are taken.
 Chart_mask make_mask(const Bitmap& cells);

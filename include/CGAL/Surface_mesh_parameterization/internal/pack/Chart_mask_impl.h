@@ -35,7 +35,7 @@ inline std::pair<double, double> extent_between(const std::array<Point_2, 3>& t,
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Bitmap rasterize(const Chart& chart, double cell)
+Bitmap rasterize(const Flat_chart& chart, double cell)
 {
   constexpr double tolerance = 1e-9;           // in cells: what is nearer than that to a cell meets it
   Bbox_2 box;

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mask.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Strip.h>
 
 #include <cstddef>
@@ -36,7 +37,7 @@ public:
 
   // Charts that are turned by the angles whose cosines and sines are the coordinates of vectors. Between charts so many
   // cells stay empty.
-  Grid_packer(const std::vector<Chart>& charts, const std::vector<std::vector<Vector_2>>& directions, double cell,
+  Grid_packer(const std::vector<Flat_chart>& charts, const std::vector<std::vector<Vector_2>>& directions, double cell,
               std::size_t margin);
 
   std::size_t number_of_charts() const { return m_masks.size(); }

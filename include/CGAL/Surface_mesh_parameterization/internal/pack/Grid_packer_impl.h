@@ -16,11 +16,11 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Grid_packer::Grid_packer(const std::vector<Chart>& charts, const std::vector<std::vector<Vector_2>>& directions,
+Grid_packer::Grid_packer(const std::vector<Flat_chart>& charts, const std::vector<std::vector<Vector_2>>& directions,
                          double cell, std::size_t margin)
   : m_masks(charts.size()), m_margin(margin)
 {
-  Chart turned;
+  Flat_chart turned;
   for (std::size_t i = 0; i < charts.size(); ++i)
     for (const Vector_2& direction : directions[i]) {
       turned = charts[i];

@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_DIVIDE_CHARTS_IMPL_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_part.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/best_chord.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/divide_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/path_in_plane.h>
@@ -77,7 +78,7 @@ public:
 private:
   double find_used_part() const
   {
-    std::vector<Chart> charts;
+    std::vector<Flat_chart> charts;
     for (const Divided_part& part : m_parts)
       charts.push_back(chart_of(part.mesh, part.uv));
     return pack_charts(charts, m_pack_options).used_part;

@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mask.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Grid_packer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/turn_chart.h>
 
@@ -27,10 +28,10 @@ struct Large_charts
 };
 
 // A chart of many triangles as bars on a grid, which cover it. Its box has a corner at the origin.
-inline Chart as_bars(const Chart& chart, double cell)
+inline Flat_chart as_bars(const Flat_chart& chart, double cell)
 {
   const Bitmap cells = rasterize(chart, cell);
-  Chart bars;
+  Flat_chart bars;
   const auto add_bar = [&](std::size_t y, std::size_t begin, std::size_t end) {
     const Index first = Index(bars.points.size());
     for (const std::size_t x : { begin, end })
@@ -77,7 +78,7 @@ inline std::pair<Grid_packer::Plan, Grid_packer::Result> search_plan(const Grid_
 }
 
 // Searches on a coarse grid; the charts are about to lie in a square of this side. The margin is a part of it.
-inline Large_charts search_large_charts(const std::vector<Chart>& charts, const std::vector<double>& areas,
+inline Large_charts search_large_charts(const std::vector<Flat_chart>& charts, const std::vector<double>& areas,
                                         double side, double margin, std::size_t most_trials)
 {
   constexpr double least_part = 0.005;                // of the square
@@ -86,7 +87,7 @@ inline Large_charts search_large_charts(const std::vector<Chart>& charts, const 
   const double cell = side / cells;
   const std::size_t margin_cells = (std::max)(std::size_t(1), std::size_t(margin * cells));
   std::vector<std::size_t> numbers;
-  std::vector<Chart> large;
+  std::vector<Flat_chart> large;
   for (std::size_t i = 0; i < charts.size(); ++i)
     if (areas[i] > least_part * side * side) {
       numbers.push_back(i);

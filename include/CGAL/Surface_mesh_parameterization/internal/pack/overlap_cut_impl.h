@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Minimum_cut.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/overlap_cut.h>
 
@@ -221,7 +222,7 @@ bool is_one_to_one(const Corner_mesh& chart, const std::vector<Point_2>& uv)
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 std::vector<Index> overlap_cut(const Corner_mesh& chart, const std::vector<Point_2>& uv, double overlap_bound)
 {
-  const Chart map = chart_of(chart, uv);
+  const Flat_chart map = chart_of(chart, uv);
   const bool is_divisible = is_positive(map) && !is_one_to_one(chart, uv) &&
                             covered_part(map.triangles, map.points) > overlap_bound;
   return is_divisible ? Overlap_cutter(chart, uv).run() : std::vector<Index>();

@@ -6,7 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
-#include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mask.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 
 #include <cstddef>
 #include <vector>
@@ -40,7 +40,7 @@ struct Packing
 // Charts are put one after the other, the largest first, each at the lowest place where it fits, in one of four
 // directions, on a grid whose cells are taken if a triangle meets them. Several widths are tried. Charts that are a
 // great part of all are turned by more angles and tried in many orders, on a coarser grid.
-Packing pack_charts(std::vector<Chart>& charts, const Pack_options& options);
+Packing pack_charts(std::vector<Flat_chart>& charts, const Pack_options& options);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

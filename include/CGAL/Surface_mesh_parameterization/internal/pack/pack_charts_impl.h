@@ -23,7 +23,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 // The side of a square that should hold charts of these areas, each grown by the part of its box that it covers when the
 // box grows by the margin, a part of that side.
-inline double guessed_side(const std::vector<Chart>& charts, const std::vector<double>& areas, double margin)
+inline double guessed_side(const std::vector<Flat_chart>& charts, const std::vector<double>& areas, double margin)
 {
   constexpr double guessed_part = 0.75;
   constexpr int most_repetitions = 10;
@@ -72,8 +72,8 @@ inline Grid_packer::Plan make_plan(const Grid_packer& packer, const Large_charts
 }
 
 // Packs several charts. The margin is a part of the side. Returns the side, and the distance that charts have.
-inline std::pair<double, double> pack_on_grid(std::vector<Chart>& charts, const std::vector<double>& areas, double margin,
-                           const Pack_options& options)
+inline std::pair<double, double> pack_on_grid(std::vector<Flat_chart>& charts, const std::vector<double>& areas,
+                                              double margin, const Pack_options& options)
 {
   const double root = std::sqrt(double(charts.size()));
   double cells = std::clamp(double(options.cells_of_chart) * root, double(options.least_cells),
@@ -110,17 +110,17 @@ inline std::pair<double, double> pack_on_grid(std::vector<Chart>& charts, const 
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Packing pack_charts(std::vector<Chart>& charts, const Pack_options& options)
+Packing pack_charts(std::vector<Flat_chart>& charts, const Pack_options& options)
 {
   std::vector<double> areas;
-  for (const Chart& chart : charts)
+  for (const Flat_chart& chart : charts)
     areas.push_back(area(chart));
   const double total_area = std::accumulate(areas.begin(), areas.end(), 0.);
   if (!(total_area > 0 && std::isfinite(total_area)))
     return {};
   const double margin = (std::min)(options.margin, options.margin_of_chart / std::sqrt(double(charts.size())));
   // Where a chart was far away, its coordinates have few digits; in differences of them nothing is lost.
-  for (Chart& chart : charts) {
+  for (Flat_chart& chart : charts) {
     const Vector_2 first = chart.points.front() - CGAL::ORIGIN;
     for (Point_2& p : chart.points)
       p = p - first;
@@ -130,7 +130,7 @@ Packing pack_charts(std::vector<Chart>& charts, const Pack_options& options)
     side = put_in_square(charts[0].points, margin);
     distance = margin * side;
   } else {
-    for (Chart& chart : charts)
+    for (Flat_chart& chart : charts)
       straighten(chart.points);
     std::tie(side, distance) = pack_on_grid(charts, areas, margin, options);
   }

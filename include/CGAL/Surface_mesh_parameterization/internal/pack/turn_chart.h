@@ -5,7 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_TURN_CHART_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
-#include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mask.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -21,7 +21,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-inline double area(const Chart& chart)
+inline double area(const Flat_chart& chart)
 {
   double sum = 0;
   for (const Index_triangle& t : chart.triangles)

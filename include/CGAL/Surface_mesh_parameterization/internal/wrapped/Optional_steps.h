@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Component_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Filled_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
@@ -46,8 +47,8 @@ struct Optional_steps
 
   // Runs the method without flips that takes the parameterizer's place where a repair left little of the map. Null if
   // there is none.
-  Error_code (*run_substitute)(const Triangle_mesh&, halfedge_descriptor, const Index_map&, std::vector<Point_2>& uv,
-                               Run_progress&, Parameterization_summary&) = nullptr;
+  Error_code (*run_substitute)(const Triangle_mesh&, halfedge_descriptor, const Index_map&, const Hierarchy_options&,
+                               std::vector<Point_2>& uv, Run_progress&, Parameterization_summary&) = nullptr;
 
   template <class ConcurrencyTag, class NamedParameters>
   static Optional_steps of(const NamedParameters&)
@@ -76,13 +77,17 @@ private:
 
   template <class Method, class ConcurrencyTag>
   static Error_code run(const Triangle_mesh& mesh, halfedge_descriptor bhd, const Index_map& index,
-                        std::vector<Point_2>& uv, Run_progress& progress, Parameterization_summary& summary)
+                        const Hierarchy_options& hierarchy, std::vector<Point_2>& uv, Run_progress& progress,
+                        Parameterization_summary& summary)
   {
     typedef typename boost::graph_traits<Triangle_mesh>::vertex_descriptor   vertex_descriptor;
     const Constant_property_map<vertex_descriptor, bool> is_parameterized;
     constexpr double part_of_rest = 0.9;
     progress.start_stage(part_of_rest);
-    const auto np = parameters::summary(std::ref(summary)).visitor(Relay(progress));
+    const auto np = parameters::summary(std::ref(summary))
+                        .visitor(Relay(progress))
+                        .coarsest_size(hierarchy.coarsest_size)
+                        .random_seed(hierarchy.random_seed);
     return Nested_iteration_parameterizer_3<Method, ConcurrencyTag>(Method(), np)
         .parameterize(mesh, bhd, Component_map<Index_map, Point_2>{ index, &uv }, index, is_parameterized);
   }

@@ -119,7 +119,7 @@ private:
       code = run.settle_flips(uv, run_substitute != nullptr);
       if (run_substitute && run.is_map_lost())
         code = run.replace_map(uv, is_placed, [&](std::vector<Point_2>& places, Parameterization_summary& summary) {
-          return run_substitute(mesh, bhd, run.index(), places, run.progress(), summary);
+          return run_substitute(mesh, bhd, run.index(), this->options().hierarchy, places, run.progress(), summary);
         });
     }
     if (code == OK)

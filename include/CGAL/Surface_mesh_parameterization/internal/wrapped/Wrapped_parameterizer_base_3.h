@@ -70,7 +70,7 @@ protected:
   // caller's mesh.
   bool has_arguments() const { return m_has_arguments; }
 
-  // Ends a run before it started.
+  // Ends a run that has no result: a summary tells nothing but the error.
   Error_code fail(Error_code code, const char* cause = nullptr) const
   {
     if (m_options.summary) {
