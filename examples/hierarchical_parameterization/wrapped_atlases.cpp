@@ -17,12 +17,11 @@
 
 namespace {
 
-// One chart after the other, as CGAL does not say which of its parameterizers may run side by side.
-template <template <class...> class Method>
+// CGAL's functions may run side by side as long as no two of them work on the same objects.
+template <template <class...> class Method, class ConcurrencyTag = CGAL::Parallel_if_available_tag>
 SMP::Atlas_summary run_wrapped(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return run_atlas<Method, CGAL::Sequential_tag>(atlas, options,
-                                                 SMP::parameters::flip_policy(options.flip_policy));
+  return run_atlas<Method, ConcurrencyTag>(atlas, options, SMP::parameters::flip_policy(options.flip_policy));
 }
 
 } // namespace
@@ -47,11 +46,12 @@ SMP::Atlas_summary run_authalic_atlas(const Atlas_mesh& atlas, const Method_opti
   return run_wrapped<SMP::Discrete_authalic_parameterizer_3>(atlas, options);
 }
 
-// In CGAL 5 this parameterizer prints its progress, and writes a file into the current folder in every iteration.
+// In CGAL 5 this parameterizer prints its progress, and writes a file into the current folder in every iteration: the
+// same one in all charts, which are laid out one after the other.
 SMP::Atlas_summary run_iterative_authalic_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
   const Confinement confinement;
-  return run_wrapped<SMP::Iterative_authalic_parameterizer_3>(atlas, options);
+  return run_wrapped<SMP::Iterative_authalic_parameterizer_3, CGAL::Sequential_tag>(atlas, options);
 }
 
 SMP::Atlas_summary run_lscm_atlas(const Atlas_mesh& atlas, const Method_options& options)

@@ -465,11 +465,11 @@ TEST(Packing, keeps_fine_margins)
 
 // A row of squares that winds back to its first one, whose corner it meets but for a gap; if that is negative, the
 // squares overlap.
-internal::Chart almost_closed_ring(double gap)
+internal::Flat_chart almost_closed_ring(double gap)
 {
   const int path[][2] = { { 0, 0 },  { 0, -1 }, { 1, -1 }, { 2, -1 }, { 3, -1 },
                           { 3, 0 }, { 3, 1 },  { 2, 1 },  { 1, 1 } };
-  internal::Chart chart;
+  internal::Flat_chart chart;
   std::map<std::pair<int, int>, Index> vertices;
   const auto vertex = [&](int x, int y) {
     const auto [place, is_new] = vertices.try_emplace({ x, y }, Index(chart.points.size()));
@@ -490,23 +490,23 @@ internal::Chart almost_closed_ring(double gap)
 
 TEST(Packing, parts_borders_that_rounding_lets_meet)
 {
-  const auto overlaps = [](const internal::Chart& chart) {
+  const auto overlaps = [](const internal::Flat_chart& chart) {
     std::vector<internal::Triangle_2> triangles;
     for (const internal::Index_triangle& t : chart.triangles)
       triangles.push_back({ chart.points[t[0]], chart.points[t[1]], chart.points[t[2]] });
     return internal::number_of_overlapping_pairs(triangles);
   };
-  const internal::Chart apart = almost_closed_ring(1e-15), meeting = almost_closed_ring(-1e-15);
+  const internal::Flat_chart apart = almost_closed_ring(1e-15), meeting = almost_closed_ring(-1e-15);
   ASSERT_EQ(overlaps(apart), 0u);
   ASSERT_GT(overlaps(meeting), 0u);
-  internal::Chart parted = meeting;
+  internal::Flat_chart parted = meeting;
   EXPECT_TRUE(internal::part_borders(parted, apart.points, nullptr));
   EXPECT_EQ(overlaps(parted), 0u);
   EXPECT_TRUE(internal::is_positive(parted));
   for (std::size_t i = 0; i < parted.points.size(); ++i)
     EXPECT_LT((parted.points[i] - meeting.points[i]).squared_length(), 1e-15);
   // Borders that met before are not rounding's.
-  internal::Chart left = meeting;
+  internal::Flat_chart left = meeting;
   EXPECT_TRUE(internal::part_borders(left, meeting.points, nullptr));
   EXPECT_EQ(left.points, meeting.points);
 }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
@@ -425,6 +426,23 @@ TEST(Overlap_bound, lets_what_is_in_vain_be_given_up)
   EXPECT_GT(overlaps(10, 0.99), 0u);
   EXPECT_EQ(overlaps(6, 0.99), 0u);         // not so much
   EXPECT_EQ(overlaps(1e6, 1), 0u);          // there is no other way
+}
+
+TEST(Options_of_charts, are_checked_before_the_surface_is_cut)
+{
+  Surface closed(sphere(12, 16));
+  const auto expect_refused = [&](const Atlas_summary& summary, const std::string& option) {
+    EXPECT_EQ(summary.error.code, ERROR_WRONG_PARAMETER);
+    EXPECT_EQ(summary.error.place, Parameterization_error::NOWHERE);
+    EXPECT_NE(error_message(summary.error).find(option), std::string::npos);
+    EXPECT_EQ(summary.cut.seam_edges, 0u);
+  };
+  const auto none = parameters::default_values();
+  expect_refused(atlas_parameterization(closed.mesh, closed.uv, none, parameters::tolerance(-1.)), "tolerance");
+  expect_refused(atlas_parameterization<LSCM_parameterizer_3>(closed.mesh, closed.uv, none,
+                                                              parameters::number_of_iterations(-1)),
+                 "number_of_iterations");
+  EXPECT_EQ(atlas_parameterization(closed.mesh, closed.uv, none, parameters::tolerance(1e-3)).error.code, OK);
 }
 
 TEST(Overlap_bound, is_from_0_to_1)

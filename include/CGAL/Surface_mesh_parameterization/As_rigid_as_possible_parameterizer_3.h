@@ -93,7 +93,7 @@ public:
   /// doubles, has a flip; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if `lambda` or `tolerance` is negative or no number
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
-    if (!are_options_valid())
+    if (fault())
       return ERROR_WRONG_PARAMETER;
     const Error_code status = internal::compute_first_map(level, uv);
     if (status != OK)
@@ -107,7 +107,7 @@ public:
   /// \return `OK`, `ERROR_STOPPED`, or `ERROR_WRONG_PARAMETER` if `lambda` or `tolerance` is negative or no number
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
-    if (!are_options_valid())
+    if (fault())
       return ERROR_WRONG_PARAMETER;
     const double energy_start = energy(level, uv);
     const Error_code status = minimize(level, uv, summary);
@@ -135,9 +135,12 @@ public:
     return internal::minimize_energy(energy, uv, options, summary);
   }
 
-private:
-  bool are_options_valid() const { return m_options.are_valid() && m_lambda >= 0; }
+  /// \cond SKIP_IN_MANUAL
+  // What is wrong with the options; null if nothing is.
+  const char* fault() const { return m_options.fault(); }
+  /// \endcond
 
+private:
   // with lambda in the units of the level; reported in the user's units
   internal::Level_energy_of<Energy> level_energy(const Level& level) const
   {

@@ -154,6 +154,11 @@ public:
     return m_must_be_injective;
   }
 
+  /// \cond SKIP_IN_MANUAL
+  // What is wrong with the options; null if nothing is.
+  const char* fault() const { return m_options.fault(); }
+  /// \endcond
+
 private:
   template <class NamedParameters>
   Distortion_parameterizer_3(const Energy& energy, const Refinement_options& defaults, const NamedParameters& np)

@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Refused.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
-#include <CGAL/Surface_mesh_parameterization/internal/core/named_counts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/number_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/Edge_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/edge_energy/solve_edge_system.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -101,8 +101,9 @@ public:
     using parameters::get_parameter;
     internal::assert_names<Option_names>(np);
     m_tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), m_tolerance);
-    m_are_options_valid = internal::set_count(np, internal_np::number_of_iterations, m_number_of_iterations) &&
-                          m_tolerance >= 0;
+    m_number_of_iterations =
+        choose_parameter(get_parameter(np, internal_np::number_of_iterations), m_number_of_iterations);
+    m_fault = internal::fault_of_numbers(np);
   }
 
   /// \param np as above; the border parameterizer and the weights are made by their default constructors
@@ -125,7 +126,7 @@ public:
   /// number
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
-    if (!m_are_options_valid)
+    if (m_fault)
       return ERROR_WRONG_PARAMETER;
     return internal::solve_directly<Edge_weights::is_symmetric>(internal::Edge_system(level, m_weights), uv);
   }
@@ -138,12 +139,17 @@ public:
                                         uv, summary);
   }
 
+  /// \cond SKIP_IN_MANUAL
+  // What is wrong with the options; null if nothing is.
+  const char* fault() const { return m_fault; }
+  /// \endcond
+
 private:
   Border_parameterizer m_border_parameterizer;
   Edge_weights m_weights;
   double m_tolerance = 1e-8;
   std::size_t m_number_of_iterations = 300;
-  bool m_are_options_valid = true;
+  const char* m_fault = nullptr;      // what is wrong with the options
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/number_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
@@ -168,15 +169,12 @@ private:
   {
     Mesh_component<TriangleMesh> component(mesh, bhd);
     m_error = component.error();
-    const internal::Hierarchy_options hierarchy_options = internal::hierarchy_options_of(np);
-    const internal::Linear_solver_options solver_options = internal::linear_solver_options_of(np);
-    for (const char* fault : { hierarchy_options.fault, solver_options.fault })
-      if (fault)
-        m_error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
+    if (const char* fault = internal::fault_of_numbers(np))
+      m_error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
     if (m_error.code != OK)
       return;
     const auto hierarchy = std::make_shared<const internal::Hierarchy_interpolation>(
-      std::move(component.surface()), hierarchy_options);
+      std::move(component.surface()), internal::hierarchy_options_of(np));
     std::vector<std::pair<std::ptrdiff_t, internal::Index>> order;      // index, rank
     for (internal::Index rank = 0; rank < hierarchy->number_of_vertices(); ++rank)
       if (const std::ptrdiff_t index = get(vimap, component.vertices_of_component()[hierarchy->input_vertex(rank)]);
@@ -187,7 +185,7 @@ private:
     for (const auto& [index, rank] : order)
       ranks.push_back(rank);
     m_session = std::make_shared<internal::Multigrid_session>(hierarchy, internal::Mesh_unknowns(std::move(ranks)),
-                                                              solver_options,
+                                                              internal::linear_solver_options_of(np),
                                                               &internal::make_multigrid_linear_solver<1>);
   }
 

@@ -7,7 +7,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
-#include <CGAL/Surface_mesh_parameterization/internal/core/named_counts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/number_checks.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <cstddef>
@@ -69,11 +69,19 @@ struct Refinement_options
   unsigned int random_seed = 0;
 
   /// \cond SKIP_IN_MANUAL
-  bool has_negative_count = false;      // among the named parameters
+  const char* fault_of_names = nullptr;       // what is wrong with the named parameters; null if nothing is
+
+  // What is wrong with the options.
+  const char* fault() const
+  {
+    if (fault_of_names)
+      return fault_of_names;
+    return tolerance >= 0 ? nullptr : "tolerance is negative or no number";
+  }
   /// \endcond
 
   /// whether the options make sense
-  bool are_valid() const { return tolerance >= 0 && !has_negative_count; }
+  bool are_valid() const { return fault() == nullptr; }
 
   /// sets the options that are among the given named parameters.
   template <class NamedParameters>
@@ -83,11 +91,13 @@ struct Refinement_options
     using parameters::get_parameter;
     optimizer = choose_parameter(get_parameter(np, internal_np::optimizer), optimizer);
     tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), tolerance);
-    has_negative_count = !internal::set_count(np, internal_np::number_of_iterations, number_of_iterations) ||
-                         !internal::set_count(np, internal_np::number_of_local_steps, number_of_local_steps);
+    number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), number_of_iterations);
+    number_of_local_steps =
+        choose_parameter(get_parameter(np, internal_np::number_of_local_steps), number_of_local_steps);
     triangle_weight = choose_parameter(get_parameter(np, internal_np::triangle_weight), triangle_weight);
     is_globally_injective = choose_parameter(get_parameter(np, internal_np::globally_injective), is_globally_injective);
     random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), random_seed);
+    fault_of_names = internal::fault_of_numbers(np);
   }
 };
 

@@ -110,7 +110,10 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
                                                     CGAL::Constant_property_map<edge_descriptor, bool>(false));
     const internal::Loops loops = internal::Loops::of<ConcurrencyTag>();
     const internal::Atlas_options options = internal::atlas_options_of(np);
-    if (const char* const fault = options.fault()) {
+    const char* fault = options.fault();
+    if (!fault)
+      fault = internal::fault_of_charts<Method<internal::Chart_mesh>>(np_of_charts);
+    if (fault) {
       result.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
       return result;
     }

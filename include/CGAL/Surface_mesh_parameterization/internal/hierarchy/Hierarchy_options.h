@@ -4,7 +4,6 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HIERARCHY_OPTIONS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HIERARCHY_OPTIONS_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/core/named_counts.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <cstddef>
@@ -24,7 +23,6 @@ struct Hierarchy_options
   bool has_unit_edges = false;                // triangles are rated in the Unit_edge_metric
   std::vector<bool> is_constrained = {};      // the vertices that stay on every level; none of them if it is empty
   Run_progress* progress = nullptr;           // is told of each group, and may end the building; may be null
-  const char* fault = nullptr;                // what is wrong with the named parameters; null if nothing is
 };
 
 // `defaults` with what named parameters hold, but for the constrained vertices.
@@ -35,8 +33,7 @@ Hierarchy_options hierarchy_options_of(const NamedParameters& np,
   using parameters::choose_parameter;
   using parameters::get_parameter;
   Hierarchy_options options = defaults;
-  if (!set_count(np, internal_np::coarsest_size, options.coarsest_size))
-    options.fault = "coarsest_size is negative";
+  options.coarsest_size = choose_parameter(get_parameter(np, internal_np::coarsest_size), options.coarsest_size);
   options.random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), options.random_seed);
   options.has_unit_edges = choose_parameter(get_parameter(np, internal_np::unit_edges), options.has_unit_edges);
   return options;

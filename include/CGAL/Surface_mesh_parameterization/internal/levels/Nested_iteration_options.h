@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/detection.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/number_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/starting_map.h>
@@ -26,11 +27,13 @@ struct Nested_iteration_options
   Flip_settlement flips;            // for what methods leave that do not keep triangles positive
   Round_coordinate round = nullptr;       // to the number type of the result; null if that holds doubles
 
-  // What is wrong with the named parameters; null if nothing is.
+  const char* fault_of_hierarchy = nullptr;       // what is wrong with its named parameters; null if nothing is
+
+  // What is wrong with the options; null if nothing is.
   const char* fault() const
   {
-    if (hierarchy.fault)
-      return hierarchy.fault;
+    if (fault_of_hierarchy)
+      return fault_of_hierarchy;
     return overlap_bound >= 0 && overlap_bound <= 1 ? nullptr : "overlap_bound is not from 0 to 1";
   }
 };
@@ -58,6 +61,7 @@ Nested_iteration_options nested_iteration_options_of(const NamedParameters& np)
   using parameters::get_parameter;
   Nested_iteration_options options;
   options.hierarchy = hierarchy_options_of(np);
+  options.fault_of_hierarchy = fault_of_hierarchy(np);
   options.fills_holes = choose_parameter(get_parameter(np, internal_np::fill_holes), options.fills_holes);
   options.overlap_bound = choose_parameter(get_parameter(np, internal_np::overlap_bound), options.overlap_bound);
   options.make_starting_map = make_starting_map_of(np);

@@ -131,6 +131,10 @@ std::vector<Point_2> read_map_if_readable(Mesh_component<TriangleMesh>& componen
   return uv;
 }
 
+// A method of the package tells what is wrong with its options.
+template <class Method>
+using Fault_of = decltype(std::declval<const Method&>().fault());
+
 inline Parameterization_error unreadable_map()
 {
   return { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0,
@@ -163,7 +167,10 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
   Parameterization_summary unused_summary;
   Parameterization_summary& summary = setup.summary ? *setup.summary : unused_summary;
   summary = Parameterization_summary();
-  if (const char* fault = options.fault()) {
+  const char* fault = options.fault();
+  if constexpr (is_detected<Fault_of, Method>)
+    fault = fault ? fault : method.fault();
+  if (fault) {
     summary.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
     return ERROR_WRONG_PARAMETER;
   }
@@ -208,7 +215,7 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
     if (status != OK)
       summary.error.cause = "the map is too large for doubles";
   } else if (status == ERROR_WRONG_PARAMETER)
-    summary.error.cause = "the method refuses one of its options, as a lambda, tolerance or count that is negative";
+    summary.error.cause = "the method refuses one of its options";
   else if (summary.error.place == Parameterization_error::VERTEX)
     summary.error.index = position_in(vertices(mesh), component.vertices_of_component()[summary.error.index]);
   return status;

@@ -67,7 +67,6 @@ struct Linear_solver_options
   bool may_solve_directly = true;       // if not, what multigrid does not solve stays unsolved
   Run_progress* progress = nullptr;     // is told of each iteration, and may end them unsolved; may be null
   double part_of_rest = 0.9;            // of the progress's run: a solution takes so much of what is left, more or less
-  const char* fault = nullptr;          // what is wrong with the named parameters; null if nothing is
 };
 
 inline bool is_stopped(const Linear_solver_options& options)

@@ -4,7 +4,6 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_LINEAR_SOLVER_OPTIONS_OF_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_LINEAR_SOLVER_OPTIONS_OF_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/core/named_counts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -18,10 +17,8 @@ Linear_solver_options linear_solver_options_of(const NamedParameters& np)
   using parameters::get_parameter;
   Linear_solver_options options;
   options.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), options.tolerance);
-  if (!(options.tolerance >= 0))
-    options.fault = "tolerance is negative or no number";
-  if (!set_count(np, internal_np::number_of_iterations, options.most_iterations))
-    options.fault = "number_of_iterations is negative";
+  options.most_iterations =
+      choose_parameter(get_parameter(np, internal_np::number_of_iterations), options.most_iterations);
   return options;
 }
 

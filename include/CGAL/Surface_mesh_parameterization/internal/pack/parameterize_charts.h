@@ -55,6 +55,17 @@ auto with_options(const NamedParameters& np, [[maybe_unused]] double overlap_bou
     return with_injectivity;
 }
 
+// What is wrong with the numbers among the options of charts, as far as the method is not the user's; null if nothing
+// is.
+template <class Method, class NamedParameters>
+const char* fault_of_charts(const NamedParameters& np)
+{
+  if constexpr (is_refinable_parameterizer_v<Method> && !takes_name<Method, internal_np::tolerance_t>)
+    return fault_of_hierarchy(np);
+  else
+    return fault_of_numbers(np);
+}
+
 // Parameterizes charts, and divides those whose maps lie over themselves by more than a bound.
 template <template <class...> class Method, class ConcurrencyTag, class NamedParameters>
 class Chart_parameterizer

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/number_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
@@ -28,6 +29,7 @@ struct Wrapped_options
   decltype(&build_interpolation) build = &build_interpolation;
   std::shared_ptr<Any_hierarchy_visitor> visitor;       // may be null
   Parameterization_summary* summary = nullptr;          // may be null
+  const char* fault = nullptr;                          // what is wrong with the named parameters; null if nothing is
 
   const Loops& loops() const { return solver.loops; }
   void set_loops(const Loops& loops) { solver.loops = flips.loops = loops; }
@@ -53,6 +55,7 @@ Wrapped_options wrapped_options_of(const NamedParameters& np, const Hierarchy_op
     options.build = &build_visited_interpolation;
   }
   options.summary = summary_of(np);
+  options.fault = fault_of_numbers(np);
   return options;
 }
 

@@ -53,11 +53,10 @@ public:
     : m_options(options), m_progress(options.visitor.get()), m_index(get(CGAL::dynamic_vertex_property_t<int>(), mesh))
   {
     summary() = Parameterization_summary();
-    for (const char* fault : { options.hierarchy.fault, options.solver.fault })
-      if (fault)
-        summary().error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
-    if (error() != OK)
+    if (options.fault) {
+      summary().error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, options.fault };
       return;
+    }
     m_timer.start();
     Mesh_component<TriangleMesh> component(mesh, bhd, options.loops());
     summary().error = component.error();
