@@ -139,6 +139,21 @@ TEST(Level_refiner, gives_up_what_keeps_borders_apart_in_vain)
   EXPECT_EQ(steps_of(f.level, true, options), Result(steps, false));
 }
 
+TEST(Level_refiner, gives_up_sooner_what_is_far_above)
+{
+  Finest_level f(grid(12, 9, wavy));
+  Level_refiner_options options;
+  const std::size_t steps = steps_of(f.level, true, options).first;
+  ASSERT_GT(steps, 2u);
+  typedef std::pair<std::size_t, bool>   Result;
+  const double minimum = 2 * double(f.level.number_of_faces());
+  options.most_steps_far_above = 2;
+  f.level.give_up_above(minimum / options.far_above);
+  EXPECT_EQ(steps_of(f.level, true, options), Result(2, true));
+  f.level.give_up_above(minimum);
+  EXPECT_EQ(steps_of(f.level, true, options), Result(steps, false));
+}
+
 // It is at rest only when the energy has not fallen for long, or it has had its steps.
 TEST(Level_refiner, goes_on_while_vertices_are_wedged_between_borders)
 {

@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Vertex_relaxation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
@@ -149,6 +151,32 @@ TYPED_TEST(Relaxation_of, follows_up_where_a_sweep_is_not_enough)
 
   EXPECT_EQ(relaxation.sweep_and_follow_up(not_followed_up, energy(start)).visits, start.size());
   EXPECT_EQ(not_followed_up, swept);
+}
+
+// The same along the border: where that is kept apart from itself, its vertices are followed up, too.
+TYPED_TEST(Relaxation_of, follows_up_at_borders_that_are_kept_apart)
+{
+  const Finest_level f(grid(60, 60, flat));
+  const Level_energy_of<TypeParam> energy(f.level, Triangle_weight::ONE);
+  Border_barrier barrier(f.level, 0.3 * energy.mean_weight());
+  const Vertex_relaxation relaxation(energy, 1.8, &barrier);
+  Level::Uv start = identity_map(f.level);
+  Index displaced = 0;
+  while (!f.level.is_border(displaced))
+    ++displaced;
+  const Point_2 neighbor = start[f.level.one_ring(displaced).front()];
+  start[displaced] = neighbor + 1e-4 * (start[displaced] - neighbor);
+  ASSERT_TRUE(is_map_valid(f.level.rings(), start));
+  const double minimum = TypeParam::minimum * energy.total_weight(), least_decrease = 1e-6 * (energy(start) - minimum);
+
+  Level::Uv swept = start, followed_up = start;
+  relaxation.sweep(swept);
+  const auto effect = relaxation.sweep_and_follow_up(followed_up, least_decrease);
+  EXPECT_NEAR(energy(start) - energy(followed_up), effect.decrease, 1e-9 * energy(start));
+  EXPECT_LT(energy(followed_up) - minimum, 0.15 * (energy(swept) - minimum));
+  EXPECT_TRUE(is_map_valid(f.level.rings(), followed_up));
+  EXPECT_FALSE(has_crossings(border_edges(f.level.rings()), followed_up));
+  EXPECT_LE(effect.visits, start.size() + start.size() / 4);
 }
 
 TYPED_TEST(Relaxation_of, moves_the_vertices_it_is_told_to)

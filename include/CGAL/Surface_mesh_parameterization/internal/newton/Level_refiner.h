@@ -67,9 +67,15 @@ private:
     m_summary.energy_end = m_current / m_unit;
     if (!m_level.progressed(m_summary, part))
       m_status = ERROR_STOPPED;
-    else if (m_barrier && iterations() >= m_options.most_steps_in_vain && m_level.is_given_up_at(m_summary.energy_end))
+    else if (m_barrier && is_in_vain(m_summary.energy_end))
       m_status = GIVEN_UP;
     return m_status == OK;
+  }
+
+  bool is_in_vain(double energy) const
+  {
+    return (iterations() >= m_options.most_steps_in_vain && m_level.is_given_up_at(energy)) ||
+           (iterations() >= m_options.most_steps_far_above && m_level.is_given_up_at(energy / m_options.far_above));
   }
 
   // Those of this refinement: the summary may have others before them.

@@ -47,8 +47,10 @@ struct Level_refiner_options
   // way slowly, and what is not put right on a coarse level grows worse on finer ones. But so many steps must do.
   double least_ratio_of_jam = 5, least_part_of_jam = 0.1;
   std::size_t most_steps_in_jam = 60;
-  // After so many steps it gives up where the energy is more than Level::give_up_above() says.
-  std::size_t most_steps_in_vain = 80;
+  // After so many steps it gives up where the energy is more than Level::give_up_above() says, and sooner where it is
+  // more than so many times that.
+  std::size_t most_steps_in_vain = 80, most_steps_far_above = 20;
+  double far_above = 10;
   // On a surface that can be laid in the plane without distortion the excess has no bound from below. Less of it than
   // this part of the energy is not looked at closer.
   double least_excess = 1e-4;

@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <queue>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -137,17 +136,20 @@ private:
     return effect;
   }
 
-  // At most a quarter of a sweep. Border vertices are left to the sweeps: it is the interior that new vertices distort,
-  // and a border that a few local steps have driven to the bound of its angles hardly leaves it again.
+  // In rounds, at most a quarter of a sweep. Where borders may meet, their vertices are left to the sweeps: it is the
+  // interior that new vertices distort, and a border that a few local steps have driven to the bound of its angles
+  // hardly leaves it again. Where borders are kept apart, new vertices may be wedged between two of them, and have to
+  // push these away; how far they may go then is to be found out for each round.
   void follow_up(Level::Uv& uv, double least_decrease, Effect& effect) const
   {
+    constexpr int most_rounds_at_borders = 50;
     const std::size_t most_visits = effect.visits + effect.visits / 4;
-    std::queue<Index> waiting;
+    std::vector<Index> waiting, round;
     std::vector<bool> is_waiting(effect.active_vertices.empty() ? 0 : m_level.number_of_vertices(), false);
     const auto wake = [&](Index v) {
-      if (m_level.is_border(v) || is_waiting[v])
+      if (is_waiting[v] || (m_level.is_border(v) && !m_barrier))
         return;
-      waiting.push(v);
+      waiting.push_back(v);
       is_waiting[v] = true;
     };
     const auto wake_star = [&](Index v) {
@@ -158,14 +160,20 @@ private:
     for (const Index v : effect.active_vertices)
       wake_star(v);
     const std::unique_ptr<Vertex_relaxer> relaxer = m_energy.make_vertex_relaxer();
-    for (; !waiting.empty() && effect.visits < most_visits; ++effect.visits) {
-      const Index v = waiting.front();
-      waiting.pop();
-      is_waiting[v] = false;
-      const double decrease = relax(v, 1, uv, *relaxer);
-      effect.decrease += decrease;
-      if (decrease > least_decrease)
-        wake_star(v);
+    for (int i = 0; !waiting.empty() && !(m_barrier && i == most_rounds_at_borders); ++i) {
+      round.swap(waiting);
+      waiting.clear();
+      set_reach(uv);
+      for (const Index v : round) {
+        if (effect.visits == most_visits)
+          return;
+        ++effect.visits;
+        is_waiting[v] = false;
+        const double decrease = relax(v, 1, uv, *relaxer);
+        effect.decrease += decrease;
+        if (decrease > least_decrease)
+          wake_star(v);
+      }
     }
   }
 
