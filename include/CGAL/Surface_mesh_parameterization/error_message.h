@@ -44,7 +44,9 @@ inline std::string error_message(const Parameterization_error& error)
       message = is_at_vertex ? "a constrained vertex could not be brought to its place without a flip"
                              : "no map without flips was found";
       break;
-    case ERROR_WRONG_PARAMETER: message = "a parameter is out of its range, or not finite"; break;
+    case ERROR_WRONG_PARAMETER:
+      message = "a parameter is out of its range or not finite, or the halfedge is on no border";
+      break;
   }
   if (error.cause)
     message = error.cause;
