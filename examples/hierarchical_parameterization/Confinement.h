@@ -22,7 +22,12 @@ public:
   Confinement()
     : m_outside(std::filesystem::current_path()), m_folder(make_folder())
   {
-    std::filesystem::current_path(m_folder);
+    std::error_code error;
+    std::filesystem::current_path(m_folder, error);
+    if (error) {
+      std::filesystem::remove(m_folder);
+      throw std::system_error(error, m_folder.string());
+    }
     m_output = std::cout.rdbuf(nullptr);
   }
 

@@ -251,8 +251,9 @@ TEST(Counts, are_not_negative)
   const auto summary = std::ref(mapped.summary);
   expect_refused(Hierarchical_MIPS(np::number_of_iterations(-1).summary(summary)), mapped, "number_of_iterations");
   expect_refused(Hierarchical_MIPS(np::number_of_local_steps(-1).summary(summary)), mapped, "number_of_local_steps");
-  expect_refused(Hierarchical_MIPS(MIPS_parameterizer_3<Surface_mesh>(np::number_of_iterations(-1)), np::summary(summary)),
-                 mapped, "number_of_iterations");
+  expect_refused(
+      Hierarchical_MIPS(MIPS_parameterizer_3<Surface_mesh>(np::number_of_iterations(-1)), np::summary(summary)), mapped,
+      "number_of_iterations");
   expect_refused(Hierarchical_MIPS(np::coarsest_size(-5).summary(summary)), mapped, "coarsest_size");
   expect_refused(Edge_energy(np::number_of_iterations(-1).summary(summary)), mapped, "number_of_iterations");
   EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(np::number_of_iterations(50).coarsest_size(5))).code, OK);

@@ -123,8 +123,9 @@ double total_area(const std::vector<Flat_chart>& charts)
 
 TEST(Pack_charts, keeps_the_margin_and_fills_the_square)
 {
-  for (const std::vector<Flat_chart>& original : { polygons(100, 0.5), polygons(1000, 0.), polygons(1000, 2.),
-                                              polygons(3000, 0.5), few_large_stars_and_many_small_ones(2000) }) {
+  for (const std::vector<Flat_chart>& original :
+       { polygons(100, 0.5), polygons(1000, 0.), polygons(1000, 2.), polygons(3000, 0.5),
+         few_large_stars_and_many_small_ones(2000) }) {
     SCOPED_TRACE(original.size());
     std::vector<Flat_chart> charts = original;
     const Packing packing = pack_charts(charts, Pack_options());

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/number_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/lead_to_places.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
@@ -90,10 +91,10 @@ public:
 
   /// Tutte's map of a level, scaled to the surface's area. In a flat run it is then improved without flips.
   /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING` if Tutte's map, computed in
-  /// doubles, has a flip; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if `lambda` or `tolerance` is negative or no number
+  /// doubles, has a flip; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if an option is negative or no number
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
-    if (fault())
+    if (fault_of_options())
       return ERROR_WRONG_PARAMETER;
     const Error_code status = internal::compute_first_map(level, uv);
     if (status != OK)
@@ -104,10 +105,10 @@ public:
 
   /// improves a flip-free map of a level and keeps it flip-free. On the finest level, minimizes the energy, and flips
   /// are possible.
-  /// \return `OK`, `ERROR_STOPPED`, or `ERROR_WRONG_PARAMETER` if `lambda` or `tolerance` is negative or no number
+  /// \return `OK`, `ERROR_STOPPED`, or `ERROR_WRONG_PARAMETER` if an option is negative or no number
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
-    if (fault())
+    if (fault_of_options())
       return ERROR_WRONG_PARAMETER;
     const double energy_start = energy(level, uv);
     const Error_code status = minimize(level, uv, summary);
@@ -137,7 +138,10 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   // What is wrong with the options; null if nothing is.
-  const char* fault() const { return m_options.fault(); }
+  const char* fault_of_options() const
+  {
+    return internal::first_fault({ m_options.fault(), internal::fault_of_lambda(m_lambda) });
+  }
   /// \endcond
 
 private:

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/number_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Face_hierarchy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Vertex_hierarchy.h>
@@ -77,6 +78,7 @@ public:
   {
     internal::assert_names<internal::Names<internal_np::random_seed_t, internal_np::coarsest_size_t,
                                            internal_np::unit_edges_t, internal_np::vertex_is_constrained_t>>(np);
+    CGAL_precondition_msg(!internal::fault_of_hierarchy(np), "coarsest_size is negative");
     const internal::Hierarchy_options options = internal::hierarchy_options_of(np, surface.points.size());
     build(std::move(surface), options, internal::Loops::of<ConcurrencyTag>());
   }

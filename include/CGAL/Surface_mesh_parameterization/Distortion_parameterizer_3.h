@@ -156,7 +156,7 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   // What is wrong with the options; null if nothing is.
-  const char* fault() const { return m_options.fault(); }
+  const char* fault_of_options() const { return m_options.fault(); }
   /// \endcond
 
 private:
@@ -185,8 +185,10 @@ private:
   {
     const internal::Level_energy_of<E> energy = level_energy(level, triangle_energy);
     if constexpr (!internal::is_finite_energy<E>)
-      if (is_out_of_reach(energy, uv) && lower_distortion(level, uv) == ERROR_STOPPED)
-        return ERROR_STOPPED;
+      if (is_out_of_reach(energy, uv))
+        if (const Error_code status = lower_distortion(level, uv);
+            status == ERROR_STOPPED || status == internal::GIVEN_UP)
+          return status;
     const Error_code status = internal::minimize_flip_free(
         energy, Energy::is_scale_invariant && level.is_finest(), uv, m_options, summary);
     if constexpr (!internal::is_finite_energy<E>)

@@ -103,7 +103,7 @@ public:
     m_tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), m_tolerance);
     m_number_of_iterations =
         choose_parameter(get_parameter(np, internal_np::number_of_iterations), m_number_of_iterations);
-    m_fault = internal::fault_of_numbers(np);
+    m_fault_of_counts = internal::fault_of_counts(np);
   }
 
   /// \param np as above; the border parameterizer and the weights are made by their default constructors
@@ -126,7 +126,7 @@ public:
   /// number
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
-    if (m_fault)
+    if (fault_of_options())
       return ERROR_WRONG_PARAMETER;
     return internal::solve_directly<Edge_weights::is_symmetric>(internal::Edge_system(level, m_weights), uv);
   }
@@ -141,7 +141,10 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   // What is wrong with the options; null if nothing is.
-  const char* fault() const { return m_fault; }
+  const char* fault_of_options() const
+  {
+    return internal::first_fault({ internal::fault_of_tolerance(m_tolerance), m_fault_of_counts });
+  }
   /// \endcond
 
 private:
@@ -149,7 +152,7 @@ private:
   Edge_weights m_weights;
   double m_tolerance = 1e-8;
   std::size_t m_number_of_iterations = 300;
-  const char* m_fault = nullptr;      // what is wrong with the options
+  const char* m_fault_of_counts = nullptr;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -105,8 +105,7 @@ public:
   /// \param bhd a halfedge on the outer border of `mesh`
   /// \param vimap a readable property map from vertices to integers: the order of the vertices in the linear system.
   ///        With k unknowns at each vertex, the vertex with the i-th smallest index, from 0, has the unknowns from k i
-  ///        to
-  ///        k i + k - 1. A vertex with a negative index is not in the system
+  ///        to k i + k - 1. A vertex with a negative index is not in the system
   /// \param np
   /// - `tolerance`: greatest relative residual, rows scaled to unit diagonal; default 1e-10. Less than
   ///   1e-15 counts as that
@@ -167,10 +166,12 @@ private:
   template <class TriangleMesh, class Halfedge, class VertexIndexMap, class NamedParameters>
   void start_session(const TriangleMesh& mesh, Halfedge bhd, VertexIndexMap vimap, const NamedParameters& np)
   {
+    if (const char* fault = internal::fault_of_numbers(np)) {
+      m_error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
+      return;
+    }
     Mesh_component<TriangleMesh> component(mesh, bhd);
     m_error = component.error();
-    if (const char* fault = internal::fault_of_numbers(np))
-      m_error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
     if (m_error.code != OK)
       return;
     const auto hierarchy = std::make_shared<const internal::Hierarchy_interpolation>(

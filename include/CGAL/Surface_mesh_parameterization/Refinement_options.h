@@ -69,14 +69,12 @@ struct Refinement_options
   unsigned int random_seed = 0;
 
   /// \cond SKIP_IN_MANUAL
-  const char* fault_of_names = nullptr;       // what is wrong with the named parameters; null if nothing is
+  const char* fault_of_counts = nullptr;      // what was wrong with counts among the named parameters; null: nothing
 
-  // What is wrong with the options.
+  // What is wrong with the options; null if nothing is.
   const char* fault() const
   {
-    if (fault_of_names)
-      return fault_of_names;
-    return tolerance >= 0 ? nullptr : "tolerance is negative or no number";
+    return internal::first_fault({ internal::fault_of_tolerance(tolerance), fault_of_counts });
   }
   /// \endcond
 
@@ -97,7 +95,7 @@ struct Refinement_options
     triangle_weight = choose_parameter(get_parameter(np, internal_np::triangle_weight), triangle_weight);
     is_globally_injective = choose_parameter(get_parameter(np, internal_np::globally_injective), is_globally_injective);
     random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), random_seed);
-    fault_of_names = internal::fault_of_numbers(np);
+    fault_of_counts = internal::first_fault({ fault_of_counts, internal::fault_of_counts(np) });
   }
 };
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <initializer_list>
 #include <type_traits>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -21,23 +22,51 @@ bool is_negative_or_nan([[maybe_unused]] const NamedParameters& np, [[maybe_unus
   return false;
 }
 
-// What is wrong with the named parameters of a hierarchy; null if nothing is. As a std::size_t, a negative count would
-// be a huge one.
+// What is wrong with the named parameters of a hierarchy; null if nothing is.
 template <class NamedParameters>
 const char* fault_of_hierarchy(const NamedParameters& np)
 {
   return is_negative_or_nan(np, internal_np::coarsest_size) ? "coarsest_size is negative" : nullptr;
 }
 
-// The same with those of a method or solver of the package.
+// What is wrong with the counts among the named parameters of a method or solver, which are std::size_t afterwards:
+// a negative one would be huge.
+template <class NamedParameters>
+const char* fault_of_counts(const NamedParameters& np)
+{
+  return is_negative_or_nan(np, internal_np::number_of_iterations)    ? "number_of_iterations is negative"
+         : is_negative_or_nan(np, internal_np::number_of_local_steps) ? "number_of_local_steps is negative"
+                                                                      : nullptr;
+}
+
+inline const char* fault_of_tolerance(double tolerance)
+{
+  return tolerance >= 0 ? nullptr : "tolerance is negative or no number";
+}
+
+inline const char* fault_of_lambda(double lambda)
+{
+  return lambda >= 0 ? nullptr : "lambda is negative or no number";
+}
+
+// The first fault of all; null if there is none.
+inline const char* first_fault(std::initializer_list<const char*> faults)
+{
+  for (const char* fault : faults)
+    if (fault)
+      return fault;
+  return nullptr;
+}
+
+// What is wrong with any of these.
 template <class NamedParameters>
 const char* fault_of_numbers(const NamedParameters& np)
 {
-  return is_negative_or_nan(np, internal_np::tolerance)               ? "tolerance is negative or no number"
-         : is_negative_or_nan(np, internal_np::lambda)                ? "lambda is negative or no number"
-         : is_negative_or_nan(np, internal_np::number_of_iterations)  ? "number_of_iterations is negative"
-         : is_negative_or_nan(np, internal_np::number_of_local_steps) ? "number_of_local_steps is negative"
-                                                                      : fault_of_hierarchy(np);
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  return first_fault({ fault_of_tolerance(choose_parameter(get_parameter(np, internal_np::tolerance), 0.)),
+                       fault_of_lambda(choose_parameter(get_parameter(np, internal_np::lambda), 0.)),
+                       fault_of_counts(np), fault_of_hierarchy(np) });
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -32,9 +32,8 @@ struct Nested_iteration_options
   // What is wrong with the options; null if nothing is.
   const char* fault() const
   {
-    if (fault_of_hierarchy)
-      return fault_of_hierarchy;
-    return overlap_bound >= 0 && overlap_bound <= 1 ? nullptr : "overlap_bound is not from 0 to 1";
+    const bool is_part = overlap_bound >= 0 && overlap_bound <= 1;
+    return first_fault({ fault_of_hierarchy, is_part ? nullptr : "overlap_bound is not from 0 to 1" });
   }
 };
 

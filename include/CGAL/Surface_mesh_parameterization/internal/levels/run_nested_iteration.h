@@ -133,7 +133,7 @@ std::vector<Point_2> read_map_if_readable(Mesh_component<TriangleMesh>& componen
 
 // A method of the package tells what is wrong with its options.
 template <class Method>
-using Fault_of = decltype(std::declval<const Method&>().fault());
+using Fault_of_options = decltype(std::declval<const Method&>().fault_of_options());
 
 inline Parameterization_error unreadable_map()
 {
@@ -168,8 +168,8 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
   Parameterization_summary& summary = setup.summary ? *setup.summary : unused_summary;
   summary = Parameterization_summary();
   const char* fault = options.fault();
-  if constexpr (is_detected<Fault_of, Method>)
-    fault = fault ? fault : method.fault();
+  if constexpr (is_detected_as<const char*, Fault_of_options, Method>)
+    fault = fault ? fault : method.fault_of_options();
   if (fault) {
     summary.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
     return ERROR_WRONG_PARAMETER;

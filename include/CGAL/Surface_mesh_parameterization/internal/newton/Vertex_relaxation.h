@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/Turn_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -139,10 +140,10 @@ private:
   // In rounds, at most a quarter of a sweep. Where borders may meet, their vertices are left to the sweeps: it is the
   // interior that new vertices distort, and a border that a few local steps have driven to the bound of its angles
   // hardly leaves it again. Where borders are kept apart, new vertices may be wedged between two of them, and have to
-  // push these away; how far they may go then is to be found out for each round.
+  // push these away; how far they may go then is to be found out for each such round, of which there are not too many.
   void follow_up(Level::Uv& uv, double least_decrease, Effect& effect) const
   {
-    constexpr int most_rounds_at_borders = 50;
+    constexpr int most_rounds_with_barrier = 50;
     const std::size_t most_visits = effect.visits + effect.visits / 4;
     std::vector<Index> waiting, round;
     std::vector<bool> is_waiting(effect.active_vertices.empty() ? 0 : m_level.number_of_vertices(), false);
@@ -160,10 +161,11 @@ private:
     for (const Index v : effect.active_vertices)
       wake_star(v);
     const std::unique_ptr<Vertex_relaxer> relaxer = m_energy.make_vertex_relaxer();
-    for (int i = 0; !waiting.empty() && !(m_barrier && i == most_rounds_at_borders); ++i) {
+    for (int i = 0; !waiting.empty() && !(m_barrier && i == most_rounds_with_barrier); ++i) {
       round.swap(waiting);
       waiting.clear();
-      set_reach(uv);
+      if (std::any_of(round.begin(), round.end(), [&](Index v) { return m_level.is_border(v); }))
+        set_reach(uv);
       for (const Index v : round) {
         if (effect.visits == most_visits)
           return;

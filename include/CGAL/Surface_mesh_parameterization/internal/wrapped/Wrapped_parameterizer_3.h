@@ -78,7 +78,7 @@ private:
                                VertexParameterizedMap vpmap, Others&&... others)
   {
     std::shared_ptr<Filled_mesh<Triangle_mesh>> filled;
-    if (this->options().fills_holes) {
+    if (this->options().fills_holes && !this->options().fault) {
       if (this->optional_steps().fill_holes)
         filled = this->optional_steps().fill_holes(mesh, bhd);
       if (!filled || (this->has_arguments() && !filled->has_same_descriptors()))
