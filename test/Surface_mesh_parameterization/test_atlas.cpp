@@ -276,7 +276,8 @@ TEST(Atlas, stays_whole_with_scattered_seams)
   }
   ASSERT_GT(ends.size(), surface.mesh.number_of_vertices() / 2);
   const Atlas_summary summary = atlas_parameterization(
-      surface.mesh, surface.uv, parameters::edge_is_constrained_map(surface.seams).overlap_bound(1.));
+      surface.mesh, surface.uv,
+      parameters::edge_is_constrained_map(surface.seams).overlap_bound(1.).least_used_part(0.));
   EXPECT_TRUE(summary.is_ok());
   EXPECT_EQ(summary.charts.size(), 1u);
   expect_one_to_one(surface);
