@@ -60,7 +60,7 @@ struct Fan
       uv.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
     }
     EXPECT_TRUE(is_map_valid(level.rings(), uv));
-    barrier.set_stiffness(0.7);
+    barrier.begin(uv, 0.7);
   }
 
   // Turns all of the fan, the farther along the more, so that the gap changes by that angle per unit of the way.
@@ -78,13 +78,13 @@ struct Fan
 
 TEST(Turn_barrier, vanishes_where_there_is_room_and_where_it_has_no_stiffness)
 {
-  Fan wide(0.6), narrow(0.1);
+  const Fan wide(0.6), narrow(0.1);
   EXPECT_EQ(wide.barrier(wide.uv), 0);
   EXPECT_TRUE(contacts_at(wide.barrier, wide.uv).empty());
   EXPECT_GT(narrow.barrier(narrow.uv), 0);
-  narrow.barrier.set_stiffness(0);
-  EXPECT_EQ(narrow.barrier(narrow.uv), 0);
-  EXPECT_TRUE(contacts_at(narrow.barrier, narrow.uv).empty());
+  const Turn_barrier idle(narrow.level);
+  EXPECT_EQ(idle(narrow.uv), 0);
+  EXPECT_TRUE(contacts_at(idle, narrow.uv).empty());
 }
 
 // A tenth of the gap costs the stiffness times log(10) more.
@@ -116,19 +116,52 @@ TEST(Turn_barrier, knows_what_changes_around_a_vertex)
     }
 }
 
-TEST(Turn_barrier, knows_when_the_gap_closes)
+// The barrier is infinite where a gap is down to the least one, which relaxation leaves, too: a barrier that ends beyond
+// leads steps to where they are cut.
+TEST(Turn_barrier, knows_when_the_gap_is_down_to_the_least_one)
 {
   const Fan fan(0.1);
+  const Turn_barrier idle(fan.level);
   EXPECT_EQ(fan.barrier.number_of_lost_gaps(fan.uv, fan.uv), 0u);
   EXPECT_EQ(fan.barrier.longest_step(fan.uv, fan.opening(1)), std::numeric_limits<double>::infinity());
   const Block_vectors closing = fan.opening(-1);
   const double t = fan.barrier.longest_step(fan.uv, closing);
-  EXPECT_NEAR(t, 0.1, 0.003);     // the sectors move along tangents
-  EXPECT_TRUE(is_map_valid(fan.level.rings(), moved(fan.uv, 0.999 * t, closing)));
-  EXPECT_FALSE(is_map_valid(fan.level.rings(), moved(fan.uv, 1.001 * t, closing)));
-  EXPECT_EQ(fan.barrier.number_of_lost_gaps(fan.uv, moved(fan.uv, 0.9 * t, closing)), 0u);
-  EXPECT_EQ(fan.barrier.number_of_lost_gaps(fan.uv, moved(fan.uv, 0.999 * t, closing)), 1u);      // no room
-  EXPECT_EQ(fan.barrier.number_of_lost_gaps(fan.uv, moved(fan.uv, 1.001 * t, closing)), 1u);
+  EXPECT_NEAR(t, 0.1 - least_gap, 0.003);     // the sectors move along tangents
+  const Level::Uv before = moved(fan.uv, (1 - 1e-6) * t, closing), after = moved(fan.uv, (1 + 1e-6) * t, closing);
+  EXPECT_FALSE(leaves_no_room(fan.level.rings(), before, fan.center));
+  EXPECT_TRUE(leaves_no_room(fan.level.rings(), after, fan.center));
+  EXPECT_TRUE(is_map_valid(fan.level.rings(), after));
+  EXPECT_TRUE(std::isfinite(fan.barrier(before)));
+  EXPECT_EQ(fan.barrier(after), std::numeric_limits<double>::infinity());
+  for (const Turn_barrier& barrier : { fan.barrier, idle }) {
+    EXPECT_EQ(barrier.number_of_lost_gaps(fan.uv, before), 0u);
+    EXPECT_EQ(barrier.number_of_lost_gaps(fan.uv, after), 1u);
+  }
+}
+
+TEST(Turn_barrier, leaves_half_of_a_gap_that_is_small_already)
+{
+  const Fan fan(1.5 * least_gap);
+  const Block_vectors closing = fan.opening(-1);
+  EXPECT_NEAR(fan.barrier.longest_step(fan.uv, closing), 0.75 * least_gap, 0.01 * least_gap);
+}
+
+// Where a constant force holds a gap in balance with the barrier, a step of Newton's method leads to the balance with
+// the lowered one, but only with the curvature from before; else it leads beyond the least gap.
+TEST(Turn_barrier, is_lowered_in_steps_that_close_no_gap)
+{
+  constexpr double factor = 0.3, gap = 0.01, room = gap - least_gap;
+  Fan fan(gap);
+  const double force = -contacts_at(fan.barrier, fan.uv).front().first;
+  const auto room_after_step = [&] {
+    const Contact c = contacts_at(fan.barrier, fan.uv).front();
+    return room - (c.first + force) / c.second;
+  };
+  EXPECT_NEAR(room_after_step(), room, 1e-9);
+  fan.barrier.lower(factor);
+  EXPECT_NEAR(room_after_step(), factor * room, 0.2 * factor * room);
+  fan.barrier.settle();
+  EXPECT_LT(room_after_step(), 0);
 }
 
 // x H x of the level's energy, with what contacts add to it.

@@ -40,9 +40,10 @@ private:
   // one, the first time.
   bool find_start_at_scale_of_places(const Collapse_hierarchy_3& hierarchy);
 
-  // The same where so many small holes keep the coarsest level large that they are most of its surface, which leads
-  // astray: by a run with all holes filled.
-  void find_start_with_filled_holes(const Collapse_hierarchy_3& hierarchy);
+  // The same where small holes lead astray: those that are cracks, at whose tips there is next to no room for vertices
+  // that are inserted, or so many that they keep the coarsest level large and are most of its surface. By a run with
+  // small cracks closed, and in the second case all holes filled.
+  void find_start_on_closed_surface(const Collapse_hierarchy_3& hierarchy);
 
   // Finds the map by a run on a surface that begins with the vertices of the user's. Returns whether there is one.
   bool find_start(Triangulated_surface_3 surface);
@@ -60,7 +61,7 @@ private:
   std::vector<Point_2> m_start;     // of the next attempt, in the order of the surface's vertices; empty: no map
   unsigned int m_number_of_seeds = 0;
   bool m_has_other_scale = false;   // was tried
-  bool m_has_filled_holes = false;  // was tried
+  bool m_has_closed_surface = false;      // was tried
   bool m_is_flat = false;           // the hierarchy has only the finest level
 };
 

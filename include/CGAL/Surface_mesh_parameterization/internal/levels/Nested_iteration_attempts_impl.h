@@ -8,13 +8,16 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/vertex_order.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_attempts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/cracks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Kernel/global_functions.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -41,7 +44,7 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
     m_summary = Parameterization_summary();
     m_summary.seconds_hierarchy = seconds_hierarchy = timer.time() - seconds_parameterize;
 
-    find_start_with_filled_holes(hierarchy);
+    find_start_on_closed_surface(hierarchy);
     Level::Uv uv_by_rank;
     uv_by_rank.reserve(hierarchy.number_of_vertices());
     Nested_iteration attempt(m_method, m_options, m_visitor, m_progress, m_summary);
@@ -66,26 +69,25 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
   }
 }
 
-// The number of holes of a level that are short for a surface of this area.
-inline std::size_t number_of_small_holes(const Level& level)
+// The length up to which a hole in the surface of a level is small.
+inline double greatest_length_of_small_holes(const Level& level)
 {
-  constexpr double greatest_part_of_root_of_area = 0.1;
+  constexpr double part_of_root_of_area = 0.1;
   double area = 0;
   for (const Level::Triangle& t : level.triangles()) {
     const Point_3& p = level.point(t[0]);
     area += 0.5 * std::sqrt(CGAL::cross_product(level.point(t[1]) - p, level.point(t[2]) - p).squared_length());
   }
-  std::size_t number = 0;
-  for (const std::vector<Index>& border : level.rings().borders()) {
-    double length = 0;
-    for (std::size_t i = 0; i < border.size(); ++i) {
-      const Point_3 &p = level.point(border[i]), &next = level.point(border[i + 1 == border.size() ? 0 : i + 1]);
-      length += std::sqrt((next - p).squared_length());
-    }
-    number += !level.hierarchy().is_on_outer_border(border.front()) &&
-              length <= greatest_part_of_root_of_area * std::sqrt(area);
-  }
-  return number;
+  return part_of_root_of_area * std::sqrt(area);
+}
+
+inline std::size_t number_of_holes(const Level& level, double greatest_length)
+{
+  const std::vector<std::vector<Index>> borders = level.rings().borders();
+  return std::count_if(borders.begin(), borders.end(), [&](const std::vector<Index>& border) {
+    return !level.hierarchy().is_on_outer_border(border.front()) &&
+           length_of_cycle(border, [&](Index v) { return level.point(v); }) <= greatest_length;
+  });
 }
 
 // The power of two by which the box of the fixed vertices' places is greater than that of the vertices, more or less.
@@ -118,20 +120,26 @@ bool Nested_iteration_attempts::find_start_at_scale_of_places(const Collapse_hie
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void Nested_iteration_attempts::find_start_with_filled_holes(const Collapse_hierarchy_3& hierarchy)
+void Nested_iteration_attempts::find_start_on_closed_surface(const Collapse_hierarchy_3& hierarchy)
 {
   constexpr std::size_t least_vertices_at_hole = 3;
-  const auto exceeds_coarsest_size = [&](std::size_t n) { return n > m_options.hierarchy.coarsest_size; };
-  if (m_has_filled_holes || !m_start.empty() || !m_method.is_flip_free() ||
-      !exceeds_coarsest_size(hierarchy.number_of_vertices(0)) ||
-      !exceeds_coarsest_size(least_vertices_at_hole * number_of_small_holes(Level(hierarchy))))
+  if (m_has_closed_surface || !m_start.empty() || !m_method.is_flip_free())
     return;
-  m_has_filled_holes = true;
+  const Level coarsest(hierarchy);
+  const double greatest_length = greatest_length_of_small_holes(coarsest);
+  const std::size_t holes = number_of_holes(coarsest, greatest_length), size = m_options.hierarchy.coarsest_size;
+  const bool has_many_holes = coarsest.number_of_vertices() > size && least_vertices_at_hole * holes > size,
+             may_have_cracks = hierarchy.number_of_levels() > 1 && holes > 0;
+  if (!has_many_holes && !may_have_cracks)
+    return;
+  m_has_closed_surface = true;
   Triangulated_surface_3 surface = input_surface(hierarchy);
-  const std::size_t number_of_vertices = surface.points.size();
-  fill_holes(surface);
-  if (find_start(std::move(surface)))
-    m_start.resize(number_of_vertices);
+  const std::vector<Index> closed_vertices = close_cracks(surface, greatest_length);
+  const bool has_cracks = surface.points.size() < closed_vertices.size();
+  if (has_many_holes)
+    fill_holes(surface);
+  if ((has_many_holes || has_cracks) && find_start(std::move(surface)))
+    m_start = open_cracks(input_surface(hierarchy), closed_vertices, m_start);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

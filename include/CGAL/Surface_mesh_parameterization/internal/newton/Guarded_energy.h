@@ -28,9 +28,10 @@ public:
     : m_energy(energy), m_border_barrier(border_barrier), m_turn_barrier(energy.level())
   { }
 
-  bool has_border_barrier() const { return m_border_barrier != nullptr; }
+  bool has_barrier() const { return m_border_barrier || m_turn_barrier.stiffness() > 0; }
   const Turn_barrier& turn_barrier() const { return m_turn_barrier; }
-  void set_stiffness_of_turns(double stiffness) { m_turn_barrier.set_stiffness(stiffness); }
+  void begin_turn_barrier(const Level::Uv& uv, double stiffness) { m_turn_barrier.begin(uv, stiffness); }
+  void lower_turn_barrier(double factor) { m_turn_barrier.lower(factor); }
 
   // Whether nothing holds back a step that turns too far. Borders that are kept apart do.
   bool lets_gaps_close() const { return !m_border_barrier && m_turn_barrier.stiffness() == 0; }
@@ -41,6 +42,7 @@ public:
     m_lost_gaps = 0;
     m_contacts.clear();
     m_turn_barrier.add_contacts(uv, m_contacts);
+    m_turn_barrier.settle();
     if (m_border_barrier) {
       m_border_barrier->set_gaps(uv);
       m_border_barrier->add_contacts(uv, m_contacts);

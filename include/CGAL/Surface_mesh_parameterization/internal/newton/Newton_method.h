@@ -57,7 +57,7 @@ public:
     m_accuracy.negligible = negligible;
     Step result = try_step(uv, energy);
     if (result.length == 0 && m_objective.lost_gaps() > 0 && m_objective.lets_gaps_close()) {
-      m_objective.set_stiffness_of_turns(m_options.first_slack * result.predicted / double(m_objective.lost_gaps()));
+      m_objective.begin_turn_barrier(uv, m_options.first_slack * result.predicted / double(m_objective.lost_gaps()));
       result = try_step(uv, energy);
     }
     if (result.length == 0 && m_system.indefinite_part() > 0) {
@@ -130,7 +130,7 @@ private:
     if (step.length > 0)
       step.slack = stiffness * double(m_objective.contacts().size());
     if (step.predicted < step.slack)
-      m_objective.set_stiffness_of_turns(m_options.decrease_of_slack * stiffness);
+      m_objective.lower_turn_barrier(m_options.decrease_of_slack);
   }
 
   Step try_step(Level::Uv& uv, double energy)
@@ -180,7 +180,7 @@ private:
         result.length = length;
         if (!(decrease > m_options.poor_part_of_prediction * -0.5 * length * slope))
           shorten_step(uv, direction, energy, slope, result);
-        else if (m_objective.has_border_barrier())
+        else if (m_objective.has_barrier())
           lengthen_step(uv, direction, energy, slope, longest, result);
         return;
       }

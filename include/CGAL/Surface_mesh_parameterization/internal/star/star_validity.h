@@ -84,15 +84,17 @@ bool turns_too_far(const One_rings& rings, const Place& place, Index v)
   return rings.is_border(v) ? turns_back_to_start(rings[v], place, v) : turns_more_than_once(rings[v], place, v);
 }
 
-// Whether the angles at a border vertex leave less than a small part of a turn. An energy can drive them there; but
-// then a finer level has no room for another vertex. To be asked of vertices that do not turn too far; in doubles, for
-// it is only about good sense.
+// What the angles at a border vertex leave of a full turn, at least. An energy can drive them further; but then a finer
+// level has no room for another vertex.
+constexpr double least_gap = 1e-3;
+
+// Whether they leave less. To be asked of vertices that do not turn too far; in doubles, for it is only about good
+// sense.
 inline bool leaves_no_room(const One_rings& rings, const std::vector<Point_2>& uv, Index v)
 {
-  constexpr double least_angle = 1e-3;
   const Vector_2 first = uv[rings[v].front()] - uv[v], last = uv[rings[v].back()] - uv[v];
   const double sine = cross(last, first), cosine = last * first;
-  if (!(cosine > 0 && std::abs(sine) < least_angle * cosine))
+  if (!(cosine > 0 && std::abs(sine) < least_gap * cosine))
     return false;
   double turn = 0;    // close to 0 or to a full one
   for (std::size_t i = 0; i + 1 < rings[v].size(); ++i) {
