@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/position_in.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/holes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks.h>
 
 #include <CGAL/boost/graph/helpers.h>

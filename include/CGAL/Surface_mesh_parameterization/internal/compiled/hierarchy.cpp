@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Level_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/cracks_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/holes_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map_impl.h>

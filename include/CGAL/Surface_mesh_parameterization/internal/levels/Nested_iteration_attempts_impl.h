@@ -9,7 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_attempts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/cracks.h>
-#include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/holes.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
@@ -83,10 +83,10 @@ inline double greatest_length_of_small_holes(const Level& level)
 
 inline std::size_t number_of_holes(const Level& level, double greatest_length)
 {
-  const std::vector<std::vector<Index>> borders = level.rings().borders();
-  return std::count_if(borders.begin(), borders.end(), [&](const std::vector<Index>& border) {
+  const std::vector<Border> borders = level.rings().borders();
+  return std::count_if(borders.begin(), borders.end(), [&](const Border& border) {
     return !level.hierarchy().is_on_outer_border(border.front()) &&
-           length_of_cycle(border, [&](Index v) { return level.point(v); }) <= greatest_length;
+           length_of_border(border, [&](Index v) { return level.point(v); }) <= greatest_length;
   });
 }
 
@@ -133,13 +133,16 @@ void Nested_iteration_attempts::find_start_on_closed_surface(const Collapse_hier
   if (!has_many_holes && !may_have_cracks)
     return;
   m_has_closed_surface = true;
-  Triangulated_surface_3 surface = input_surface(hierarchy);
-  const std::vector<Index> closed_vertices = close_cracks(surface, greatest_length);
-  const bool has_cracks = surface.points.size() < closed_vertices.size();
+  Closed_surface closed = close_cracks(input_surface(hierarchy), greatest_length);
+  const bool has_cracks = !closed.vertices.empty();
+  const std::size_t number_of_vertices = hierarchy.number_of_vertices();
   if (has_many_holes)
-    fill_holes(surface);
-  if ((has_many_holes || has_cracks) && find_start(std::move(surface)))
-    m_start = open_cracks(input_surface(hierarchy), closed_vertices, m_start);
+    fill_holes(closed.surface);
+  if ((!has_many_holes && !has_cracks) || !find_start(std::move(closed.surface)))
+    return;
+  if (has_cracks)
+    m_start = open_cracks(input_surface(hierarchy), closed, m_start);
+  m_start.resize(number_of_vertices);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

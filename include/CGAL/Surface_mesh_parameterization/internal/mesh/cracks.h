@@ -8,31 +8,26 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 
-#include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The length of a polygon whose vertices are at the given points.
-template <class Place>
-double length_of_cycle(const std::vector<Index>& cycle, const Place& place)
+// A surface without the small cracks of another one.
+struct Closed_surface
 {
-  double result = 0;
-  for (std::size_t i = 0; i < cycle.size(); ++i)
-    result += std::sqrt((place(cycle[i + 1 == cycle.size() ? 0 : i + 1]) - place(cycle[i])).squared_length());
-  return result;
-}
+  Triangulated_surface_3 surface;
+  std::vector<Index> vertices;      // what the vertices of the other surface have become; empty if it had no cracks
+};
 
-// Closes what holes of no more than a given length are cracks: from where a hole ends in a tip, vertices that lie on
-// each other, or almost so, become one, as long as the surface stays a manifold. Returns for each vertex the one that
-// it has become.
+// Closes what holes of no more than a given length are cracks: from where such a hole ends in a tip, vertices that lie
+// on each other, or almost so, become one, as long as the surface stays a manifold. What is open then, because the
+// vertices of one side do not meet those of the other, is filled.
 // Precondition: every vertex is manifold.
-std::vector<Index> close_cracks(Triangulated_surface_3& surface, double greatest_length);
+Closed_surface close_cracks(Triangulated_surface_3 surface, double greatest_length);
 
-// A map of a surface from that of the surface without cracks: vertices that were one part, each into its own triangles,
-// so that a gap opens. `closed_vertices` is what close_cracks() returned.
-std::vector<Point_2> open_cracks(const Triangulated_surface_3& surface, const std::vector<Index>& closed_vertices,
+// A map of the surface that was closed, from one of the closed surface: vertices that were made one part, each into its
+// own triangles, so that a gap opens.
+std::vector<Point_2> open_cracks(const Triangulated_surface_3& surface, const Closed_surface& closed,
                                  const std::vector<Point_2>& closed_map);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_CRACKS_IMPL_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/cracks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/holes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
@@ -85,8 +86,8 @@ private:
   std::vector<bool> m_is_bound;            // to a place
 };
 
-// Closes a hole from its tips on, as far as it is a crack. The border is a cycle.
-inline void close_crack(std::deque<Index> border, const std::vector<Point_3>& points, Merged_vertices& vertices)
+// Closes a crack from its tips on, as far as it goes. The border is a cycle.
+inline void merge_sides(std::deque<Index> border, const std::vector<Point_3>& points, Merged_vertices& vertices)
 {
   constexpr double greatest_opening = 0.1;      // of a tip, relative to the shorter one of its edges
   const auto squared_distance = [&](Index p, Index q) { return (points[p] - points[q]).squared_length(); };
@@ -136,17 +137,27 @@ inline std::vector<Index> remove_merged_vertices(const Merged_vertices& vertices
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-std::vector<Index> close_cracks(Triangulated_surface_3& surface, double greatest_length)
+Closed_surface close_cracks(Triangulated_surface_3 surface, double greatest_length)
 {
-  std::vector<bool> is_on_outer_border(surface.points.size(), false);
-  for (const Index v : surface.outer_border)
-    is_on_outer_border[v] = true;
+  const auto is_small_crack = [&](const Border& hole) {
+    return length_of_border(hole, [&](Index v) { return surface.points[v]; }) <= greatest_length &&
+           is_crack(hole, surface.points);
+  };
   Merged_vertices vertices(surface);
-  for (const std::vector<Index>& border : vertices.rings().borders())
-    if (!is_on_outer_border[border.front()] &&
-        length_of_cycle(border, [&](Index v) { return surface.points[v]; }) <= greatest_length)
-      close_crack(std::deque<Index>(border.begin(), border.end()), surface.points, vertices);
-  return remove_merged_vertices(vertices, surface);
+  bool has_cracks = false;
+  for (const Border& hole : holes(surface, vertices.rings()))
+    if (is_small_crack(hole)) {
+      has_cracks = true;
+      merge_sides(std::deque<Index>(hole.begin(), hole.end()), surface.points, vertices);
+    }
+  if (!has_cracks)
+    return { std::move(surface), {} };
+  std::vector<Index> new_vertices = remove_merged_vertices(vertices, surface);
+  const One_rings rings(surface.points.size(), surface.triangles);
+  for (const Border& hole : holes(surface, rings))
+    if (is_small_crack(hole))
+      fill_hole(hole, rings, surface);
+  return { std::move(surface), std::move(new_vertices) };
 }
 
 // Moves a border vertex by a small part of its shortest edge along the bisector of its triangles, while these stay
@@ -174,19 +185,19 @@ inline void move_inwards(const One_rings& rings, Index v, std::vector<Point_2>& 
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-std::vector<Point_2> open_cracks(const Triangulated_surface_3& surface, const std::vector<Index>& closed_vertices,
+std::vector<Point_2> open_cracks(const Triangulated_surface_3& surface, const Closed_surface& closed,
                                  const std::vector<Point_2>& closed_map)
 {
   std::vector<Index> number_of_copies(closed_map.size(), 0);
   std::vector<Point_2> uv;
-  uv.reserve(closed_vertices.size());
-  for (const Index v : closed_vertices) {
+  uv.reserve(closed.vertices.size());
+  for (const Index v : closed.vertices) {
     ++number_of_copies[v];
     uv.push_back(closed_map[v]);
   }
   const One_rings rings(surface.points.size(), surface.triangles);
   for (Index v = 0; v < uv.size(); ++v)
-    if (number_of_copies[closed_vertices[v]] > 1)
+    if (number_of_copies[closed.vertices[v]] > 1)
       move_inwards(rings, v, uv);
   return uv;
 }

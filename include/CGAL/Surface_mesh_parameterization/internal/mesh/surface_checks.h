@@ -24,9 +24,6 @@ Disk_check check_disk_with_holes(const Triangulated_surface_3& surface, const Lo
 // Scales the points by a power of two, to about size 1, and moves them to the center of their box.
 void normalize(Triangulated_surface_3& surface);
 
-// Closes every border but the outer one by a virtual vertex in the middle of it. The virtual vertices come last.
-void fill_holes(Triangulated_surface_3& surface);
-
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
 #ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE

@@ -51,29 +51,6 @@ void normalize(Triangulated_surface_3& surface)
   surface.scale_exponent = exponent;
 }
 
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void fill_holes(Triangulated_surface_3& surface)
-{
-  std::vector<bool> is_on_outer_border(surface.points.size(), false);
-  for (const Index v : surface.outer_border)
-    is_on_outer_border[v] = true;
-  for (const std::vector<Index>& border : One_rings(surface.points.size(), surface.triangles).borders()) {
-    if (is_on_outer_border[border.front()])
-      continue;
-    const Index middle = Index(surface.points.size());
-    double x = 0, y = 0, z = 0;
-    for (std::size_t i = 0; i < border.size(); ++i) {
-      const Index v = border[i], next = border[i + 1 == border.size() ? 0 : i + 1];
-      surface.triangles.push_back({ next, v, middle });
-      x += surface.points[v].x();
-      y += surface.points[v].y();
-      z += surface.points[v].z();
-    }
-    const double n = double(border.size());
-    surface.points.emplace_back(x / n, y / n, z / n);
-  }
-}
-
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_SURFACE_CHECKS_IMPL_H
