@@ -223,6 +223,21 @@ TEST(Open_cracks, makes_gaps_in_a_valid_map)
   }
 }
 
+// Where triangles are so flat that doubles leave no room, there is no map.
+TEST(Open_cracks, makes_no_invalid_map)
+{
+  for (const auto& [n, mesh] : cracked_grids())
+    for (const double height : { 1e-4, 1e-8, 1e-12, 1e-14, 1e-15 }) {
+      const Closed_surface closed = close_cracks(surface(mesh), any_length);
+      std::vector<Point_2> closed_map;
+      for (const Point_3& p : closed.surface.points)
+        closed_map.emplace_back(p.x(), 1 + height * p.y());
+      const std::vector<Point_2> uv = open_cracks(surface(mesh), closed, closed_map);
+      EXPECT_TRUE(uv.empty() || is_map_valid(One_rings(mesh.points.size(), mesh.triangles), uv));
+      EXPECT_TRUE(!uv.empty() || height < 1e-8);
+    }
+}
+
 // A run that starts from the map of the closed surface.
 void expect_few_steps(const Mapped_mesh& m)
 {

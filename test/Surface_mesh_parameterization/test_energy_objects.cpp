@@ -9,6 +9,8 @@
 #include <CGAL/Surface_mesh_parameterization/Distortion_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <gtest/gtest.h>
@@ -17,6 +19,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
 
 namespace test_energy_objects {
 
@@ -121,6 +124,68 @@ TEST(Energy_objects, are_told_areas_in_the_users_units)
   EXPECT_EQ(mapped.parameterize(Distortion_parameterizer_3<Surface_mesh, Energy_of_area>(Energy_of_area{ &areas })), OK);
   EXPECT_NEAR(areas.least, 0.5 * step * step, 1e-9 * step * step);
   EXPECT_NEAR(areas.greatest, 0.5 * step * step, 1e-9 * step * step);
+}
+
+// Symmetric Dirichlet, of which every member but the second derivatives may be made wrong.
+struct Energy_with_fault
+{
+  double factor_of_value = 1, factor_of_f = 1, factor_of_d = 1, factor_of_ff = 1;
+
+  static constexpr double minimum = 4;
+  static constexpr bool is_scale_invariant = false;
+  static constexpr bool is_flip_free = true;
+
+  const Energy_with_fault& of_area(double) const { return *this; }
+
+  double value(double f, double d) const { return Energy_of_area::value(f, d); }
+  Distortion_derivatives_2 derivatives(double f, double d) const
+  {
+    Distortion_derivatives_2 result = Energy_of_area::derivatives(f, d);
+    result.value *= factor_of_value;
+    result.f *= factor_of_f;
+    result.d *= factor_of_d;
+    result.ff += factor_of_ff - 1;
+    return result;
+  }
+};
+
+struct Energy_that_knows_no_scale : Energy_with_fault
+{
+  static constexpr bool is_scale_invariant = true;
+  const Energy_that_knows_no_scale& of_area(double) const { return *this; }
+};
+
+template <class Energy>
+Parameterization_error error_with(const Energy& energy)
+{
+  Mapped_mesh mapped(grid(8, 8, wavy));
+  typedef Distortion_parameterizer_3<Surface_mesh, Energy>   Method;
+  const Error_code status = mapped.parameterize(Hierarchical_parameterizer_3<Method>(
+      Method(energy, parameters::default_values()), parameters::summary(std::ref(mapped.summary))));
+  EXPECT_EQ(status, mapped.summary.error.code);
+  return mapped.summary.error;
+}
+
+TEST(Energy_objects, are_refused_if_they_contradict_themselves)
+{
+  EXPECT_EQ(error_with(Energy_with_fault()).code, OK);
+  EXPECT_EQ(error_with(Energy_with_fault{ 1, 1, 1, 1.01 }).code, OK);
+  const auto expect_refused = [](const Parameterization_error& error, const char* words) {
+    EXPECT_EQ(error.code, ERROR_WRONG_PARAMETER);
+    EXPECT_NE(error_message(error).find(words), std::string::npos) << error_message(error);
+  };
+  expect_refused(error_with(Energy_with_fault{ 2, 1, 1, 1 }), "another value");
+  expect_refused(error_with(Energy_with_fault{ 1, 1.01, 1, 1 }), "derivative by f");
+  expect_refused(error_with(Energy_with_fault{ 1, 1, -1, 1 }), "derivative by d");
+  expect_refused(error_with(Energy_with_fault{ 1, 1, std::nan(""), 1 }), "derivative by d");
+  expect_refused(error_with(Energy_that_knows_no_scale()), "scale");
+}
+
+// Also where values are far from 1.
+TEST(Energy_objects, are_not_refused_for_their_size)
+{
+  for (const double exponent : { 0.01, 1., 60., 400. })
+    EXPECT_NE(error_with(Power_of_MIPS{ exponent }).code, ERROR_WRONG_PARAMETER);
 }
 
 } // namespace test_energy_objects

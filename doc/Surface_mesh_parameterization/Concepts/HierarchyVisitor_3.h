@@ -22,8 +22,8 @@ public:
   bool hierarchy_built(const CGAL::Surface_mesh_parameterization::Collapse_hierarchy_3& hierarchy);
 
   /// called after each level's refinement, from the coarsest to the finest. With `globally_injective`, levels from one
-  /// on, where the borders first met, may come a second time. Where many small holes are filled at first, it is called
-  /// for the finest level only.
+  /// on, where the borders first met, may come a second time. Where many small holes are filled at first, or cracks
+  /// are closed, it is called for the finest level only.
   ///
   /// \param level the level
   /// \param uv its map, by rank, in units of `level.point()`

@@ -12,12 +12,14 @@
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Refused.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/number_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/number_of_flat_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Place_constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/fault_of_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/is_finite_energy.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -156,7 +158,10 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   // What is wrong with the options; null if nothing is.
-  const char* fault_of_options() const { return m_options.fault(); }
+  const char* fault_of_options() const
+  {
+    return internal::first_fault({ m_options.fault(), internal::fault_of_energy(m_energy) });
+  }
   /// \endcond
 
 private:

@@ -86,7 +86,7 @@ struct Parameterization_summary
   /// method tells the energy of any map, see `RefinableParameterizer_3`; 0 for the linear methods of CGAL
   double energy = 0;
   /// from the coarsest level to the finest; the finest only where the run started from a map, be it the user's or one
-  /// with many small holes filled; none for the linear methods of CGAL
+  /// with cracks closed or many small holes filled; none for the linear methods of CGAL
   std::vector<Level_summary> levels;
   /// triangles that the method flipped, before a repair; if there are none, vertices around which its map winds more
   /// than once, or not at all. Not counted if the `Flip_policy` is `KEEP`

@@ -149,7 +149,7 @@ private:
   {
     const Vector_2 to_first = uv[c.first] - uv[c.vertex], to_last = uv[c.last] - uv[c.vertex];
     const double angle = std::atan2(cross(to_last, to_first), to_last * to_first);
-    return angle < 0 ? angle + 2 * CGAL_PI : angle;
+    return angle > 0 ? angle : angle + 2 * CGAL_PI;      // 0 is the angle of an ear without area
   }
 
   static double room_at(const Corner& c, const Level::Uv& uv) { return gap_at(c, uv) - c.least_gap; }

@@ -81,13 +81,18 @@ inline double greatest_length_of_small_holes(const Level& level)
   return part_of_root_of_area * std::sqrt(area);
 }
 
-inline std::size_t number_of_holes(const Level& level, double greatest_length)
+// The holes of a level up to a length.
+inline std::vector<Border> small_holes(const Level& level, double greatest_length)
 {
-  const std::vector<Border> borders = level.rings().borders();
-  return std::count_if(borders.begin(), borders.end(), [&](const Border& border) {
-    return !level.hierarchy().is_on_outer_border(border.front()) &&
-           length_of_border(border, [&](Index v) { return level.point(v); }) <= greatest_length;
-  });
+  std::vector<Border> result = level.rings().borders();
+  result.erase(std::remove_if(result.begin(), result.end(),
+                              [&](const Border& border) {
+                                return level.hierarchy().is_on_outer_border(border.front()) ||
+                                       length_of_border(border, [&](Index v) { return level.point(v); }) >
+                                           greatest_length;
+                              }),
+               result.end());
+  return result;
 }
 
 // The power of two by which the box of the fixed vertices' places is greater than that of the vertices, more or less.
@@ -127,22 +132,27 @@ void Nested_iteration_attempts::find_start_on_closed_surface(const Collapse_hier
     return;
   const Level coarsest(hierarchy);
   const double greatest_length = greatest_length_of_small_holes(coarsest);
-  const std::size_t holes = number_of_holes(coarsest, greatest_length), size = m_options.hierarchy.coarsest_size;
-  const bool has_many_holes = coarsest.number_of_vertices() > size && least_vertices_at_hole * holes > size,
-             may_have_cracks = hierarchy.number_of_levels() > 1 && holes > 0;
+  const std::vector<Border> holes = small_holes(coarsest, greatest_length);
+  const auto is_crack_of_coarsest = [&](const Border& hole) {
+    return is_crack(hole, [&](Index v) { return coarsest.point(v); });
+  };
+  const std::size_t size = m_options.hierarchy.coarsest_size;
+  const bool has_many_holes = coarsest.number_of_vertices() > size && least_vertices_at_hole * holes.size() > size,
+             may_have_cracks = hierarchy.number_of_levels() > 1 &&
+                               std::any_of(holes.begin(), holes.end(), is_crack_of_coarsest);
   if (!has_many_holes && !may_have_cracks)
     return;
   m_has_closed_surface = true;
   Closed_surface closed = close_cracks(input_surface(hierarchy), greatest_length);
   const bool has_cracks = !closed.vertices.empty();
-  const std::size_t number_of_vertices = hierarchy.number_of_vertices();
   if (has_many_holes)
     fill_holes(closed.surface);
   if ((!has_many_holes && !has_cracks) || !find_start(std::move(closed.surface)))
     return;
   if (has_cracks)
     m_start = open_cracks(input_surface(hierarchy), closed, m_start);
-  m_start.resize(number_of_vertices);
+  else
+    m_start.resize(hierarchy.number_of_vertices());
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

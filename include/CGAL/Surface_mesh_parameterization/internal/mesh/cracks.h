@@ -26,7 +26,7 @@ struct Closed_surface
 Closed_surface close_cracks(Triangulated_surface_3 surface, double greatest_length);
 
 // A map of the surface that was closed, from one of the closed surface: vertices that were made one part, each into its
-// own triangles, so that a gap opens.
+// own triangles, so that a gap opens. Empty if that leads to no valid map.
 std::vector<Point_2> open_cracks(const Triangulated_surface_3& surface, const Closed_surface& closed,
                                  const std::vector<Point_2>& closed_map);
 

@@ -140,8 +140,8 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Closed_surface close_cracks(Triangulated_surface_3 surface, double greatest_length)
 {
   const auto is_small_crack = [&](const Border& hole) {
-    return length_of_border(hole, [&](Index v) { return surface.points[v]; }) <= greatest_length &&
-           is_crack(hole, surface.points);
+    const auto place = [&](Index v) { return surface.points[v]; };
+    return length_of_border(hole, place) <= greatest_length && is_crack(hole, place);
   };
   Merged_vertices vertices(surface);
   bool has_cracks = false;
@@ -165,7 +165,7 @@ Closed_surface close_cracks(Triangulated_surface_3 surface, double greatest_leng
 inline void move_inwards(const One_rings& rings, Index v, std::vector<Point_2>& uv)
 {
   constexpr double part_of_shortest_edge = 0.1;
-  constexpr int most_halvings = 10;
+  constexpr int most_halvings = 30;
   double angle = 0, shortest = (uv[rings[v].back()] - uv[v]).squared_length();
   rings.for_each_triangle(v, [&](Index a, Index b, std::size_t) {
     const Vector_2 to_a = uv[a] - uv[v], to_b = uv[b] - uv[v];
@@ -195,11 +195,14 @@ std::vector<Point_2> open_cracks(const Triangulated_surface_3& surface, const Cl
     ++number_of_copies[v];
     uv.push_back(closed_map[v]);
   }
+  std::vector<bool> is_fixed(uv.size(), false);
+  for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices)
+    is_fixed[fixed.vertex] = true;
   const One_rings rings(surface.points.size(), surface.triangles);
   for (Index v = 0; v < uv.size(); ++v)
-    if (number_of_copies[closed.vertices[v]] > 1)
+    if (number_of_copies[closed.vertices[v]] > 1 && !is_fixed[v])
       move_inwards(rings, v, uv);
-  return uv;
+  return is_map_valid(rings, uv) ? uv : std::vector<Point_2>();
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

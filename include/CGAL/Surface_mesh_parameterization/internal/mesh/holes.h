@@ -9,6 +9,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/number_utils.h>
+
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -30,11 +33,20 @@ double length_of_border(const Border& border, const Place& place)
   return result;
 }
 
-// Whether two sides of a hole almost lie on each other: its area is next to nothing for its length.
-bool is_crack(const Border& hole, const std::vector<Point_3>& points);
+// Whether two sides of a hole, whose vertices are at `place(v)`, almost lie on each other: its area is next to nothing
+// for its length.
+template <class Place>
+bool is_crack(const Border& hole, const Place& place)
+{
+  constexpr double greatest_area = 0.01;      // for the length 1; that of a square is 0.06
+  Vector_3 doubled_area(0, 0, 0);
+  for (std::size_t i = 1; i + 1 < hole.size(); ++i)
+    doubled_area += CGAL::cross_product(place(hole[i]) - place(hole[0]), place(hole[i + 1]) - place(hole[0]));
+  return 0.5 * std::sqrt(doubled_area.squared_length()) <= greatest_area * CGAL::square(length_of_border(hole, place));
+}
 
 // Closes a hole by a virtual vertex in the middle of it, which comes last. In a crack, where its triangles would have no
-// area, it is a little above. `rings` are those of the surface with the hole.
+// area, it is a little above the surface, if that has an area there. `rings` are those of the surface with the hole.
 void fill_hole(const Border& hole, const One_rings& rings, Triangulated_surface_3& surface);
 
 // Closes every border but the outer one. The virtual vertices come last.

@@ -7,7 +7,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/holes.h>
 
 #include <CGAL/Kernel/global_functions.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,17 +29,6 @@ std::vector<Border> holes(const Triangulated_surface_3& surface, const One_rings
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool is_crack(const Border& hole, const std::vector<Point_3>& points)
-{
-  constexpr double greatest_area = 0.01;      // for the length 1; that of a square is 0.06
-  Vector_3 doubled_area(0, 0, 0);
-  for (std::size_t i = 1; i + 1 < hole.size(); ++i)
-    doubled_area += CGAL::cross_product(points[hole[i]] - points[hole[0]], points[hole[i + 1]] - points[hole[0]]);
-  const double length = length_of_border(hole, [&](Index v) { return points[v]; });
-  return 0.5 * std::sqrt(doubled_area.squared_length()) <= greatest_area * CGAL::square(length);
-}
-
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void fill_hole(const Border& hole, const One_rings& rings, Triangulated_surface_3& surface)
 {
   constexpr double height_above_crack = 0.2;      // relative to the edges
@@ -54,10 +42,9 @@ void fill_hole(const Border& hole, const One_rings& rings, Triangulated_surface_
     center += (points[v] - CGAL::ORIGIN) / n;
     normal += CGAL::cross_product(points[next] - points[v], points[rings[v][1]] - points[v]);
   }
-  if (const double size = std::sqrt(normal.squared_length()); size > 0 && is_crack(hole, points)) {
-    const double length = length_of_border(hole, [&](Index v) { return points[v]; });
-    center += height_above_crack * length / n / size * normal;
-  }
+  const auto place = [&](Index v) { return points[v]; };
+  if (const double size = std::sqrt(normal.squared_length()); size > 0 && is_crack(hole, place))
+    center += height_above_crack * length_of_border(hole, place) / n / size * normal;
   points.push_back(CGAL::ORIGIN + center);
 }
 

@@ -32,6 +32,7 @@ public:
   const Turn_barrier& turn_barrier() const { return m_turn_barrier; }
   void begin_turn_barrier(const Level::Uv& uv, double stiffness) { m_turn_barrier.begin(uv, stiffness); }
   void lower_turn_barrier(double factor) { m_turn_barrier.lower(factor); }
+  void settle_turn_barrier() { m_turn_barrier.settle(); }
 
   // Whether nothing holds back a step that turns too far. Borders that are kept apart do.
   bool lets_gaps_close() const { return !m_border_barrier && m_turn_barrier.stiffness() == 0; }
@@ -42,7 +43,6 @@ public:
     m_lost_gaps = 0;
     m_contacts.clear();
     m_turn_barrier.add_contacts(uv, m_contacts);
-    m_turn_barrier.settle();
     if (m_border_barrier) {
       m_border_barrier->set_gaps(uv);
       m_border_barrier->add_contacts(uv, m_contacts);

@@ -66,6 +66,7 @@ public:
     }
     adapt_accuracy(result);
     adapt_indefinite_part(result);
+    m_objective.settle_turn_barrier();
     lower_turn_barrier(result);
     return result;
   }
