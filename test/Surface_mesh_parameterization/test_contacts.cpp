@@ -116,8 +116,8 @@ TEST(Turn_barrier, knows_what_changes_around_a_vertex)
     }
 }
 
-// The barrier is infinite where a gap is down to the least one, which relaxation leaves, too: a barrier that ends beyond
-// leads steps to where they are cut.
+// The barrier is infinite where a gap is down to the least one, which relaxation leaves, too: a barrier that ends
+// beyond leads steps to where they are cut.
 TEST(Turn_barrier, knows_when_the_gap_is_down_to_the_least_one)
 {
   const Fan fan(0.1);

@@ -3,6 +3,7 @@
 
 // A level refined by each of the optimizers.
 
+#include "energy_archetype.h"
 #include "hierarchies.h"
 #include "level_maps.h"
 #include "test_meshes.h"
@@ -55,6 +56,35 @@ TEST(Level_refiner, finds_the_isometry_of_a_developable_surface)
           << m.triangles.size() << " triangles, excess " << excess;
       EXPECT_GE(excess, -1e-9);
     }
+}
+
+// Its derivatives lead up, so that no step is possible.
+struct Misled_energy : Energy_archetype
+{
+  const Misled_energy& of_area(double) const { return *this; }
+  static Distortion_derivatives_2 derivatives(double f, double d)
+  {
+    Distortion_derivatives_2 result = Energy_archetype::derivatives(f, d);
+    result.f = -result.f;
+    result.d = -result.d;
+    return result;
+  }
+};
+
+template <class Energy>
+bool converges()
+{
+  const Finest_level f(grid(8, 8, wavy));
+  Level::Uv uv = first_map(f.level);
+  Level_summary summary;
+  refine<Energy>(f.level, uv, Refinement_options(), summary);
+  return summary.converged;
+}
+
+TEST(Level_refiner, has_not_converged_where_it_is_stuck)
+{
+  EXPECT_TRUE(converges<Energy_archetype>());
+  EXPECT_FALSE(converges<Misled_energy>());
 }
 
 // Newton's method must slide along that bound, to where sweeps do not get further down either.

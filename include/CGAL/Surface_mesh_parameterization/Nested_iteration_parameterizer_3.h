@@ -78,7 +78,7 @@ public:
   /// - `visitor`: a model of `HierarchyVisitor_3`; default: none
   /// - `fill_holes`: whether every border except the outer one is closed by a virtual vertex in its middle, so that a
   ///   hole is mapped like a part of the surface; default `false`: holes are open in the result, but flip-free methods
-  ///   start from a map with filled holes where small ones are many or cracks
+  ///   start from a map with filled holes where small ones are many, or with cracks closed
   /// - `flip_policy`: a `Flip_policy`: the treatment of flips; default `REPAIR`
   /// - `overlap_bound`: of methods that keep borders apart; a map of which more than this part of the triangles lies
   ///   over others before they do is to be divided: to keep its borders apart would distort it far, and take long. So

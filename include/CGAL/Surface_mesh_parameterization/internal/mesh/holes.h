@@ -45,8 +45,8 @@ bool is_crack(const Border& hole, const Place& place)
   return 0.5 * std::sqrt(doubled_area.squared_length()) <= greatest_area * CGAL::square(length_of_border(hole, place));
 }
 
-// Closes a hole by a virtual vertex in the middle of it, which comes last. In a crack, where its triangles would have no
-// area, it is a little above the surface, if that has an area there. `rings` are those of the surface with the hole.
+// Closes a hole by a virtual vertex in the middle of it, which comes last. In a crack, where its triangles would have
+// no area, it is a little above the surface, if that has an area there. `rings` are those of the surface with the hole.
 void fill_hole(const Border& hole, const One_rings& rings, Triangulated_surface_3& surface);
 
 // Closes every border but the outer one. The virtual vertices come last.

@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Current_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Decreases.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner_options.h>
@@ -32,7 +33,8 @@ public:
   Level_refiner(const Level_energy& energy, Level::Uv& uv, const Refinement_options& refinement, Level_summary& summary,
                 const Level_refiner_options& options = Level_refiner_options())
     : m_energy(energy), m_level(energy.level()), m_uv(uv), m_refinement(refinement), m_options(options),
-      m_summary(summary), m_iterations_before(summary.iterations), m_unit(m_energy.unit()), m_current(m_energy(uv))
+      m_summary(summary), m_iterations_before(summary.iterations), m_unit(m_energy.unit()),
+      m_current(energy, uv, m_options)
   {
     if (refinement.is_globally_injective)
       m_barrier =
@@ -43,7 +45,7 @@ public:
   // Returns `OK`, `ERROR_STOPPED` if a visitor stopped the run, or `GIVEN_UP` if keeping borders apart is in vain.
   Error_code run()
   {
-    m_summary.energy_start = m_current / m_unit;
+    m_summary.energy_start = m_current.value() / m_unit;
     if (tell(0)) {
       if (m_refinement.number_of_local_steps > 0)
         take_local_steps();
@@ -55,7 +57,7 @@ public:
           relax_until_convergence();
       }
     }
-    m_summary.energy_end = (m_level.is_finest() ? m_energy(m_uv) : m_current) / m_unit;
+    m_summary.energy_end = (m_level.is_finest() ? m_energy(m_uv) : m_current.value()) / m_unit;
     m_summary.converged = m_summary.converged && std::isfinite(m_summary.energy_end);
     return m_status;
   }
@@ -64,7 +66,7 @@ private:
   // Tells that this part of the work on the level is done. Returns whether the run may go on.
   bool tell(double part)
   {
-    m_summary.energy_end = m_current / m_unit;
+    m_summary.energy_end = m_current.value() / m_unit;
     if (!m_level.progressed(m_summary, part))
       m_status = ERROR_STOPPED;
     else if (m_barrier && is_in_vain(m_summary.energy_end))
@@ -85,36 +87,23 @@ private:
   // energy by less than the part `least_decrease`.
   double part_done(double decrease, double least_decrease) const
   {
-    return part_of_iteration(decrease / excess(), least_decrease, iterations(), m_refinement.number_of_iterations);
+    return part_of_iteration(decrease / m_current.excess(), least_decrease, iterations(),
+                             m_refinement.number_of_iterations);
   }
 
   bool is_coarsest_of_many() const { return m_level.index() == 0 && !m_level.is_finest(); }
   std::size_t size() const { return m_level.number_of_vertices(); }
-  double excess() const
-  {
-    const double minimum = m_energy.minimum() * m_energy.total_weight();
-    return (std::max)(m_current - minimum, m_options.least_excess * minimum);
-  }
-
-  // Subtracts what an iteration gained. After a deep fall, from a triangle that was almost degenerate, the difference
-  // means nothing.
-  void lower_by(double decrease)
-  {
-    m_current -= decrease;
-    if (!(decrease < m_current && m_current < (std::numeric_limits<double>::infinity)()))
-      m_current = m_energy(m_uv);
-  }
-
   void count(const Vertex_relaxation::Effect& effect)
   {
-    lower_by(effect.decrease);
+    m_current.lower_by(effect.decrease);
     m_summary.vertex_visits += effect.visits;
   }
 
   // On a level with inserted vertices, those whose place is bad get as many steps as they need.
   void sweep(const Vertex_relaxation& relaxation)
   {
-    const double never = (std::numeric_limits<double>::infinity)(), mean_of_vertex = little(1 / double(size()));
+    const double never = (std::numeric_limits<double>::infinity)(),
+                 mean_of_vertex = m_current.little(1 / double(size()));
     count(relaxation.sweep_and_follow_up(m_uv, m_level.index() == 0 ? never : mean_of_vertex));
   }
 
@@ -126,7 +115,7 @@ private:
     std::mt19937 random(m_refinement.random_seed);
     do {
       const std::size_t steps = (std::min)(size(), number_of_steps - m_summary.vertex_visits);
-      lower_by(relaxation.random_steps(m_uv, steps, random));
+      m_current.lower_by(relaxation.random_steps(m_uv, steps, random));
       m_summary.vertex_visits += steps;
       ++m_summary.iterations;
     } while (tell(double(m_summary.vertex_visits) / double(number_of_steps)) &&
@@ -149,12 +138,12 @@ private:
     const Vertex_relaxation relaxation(m_energy, is_random ? 1 : m_options.over_relaxation, m_barrier.get());
     std::mt19937 random(m_refinement.random_seed);
     while (m_status == OK && iterations() < most_sweeps && !m_summary.converged) {
-      const double before = m_current;
-      lower_by(is_random ? relaxation.random_steps(m_uv, size(), random) : relaxation.sweep(m_uv));
+      const double before = m_current.value();
+      m_current.lower_by(is_random ? relaxation.random_steps(m_uv, size(), random) : relaxation.sweep(m_uv));
       m_summary.vertex_visits += size();
-      m_summary.converged = is_little(before - m_current, m_refinement.tolerance);
+      m_summary.converged = m_current.is_little(before - m_current.value(), m_refinement.tolerance);
       ++m_summary.iterations;
-      tell(part_done(before - m_current, m_refinement.tolerance));
+      tell(part_done(before - m_current.value(), m_refinement.tolerance));
     }
   }
 
@@ -179,10 +168,10 @@ private:
     double before;
     std::size_t sweeps = 0;
     do {
-      before = m_current;
+      before = m_current.value();
       sweep(relaxation);
     } while (tell(0) && ++sweeps < m_options.most_first_sweeps &&
-             !is_little(before - m_current, m_options.least_decrease_of_first_sweeps));
+             !m_current.is_little(before - m_current.value(), m_options.least_decrease_of_first_sweeps));
     return m_status == OK;
   }
 
@@ -195,25 +184,26 @@ private:
     newton.fix_vertices(fixed_vertices(m_level));
     relaxation.set_turn_barrier(newton.turn_barrier());
     Decreases decreases(m_options.sudden_fall);
-    Lull lull(m_current);
+    Lull lull(m_current.value());
     while (m_status == OK && iterations() < m_refinement.number_of_iterations && !m_summary.converged) {
       const double negligible =
-          m_energy.is_flip_free() ? m_options.negligible_part * m_refinement.tolerance * excess() : 0;
-      const auto step = newton.step(m_uv, m_current, negligible);
+          m_energy.is_flip_free() ? m_options.negligible_part * m_refinement.tolerance * m_current.excess() : 0;
+      const auto step = newton.step(m_uv, m_current.value(), negligible);
       if (has_barrier(newton))      // the step may have paid for room with energy
-        m_current = m_energy(m_uv);
+        m_current.compute();
       else
-        lower_by(step.decrease);
+        m_current.lower_by(step.decrease);
       ++m_summary.iterations;
       m_summary.cycles += step.cycles;
-      const double before_sweep = m_current;
+      const double before_sweep = m_current.value();
       if (wants_sweep(step, decreases.last()))
         sweep(relaxation);
-      const double decrease = step.decrease + step.slack + (before_sweep - m_current);
+      const double decrease = step.decrease + step.slack + (before_sweep - m_current.value());
       decreases.add(decrease, is_regular(step));
       const bool jam = is_jammed();
-      lull.add(m_current, little(jam ? m_options.least_decrease_with_barrier : least_decrease));
-      const bool is_slow = is_little(decrease, least_decrease) || decreases.remainder() <= least_decrease * excess(),
+      lull.add(m_current.value(), m_current.little(jam ? m_options.least_decrease_with_barrier : least_decrease));
+      const bool is_slow = m_current.is_little(decrease, least_decrease) ||
+                           decreases.remainder() <= least_decrease * m_current.excess(),
                  is_at_rest = (is_slow && !jam) ||
                               (m_barrier && lull.number_of_steps() >= m_options.most_steps_without_fall),
                  has_arrived = is_at_rest && !decreases.is_sudden();
@@ -234,8 +224,8 @@ private:
   bool is_jammed() const
   {
     return m_barrier && m_energy.minimum() > 0 && iterations() < m_options.most_steps_in_jam &&
-           m_current > m_options.least_ratio_of_jam * m_energy.minimum() * m_energy.total_weight() &&
-           m_energy.greatest_of_vertices(m_uv) > m_options.least_part_of_jam * m_current;
+           m_current.value() > m_options.least_ratio_of_jam * m_energy.minimum() * m_energy.total_weight() &&
+           m_energy.greatest_of_vertices(m_uv) > m_options.least_part_of_jam * m_current.value();
   }
 
   // Whether the tolerance is below what energies in doubles tell.
@@ -247,7 +237,7 @@ private:
   {
     double greatest_promise = (std::numeric_limits<double>::infinity)();
     while (m_status == OK && iterations() < m_refinement.number_of_iterations) {
-      const auto step = newton.last_step(m_uv, greatest_promise, m_options.rounding * m_current);
+      const auto step = newton.last_step(m_uv, greatest_promise, m_options.rounding * m_current.value());
       m_summary.cycles += step.cycles;
       if (step.length == 0)
         break;
@@ -270,24 +260,16 @@ private:
   {
     const bool is_slow = m_energy.is_flip_free() && last_decrease > 0 &&
                          step.decrease > m_options.slow_convergence * last_decrease;
-    return is_slow || step.length < m_options.short_step || !is_little(step.decrease, m_options.great_decrease);
+    return is_slow || step.length < m_options.short_step ||
+           !m_current.is_little(step.decrease, m_options.great_decrease);
   }
 
-  // Whether no direction was found although there is more to be gained, as far as is known. At a barrier that is no
-  // wonder.
+  // Whether no step was possible although there is more to be gained, as far as the model tells. At a barrier that is
+  // no wonder.
   bool is_stuck(const Newton_method::Step& step, double least_decrease) const
   {
-    return step.length == 0 && !(step.missed <= little(least_decrease));
+    return step.length == 0 && !((std::max)(step.missed, step.predicted) <= m_current.little(least_decrease));
   }
-
-  // A part of the excess energy.
-  double little(double part) const
-  {
-    return (std::max)(part * excess(), m_options.rounding * m_energy.total_weight());
-  }
-
-  // Whether a decrease that led to the current energy is next to nothing.
-  bool is_little(double decrease, double part) const { return !(decrease > little(part)); }
 
   const Level_energy& m_energy;
   const Level& m_level;
@@ -298,7 +280,7 @@ private:
   const std::size_t m_iterations_before;
   std::unique_ptr<Border_barrier> m_barrier;      // none unless the map has to be globally injective
   const double m_unit;
-  double m_current;       // the energy of m_uv
+  Current_energy m_current;
   Error_code m_status = OK;
 };
 

@@ -10,8 +10,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Where the values of an energy tell that one of its other members is wrong, that member; else null. A minimization with
-// a wrong derivative ends anywhere, and says that it converged.
+// Where the values of an energy tell that one of its other members is wrong, that member; else null. A minimization
+// with a wrong derivative ends anywhere, and says that it converged.
 template <class Energy>
 const char* fault_of_energy(const Energy& energy)
 {
