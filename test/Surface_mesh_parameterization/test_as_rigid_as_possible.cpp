@@ -215,6 +215,25 @@ TEST(As_rigid_as_possible, great_lambdas_are_as_good_as_infinity)
   }
 }
 
+// Rounding to the user's numbers is all that happens to a map with flips that is to be kept.
+TEST(As_rigid_as_possible, keeps_flips_in_floats)
+{
+  typedef CGAL::Simple_cartesian<float>::Point_2   Float_point;
+  const auto map_in = [](auto& mapped, auto uvmap) {
+    return SMP::parameterize(mapped.mesh, Hierarchical_method(parameters::flip_policy(Flip_policy::KEEP)),
+                             longest_border(mapped.mesh), uvmap);
+  };
+  Mapped_mesh mapped(crumpled_grid(14, 1));
+  const auto floats = mapped.mesh.add_property_map<Surface_mesh::Vertex_index, Float_point>("v:float_uv").first;
+  ASSERT_EQ(map_in(mapped, mapped.uvmap), OK);
+  ASSERT_GT(mapped.quality().flips, 0u);
+  ASSERT_EQ(map_in(mapped, floats), OK);
+  for (const auto v : vertices(mapped.mesh)) {
+    EXPECT_EQ(floats[v].x(), float(mapped.uvmap[v].x()));
+    EXPECT_EQ(floats[v].y(), float(mapped.uvmap[v].y()));
+  }
+}
+
 // Where angles cannot be kept and a change of scale costs next to nothing, the cheapest map is a point.
 TEST(As_rigid_as_possible, shrinks_the_map_for_tiny_lambda)
 {

@@ -602,4 +602,17 @@ TEST(Packing, keeps_triangles_positive_in_floats)
   expect_one_to_one_in_floats(with_component(grid(4, 4, wavy), crumpled_grid(12, 1), 4e-9));
 }
 
+// On a lattice most triangles of a fine surface have no area, and in the map next to none: scales round them.
+TEST(Packing, keeps_triangles_positive_that_have_no_area_in_space)
+{
+  for (Flat_mesh m : { grid(40, 40, wavy), delaunay_patch(1600, 3, wavy) }) {
+    constexpr double cells = 10;
+    for (Point_3& p : m.points)
+      p = Point_3(std::round(cells * p.x()), std::round(cells * p.y()), std::round(cells * p.z()));
+    Surface surface(m);
+    ASSERT_TRUE(atlas_parameterization(surface.mesh, surface.uv).is_ok());
+    expect_one_to_one(surface);
+  }
+}
+
 } // namespace test_atlas

@@ -3,6 +3,7 @@
 
 // Cracks: where a mesh came apart because vertices at one place were not merged. Runs close small ones at first.
 
+#include "cracked_meshes.h"
 #include "distortion_runs.h"
 #include "mapped_mesh.h"
 #include "mesh_conversions.h"
@@ -16,7 +17,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
-#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/number_utils.h>
 
 #include <gtest/gtest.h>
@@ -34,50 +34,6 @@ using internal::close_cracks;
 using internal::open_cracks;
 
 constexpr double any_length = std::numeric_limits<double>::infinity();
-
-// Gives the triangles around a vertex, in so many parts of about the same size, a vertex each.
-void split_vertex(Flat_mesh& m, const One_rings& rings, Index v, std::size_t parts)
-{
-  const std::size_t n = rings.number_of_triangles(v);
-  std::vector<Index> copies{ v };
-  for (std::size_t i = 1; i < parts; ++i) {
-    copies.push_back(Index(m.points.size()));
-    m.points.push_back(Point_3(m.points[v]));
-  }
-  rings.for_each_triangle(v, [&](Index a, Index b, std::size_t i) {
-    for (Index_triangle& t : m.triangles)
-      if (contains(t, v) && contains(t, a) && contains(t, b))
-        for (Index& w : t)
-          if (w == v)
-            w = copies[i * parts / n];
-  });
-}
-
-// Cracks of that many branches at every so manieth vertex of a grid of n times n cells.
-Flat_mesh grid_with_cracks(Index n, Index distance, std::size_t branches = 2)
-{
-  Flat_mesh m = grid(n, n, wavy);
-  const One_rings rings(m.points.size(), m.triangles);
-  for (Index j = distance / 2; j < n; j += distance)
-    for (Index i = distance / 2; i < n; i += distance)
-      split_vertex(m, rings, j * (n + 1) + i, branches);
-  return m;
-}
-
-// A crack along a row of the grid.
-Flat_mesh grid_with_long_crack(Index n, Index row, Index begin, Index end)
-{
-  Flat_mesh m = grid(n, n, wavy);
-  for (Index i = begin + 1; i < end; ++i) {
-    const Index v = row * (n + 1) + i, copy = Index(m.points.size());
-    m.points.push_back(Point_3(m.points[v]));
-    for (std::size_t t = 2 * n * row; t < m.triangles.size(); ++t)
-      for (Index& w : m.triangles[t])
-        if (w == v)
-          w = copy;
-  }
-  return m;
-}
 
 struct Cracked_grid
 {
@@ -148,26 +104,9 @@ TEST(Close_cracks, keeps_vertices_with_places)
   EXPECT_EQ(of_both.surface.points.size(), mesh.points.size() + 1);
 }
 
-// With a vertex in the middle of an edge, for the triangle on one side alone, of every so manieth triangle.
-Flat_mesh grid_with_T_junctions(Index n, std::size_t distance)
-{
-  Flat_mesh m = grid(n, n, wavy);
-  const One_rings rings(m.points.size(), m.triangles);
-  for (std::size_t i = distance / 2, end = m.triangles.size(); i < end; i += distance) {
-    const auto [a, b, c] = m.triangles[i];
-    const Index middle = Index(m.points.size());
-    if (rings.is_border(a) || rings.is_border(b))
-      continue;
-    m.points.push_back(CGAL::midpoint(m.points[a], m.points[b]));
-    m.triangles[i] = { a, middle, c };
-    m.triangles.push_back({ middle, b, c });
-  }
-  return m;
-}
-
 TEST(Close_cracks, fills_what_does_not_meet_by_triangles_with_an_area)
 {
-  const Flat_mesh mesh = grid_with_T_junctions(12, 38);
+  const Flat_mesh mesh = with_T_junctions(grid(12, 12, wavy), 38);
   const Closed_surface closed = close_cracks(surface(mesh), any_length);
   const std::size_t virtual_vertices = closed.surface.points.size() - mesh.points.size();
   EXPECT_EQ(virtual_vertices, mesh.points.size() - 13 * 13);
@@ -271,7 +210,7 @@ TYPED_TEST(Cracked_surface, has_no_more_energy_and_takes_few_steps)
 TYPED_TEST(Cracked_surface, may_have_vertices_that_do_not_meet)
 {
   for (const std::size_t distance : { 2000, 31 }) {
-    Mapped_mesh cracked(grid_with_T_junctions(80, distance));
+    Mapped_mesh cracked(with_T_junctions(grid(80, 80, wavy), distance));
     ASSERT_EQ(minimize<TypeParam>(cracked, false), OK);
     expect_few_steps(cracked);
   }

@@ -3,6 +3,7 @@
 
 // Small holes, which atlases treat as parts of the surface, and runs on one chart, where there are many, at first.
 
+#include "cracked_meshes.h"
 #include "distortion_runs.h"
 #include "one_to_one_maps.h"
 #include "surface_with_corner_map.h"
@@ -64,21 +65,27 @@ std::vector<internal::Filled_holes> fill(const Surface& surface, double bound, C
   return internal::fill_small_holes(mesh, internal::is_at_hole(surface.mesh), bound);
 }
 
-// Neighbors agree in their edges, every vertex has one fan of triangles, and the surface is there as it was.
-void expect_filled(const Corner_mesh& before, Corner_mesh after, std::size_t borders)
+// Neighbors agree in their edges, and every vertex has one fan of triangles.
+void expect_consistent(Corner_mesh mesh, std::size_t borders)
 {
-  for (Index h = 0; h < after.number_of_halfedges(); ++h)
-    if (!after.is_border(h)) {
-      EXPECT_EQ(after.opposite[after.opposite[h]], h);
-      EXPECT_EQ(after.source(after.opposite[h]), after.target(h));
-      EXPECT_EQ(after.target(after.opposite[h]), after.source(h));
+  for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    if (!mesh.is_border(h)) {
+      EXPECT_EQ(mesh.opposite[mesh.opposite[h]], h);
+      EXPECT_EQ(mesh.source(mesh.opposite[h]), mesh.target(h));
+      EXPECT_EQ(mesh.target(mesh.opposite[h]), mesh.source(h));
     }
-  EXPECT_EQ(internal::borders(after).size(), borders);
+  EXPECT_EQ(internal::borders(mesh).size(), borders);
+  const std::vector<Index> vertex = mesh.vertex;
+  internal::split_vertices(mesh);
+  EXPECT_EQ(mesh.vertex, vertex);
+}
+
+// The surface is there as it was.
+void expect_filled(const Corner_mesh& before, const Corner_mesh& after, std::size_t borders)
+{
+  expect_consistent(after, borders);
   EXPECT_TRUE(std::equal(before.vertex.begin(), before.vertex.end(), after.vertex.begin()));
   EXPECT_TRUE(std::equal(before.points.begin(), before.points.end(), after.points.begin()));
-  const std::vector<Index> vertex = after.vertex;
-  internal::split_vertices(after);
-  EXPECT_EQ(after.vertex, vertex);
 }
 
 TEST(Filled_holes, close_all_borders_but_the_longest)
@@ -110,25 +117,54 @@ TEST(Filled_holes, are_the_small_ones)
   }
 }
 
-// A crack: two edges that are there twice, at the same places. What fills it would have no area.
-Flat_mesh cracked_grid()
+TEST(Filled_holes, join_the_sides_of_cracks)
 {
-  constexpr Index n = 12, row = n + 1, middle = 6 * row + 6;
-  Flat_mesh m = grid(n, n, wavy);
-  const Index copy = Index(m.points.size());
-  m.points.push_back(m.points[middle]);
-  for (Index_triangle& t : m.triangles)      // those below have the copy
-    if (std::all_of(t.begin(), t.end(), [](Index v) { return v <= middle + 1; }))
-      std::replace(t.begin(), t.end(), middle, copy);
-  return m;
+  for (const std::size_t branches : { 2, 3, 5 }) {
+    const Surface surface(grid_with_cracks(12, 4, branches)), whole(grid(12, 12, wavy));
+    Corner_mesh mesh = corner_mesh_of(surface);
+    const std::size_t borders = internal::borders(mesh).size();
+    ASSERT_GT(borders, 3u);
+    const internal::Filled_holes filled = fill(surface, 2, mesh)[0];
+    EXPECT_EQ(filled.holes, borders - 1);
+    EXPECT_EQ(filled.faces, 0u);
+    expect_consistent(mesh, 1);
+    const Corner_mesh expected = corner_mesh_of(whole);
+    EXPECT_EQ(mesh.vertex, expected.vertex);
+    EXPECT_EQ(mesh.opposite, expected.opposite);
+    EXPECT_EQ(mesh.points, expected.points);
+  }
 }
 
-TEST(Filled_holes, are_no_cracks)
+// A vertex on one side of an edge has none to be joined with.
+TEST(Filled_holes, have_an_area_above_cracks_whose_sides_do_not_meet)
 {
-  const Surface surface(cracked_grid());
+  const Surface surface(with_T_junctions(grid(12, 12, wavy), 38));
   Corner_mesh mesh = corner_mesh_of(surface);
+  const Corner_mesh before = mesh;
+  const std::size_t borders = internal::borders(mesh).size();
+  ASSERT_GT(borders, 3u);
+  const internal::Filled_holes filled = fill(surface, 1, mesh)[0];
+  EXPECT_EQ(filled.holes, borders - 1);
+  EXPECT_EQ(filled.faces, 3 * (borders - 1));
+  expect_filled(before, mesh, 1);
+  for (Index f = before.number_of_faces(); f < mesh.number_of_faces(); ++f)
+    EXPECT_GT(internal::area_of_face(mesh, f), 1e-4);
+}
+
+// A seam of the user's looks like a crack, but has a surface on both sides.
+TEST(Filled_holes, are_no_seams)
+{
+  constexpr Index n = 12, row = n + 1, begin = 6 * row + 4;
+  Surface surface(grid(n, n, wavy));
+  for (const auto e : surface.mesh.edges()) {
+    const Index v = surface.mesh.vertex(e, 0), w = surface.mesh.vertex(e, 1);
+    surface.seams[e] = (std::min)(v, w) >= begin && (std::max)(v, w) <= begin + 3;
+  }
+  Corner_mesh mesh = corner_mesh_of(surface);
+  const Corner_mesh before = mesh;
   ASSERT_EQ(internal::borders(mesh).size(), 2u);
-  EXPECT_EQ(fill(surface, 0.9, mesh)[0].holes, 0u);
+  EXPECT_EQ(fill(surface, 1, mesh)[0].holes, 0u);
+  EXPECT_EQ(mesh.opposite, before.opposite);
 }
 
 std::size_t number_of_seams(const Surface& surface)
@@ -191,11 +227,28 @@ TEST(Atlas_of_sieve, has_other_places_only_where_holes_are_filled)
   const auto with_bound = [](const Flat_mesh& m, double bound) { return corners(m, parameters::hole_bound(bound)); };
   EXPECT_NE(with_bound(sieve(), 1), with_bound(sieve(), 0));
   EXPECT_EQ(with_bound(sieve(), 1e-3), with_bound(sieve(), 0));
-  EXPECT_EQ(with_bound(cracked_grid(), 1), with_bound(cracked_grid(), 0));
   EXPECT_EQ(with_bound(sieve(), 0.1), corners(sieve(), parameters::hole_bound(std::optional<double>())));
   EXPECT_EQ(with_bound(sieve(), 0.1), corners(sieve(), parameters::default_values()));
   EXPECT_EQ(corners(sieve(), parameters::join_borders(true)),
             corners(sieve(), parameters::join_borders(true).hole_bound(0)));
+}
+
+// The same atlas as that of the surface without cracks: both sides of a crack have the same places.
+TEST(Atlas_of_cracks, is_that_of_the_whole_surface)
+{
+  for (const Flat_mesh& m : { cap(24, 30, 3), grid(40, 40, wavy) }) {
+    EXPECT_EQ(corners(with_cracks(m, 68), parameters::hole_bound(1)), corners(m, parameters::hole_bound(1)));
+    EXPECT_NE(corners(with_cracks(m, 68), parameters::hole_bound(0)), corners(m, parameters::hole_bound(0)));
+  }
+}
+
+TEST(Atlas_of_cracks, counts_edges_and_charts_of_the_cracked_surface)
+{
+  expect_atlas_of_surface<MIPS_parameterizer_3>(with_cracks(sphere(24, 30), 68), 0);
+  for (const double least_used_part : { 0., 0.9 }) {
+    expect_atlas_of_surface<Symmetric_Dirichlet_parameterizer_3>(with_cracks(grid(60, 6, wavy), 9), least_used_part);
+    expect_atlas_of_surface<Symmetric_Dirichlet_parameterizer_3>(with_T_junctions(sphere(24, 30), 68), least_used_part);
+  }
 }
 
 // A seam of the user's that runs through a hole divides the surface, as if the hole were none.

@@ -20,6 +20,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace test_springs {
 
@@ -69,6 +70,25 @@ TYPED_TEST(Springs_of_vertices, pull_them_to_their_places)
   // Infinite weights, as it were.
   ASSERT_EQ(free.run<TypeParam>(true, 1e-10), OK);
   EXPECT_NEAR(energy, unit * free.summary.energy, 1e-4 * energy);
+}
+
+// Springs on all vertices that rest in the map of least energy leave it there, however strong they are. On their way
+// from coarse levels maps of a tube get stuck.
+TYPED_TEST(Springs_of_vertices, rest_where_the_energy_is_least)
+{
+  Constrained_mesh m(tube(60, 16, 12));
+  ASSERT_EQ(m.run<TypeParam>(true, 1e-9), OK);
+  const double energy = m.summary.energy;
+  const std::vector<Kernel::Point_2> places = m.uv();
+  for (const double weight : { 1e-3, 1., 1e3, 1e6 }) {
+    for (const auto v : vertices(m.mesh)) {
+      m.uvmap[v] = places[v];
+      m.weight[v] = weight;
+    }
+    ASSERT_EQ(m.run<TypeParam>(), OK);
+    EXPECT_NEAR(m.summary.energy / energy, 1, 1e-6) << weight;
+    EXPECT_TRUE(m.is_valid());
+  }
 }
 
 // Whatever the optimizer is.

@@ -79,8 +79,9 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   or a `std::optional<double>`. Default: 0.2
 /// - `hole_bound`: holes whose border is no longer than this part, from 0 to 1, of the square root of the component's
 ///   area are laid out as parts of the surface, closed by a virtual vertex in their middle, as scans have many of them.
-///   Not the longest border of a component, cracks and seams, nor with `join_borders`. Energies, flips and levels of
-///   charts are those of the closed ones. 0: none. A `double` or a `std::optional<double>`. Default: 0.1
+///   The sides of cracks, where vertices at one place were not merged, get the same places. Not the longest border of a
+///   component and seams, nor with `join_borders`. Energies, flips and levels of charts are those of the closed ones.
+///   0: none. A `double` or a `std::optional<double>`. Default: 0.1
 /// \param np_of_charts those of `hierarchical_parameterization()` except `summary`, for every chart. A `visitor` is
 ///        told of one chart after the other, and of the parts of a chart that is divided, with `CGAL::Parallel_tag` of
 ///        several at the same time, in their threads; if it stops one, no other one begins, and there is no atlas
@@ -117,12 +118,12 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
       result.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
       return result;
     }
-    const std::size_t number_of_corners =
-        internal::read_and_cut(mesh, seams, options.cut, options.hole_bound, loops, atlas.mesh, result.cut).size();
+    internal::Cut_corners cut = internal::read_and_cut(mesh, seams, options.cut, options.hole_bound, loops, result.cut);
     result.error = result.cut.error;
     if (!result.is_ok())
       return result;
-    atlas.number_of_virtual_faces = internal::Index(atlas.mesh.number_of_faces() - number_of_corners / 3);
+    atlas.mesh = std::move(cut.mesh);
+    atlas.is_at_hole = std::move(cut.is_at_hole);
     atlas.charts = connected_components(atlas.mesh);
     result.chart_of_face = internal::chart_of_face(atlas);
     result.seconds_cut = timer.time();
@@ -138,7 +139,7 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
       internal::pack(atlas, has_map, options.pack, internal::rounding_to<User_point_2>(), result);
       internal::write_corners(mesh, atlas, has_map, uvmap);
     }
-    internal::leave_out_virtual_faces(atlas, result);
+    internal::open_holes(atlas, result);
     result.seconds_pack = timer.time() - result.seconds_cut - result.seconds_parameterize;
   } else
     Check::tell();

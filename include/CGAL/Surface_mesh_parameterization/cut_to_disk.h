@@ -45,21 +45,30 @@ struct Cut_summary
 
 namespace internal {
 
-// Reads a mesh, fills its small holes, and cuts it. Returns which halfedges of the mesh became seams.
-template <class TriangleMesh, class EdgeSeamMap>
-std::vector<bool> read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_options& options,
-                               double hole_bound, const Loops& loops, Corner_mesh& corners, Cut_summary& summary)
+// A mesh whose small holes were closed, and that was cut.
+struct Cut_corners
 {
+  Corner_mesh mesh;
+  std::vector<bool> is_at_hole, is_seam;      // of the halfedges of the input; the latter are those that became seams
+};
+
+template <class TriangleMesh, class EdgeSeamMap>
+Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_options& options, double hole_bound,
+                         const Loops& loops, Cut_summary& summary)
+{
+  Cut_corners result;
+  Corner_mesh& corners = result.mesh;
   if (options.is_valid())
     summary.error = read_corner_mesh(mesh, seams, corners);
   else
     summary.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, "distortion_bound is less than 4" };
   if (!summary.is_ok())
-    return {};
-  std::vector<bool> is_seam(corners.number_of_halfedges(), false);
+    return result;
+  result.is_at_hole = is_at_hole(mesh);
+  result.is_seam.assign(corners.number_of_halfedges(), false);
   std::vector<Filled_holes> filled;
   if (hole_bound > 0 && !options.joins_borders)
-    filled = fill_small_holes(corners, is_at_hole(mesh), hole_bound);
+    filled = fill_small_holes(corners, result.is_at_hole, hole_bound);
   const std::vector<Index> old_opposite = corners.opposite;
   for (const Component_cut& c : cut_mesh(corners, options, loops))
     summary.components.push_back({ c.faces, c.genus, c.borders, c.branches, c.distortion });
@@ -67,14 +76,15 @@ std::vector<bool> read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, cons
     summary.components[i].faces -= filled[i].faces;
     summary.components[i].borders += filled[i].holes;
   }
-  for (Index h = 0; h < is_seam.size(); ++h) {
-    is_seam[h] = corners.is_border(h) && old_opposite[h] < is_seam.size();
-    if (is_seam[h] && h < old_opposite[h]) {
-      ++summary.seam_edges;
-      summary.seam_length += length(corners, h);
+  for (Index h = 0; h < result.is_seam.size(); ++h)
+    if (corners.is_border(h) && old_opposite[h] != no_index && !result.is_at_hole[h]) {
+      result.is_seam[h] = true;
+      if (h < old_opposite[h]) {
+        ++summary.seam_edges;
+        summary.seam_length += length(corners, h);
+      }
     }
-  }
-  return is_seam;
+  return result;
 }
 
 } // namespace internal
@@ -100,8 +110,8 @@ std::vector<bool> read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, cons
 /// hierarchy. If the component has several borders, these are joined first where that is enough, or takes the shorter
 /// seam.
 /// Components that are disks already, with or without holes, are cut the same way where they would exceed a greater
-/// bound; unless the caller gives a bound, this is looked for only if their border is shorter than half of a circle of
-/// the same area: others are hardly ever distorted so far.
+/// bound; unless the caller gives a bound, this is looked for only if their longest border is shorter than half of a
+/// circle of the same area: others are hardly ever distorted so far.
 ///
 /// Sources: Erickson, Whittlesey, *Greedy optimal homotopy and homology generators*, 2005, for the handles, and Gu,
 /// Gortler, Hoppe, *Geometry images*, 2002, for the branches.
@@ -126,11 +136,10 @@ Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeSeamMap seams,
   Cut_summary summary;
   if constexpr (internal::Mesh_check<TriangleMesh>::value) {
     internal::assert_names<internal::Cut_names>(np);
-    internal::Corner_mesh corners;
-    const std::vector<bool> is_seam =
-        internal::read_and_cut(mesh, seams, internal::cut_options_of(np), 0, internal::Loops(), corners, summary);
+    const internal::Cut_corners cut =
+        internal::read_and_cut(mesh, seams, internal::cut_options_of(np), 0, internal::Loops(), summary);
     internal::for_each_corner(mesh, [&](auto h, internal::Index i) {
-      if (summary.is_ok() && is_seam[i])
+      if (summary.is_ok() && cut.is_seam[i])
         put(seams, edge(h, mesh), true);
     });
   } else

@@ -13,16 +13,17 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// What was filled of a component.
+// What was closed of a component.
 struct Filled_holes
 {
-  std::size_t holes = 0, faces = 0;
+  std::size_t holes = 0, faces = 0;      // the latter are virtual
 };
 
-// Closes small holes by virtual faces around a virtual vertex in the middle of each: borders whose halfedges are all
-// among the given ones, and that are no longer than `hole_bound` times the square root of the component's area. The
-// longest border of a component is none, nor is a crack, whose virtual faces would have next to no area. Virtual faces
-// and vertices come last. Returns what was filled of each component, in the order of connected_components().
+// Closes small holes: borders whose halfedges are all among the given ones, and that are no longer than `hole_bound`
+// times the square root of the component's area. The longest border of a component is none. The sides of cracks are
+// joined, see merge_sides(); round holes, and what is open of cracks then, get virtual faces around a virtual vertex in
+// the middle of each, which come last. Returns what was closed of each component, in the order of
+// connected_components().
 std::vector<Filled_holes> fill_small_holes(Corner_mesh& mesh, const std::vector<bool>& is_at_hole, double hole_bound);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

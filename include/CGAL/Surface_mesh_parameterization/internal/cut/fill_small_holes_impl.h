@@ -5,43 +5,48 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_FILL_SMALL_HOLES_IMPL_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/cut/fill_small_holes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/cracks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/holes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-typedef std::vector<Index>   Border;      // a cycle of halfedges, as of borders()
+typedef std::vector<Index>   Border_halfedges;      // a cycle, as of borders()
 
-inline Point_3 middle_of(const Corner_mesh& mesh, const Border& border)
+inline Border vertices_along(const Corner_mesh& mesh, const Border_halfedges& border)
 {
-  const double n = double(border.size());
-  double x = 0, y = 0, z = 0;
-  for (const Index h : border) {
-    const Point_3& p = mesh.points[mesh.target(h)];
-    x += p.x() / n;
-    y += p.y() / n;
-    z += p.z() / n;
-  }
-  return Point_3(x, y, z);
+  Border result;
+  for (const Index h : border)
+    result.push_back(mesh.target(h));
+  return result;
 }
 
-// Whether the triangles between the border and its middle suit a surface: none is much smaller than those of a regular
-// polygon, and their normals do not cancel, as those of the two sides of a crack do.
-inline bool is_round(const Corner_mesh& mesh, const Border& border, double perimeter)
+inline std::vector<Point_3> places_along(const Corner_mesh& mesh, const Border_halfedges& border)
+{
+  return places_of(vertices_along(mesh, border), [&](Index v) { return mesh.points[v]; });
+}
+
+// Whether the triangles between a hole and its middle suit a surface: none is much smaller than those of a regular
+// polygon, and their normals do not cancel.
+inline bool is_round(const std::vector<Point_3>& hole)
 {
   constexpr double least_part_of_regular = 0.01, least_part_of_areas = 0.25;
-  const double least_area = least_part_of_regular / (4 * CGAL_PI * double(border.size()));     // of a perimeter of 1
-  const Point_3 middle = middle_of(mesh, border);
+  const double length = perimeter(hole),
+               least_area = least_part_of_regular / (4 * CGAL_PI * double(hole.size()));     // for the length 1
+  const Point_3 middle = middle_of_hole(hole, Vector_3(0, 0, 0));
   double sum_of_areas = 0;
   Vector_3 sum_of_normals(0, 0, 0);
-  for (const Index h : border) {
-    const Vector_3 normal = 0.5 * CGAL::cross_product((mesh.points[mesh.source(h)] - middle) / perimeter,
-                                                      (mesh.points[mesh.target(h)] - middle) / perimeter);
+  for (std::size_t i = 0; i < hole.size(); ++i) {
+    const Point_3 &p = hole[i], &q = hole[i + 1 == hole.size() ? 0 : i + 1];
+    const Vector_3 normal = 0.5 * CGAL::cross_product((p - middle) / length, (q - middle) / length);
     const double area = std::sqrt(normal.squared_length());
     if (!(area >= least_area))
       return false;
@@ -64,10 +69,23 @@ inline double relative_root_of_area(const Corner_mesh& mesh, const std::vector<I
   return std::sqrt(sum);
 }
 
-inline void fill(const Border& border, Corner_mesh& mesh)
+// The sum of the normals of the faces along a border, in a unit of length.
+inline Vector_3 sum_of_normals(const Corner_mesh& mesh, const Border_halfedges& border, double unit)
+{
+  Vector_3 sum(0, 0, 0);
+  for (const Index h : border) {
+    const Point_3& p = mesh.points[mesh.source(h)];
+    sum += CGAL::cross_product((mesh.points[mesh.target(h)] - p) / unit,
+                               (mesh.points[mesh.target(Corner_mesh::next(h))] - p) / unit);
+  }
+  return sum;
+}
+
+// Fills a hole of the given perimeter.
+inline void fill(const Border_halfedges& border, double length, Corner_mesh& mesh)
 {
   const Index middle = Index(mesh.points.size()), first = mesh.number_of_halfedges(), n = Index(border.size());
-  mesh.points.push_back(middle_of(mesh, border));
+  mesh.points.push_back(middle_of_hole(places_along(mesh, border), sum_of_normals(mesh, border, length)));
   for (Index i = 0; i < n; ++i) {
     const Index h = border[i], new_h = first + 3 * i;      // leads back; from its ends spokes lead to the middle
     mesh.vertex.insert(mesh.vertex.end(), { mesh.source(h), middle, mesh.target(h) });
@@ -77,37 +95,109 @@ inline void fill(const Border& border, Corner_mesh& mesh)
   }
 }
 
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-std::vector<Filled_holes> fill_small_holes(Corner_mesh& mesh, const std::vector<bool>& is_at_hole, double hole_bound)
+// The borders of a mesh that may be closed.
+class Small_holes
 {
-  const std::vector<std::vector<Index>> components = connected_components(mesh);
-  std::vector<Filled_holes> result(components.size());
-  std::vector<Index> component_of_face(mesh.number_of_faces());
-  for (Index i = 0; i < components.size(); ++i)
-    for (const Index f : components[i])
-      component_of_face[f] = i;
-  std::vector<std::vector<Border>> borders_of_component(components.size());
-  for (Border& border : borders(mesh))
-    borders_of_component[component_of_face[border.front() / 3]].push_back(std::move(border));
+public:
+  Small_holes(const Corner_mesh& mesh, const std::vector<bool>& is_at_hole, double hole_bound)
+    : m_is_at_hole(is_at_hole), m_hole_bound(hole_bound), m_components(connected_components(mesh)),
+      m_component_of_face(mesh.number_of_faces())
+  {
+    for (Index i = 0; i < m_components.size(); ++i)
+      for (const Index f : m_components[i])
+        m_component_of_face[f] = i;
+  }
 
-  for (Index i = 0; i < components.size(); ++i) {
-    const std::vector<Border>& all = borders_of_component[i];
-    if (all.size() < 2)
-      continue;
+  std::size_t number_of_components() const { return m_components.size(); }
+  Index component_of(const Border_halfedges& border) const { return m_component_of_face[border.front() / 3]; }
+
+  std::vector<Border_halfedges> find(const Corner_mesh& mesh) const
+  {
+    std::vector<std::vector<Border_halfedges>> borders_of_component(m_components.size());
+    for (Border_halfedges& border : borders(mesh))
+      borders_of_component[component_of(border)].push_back(std::move(border));
+    std::vector<Border_halfedges> result;
+    for (Index i = 0; i < m_components.size(); ++i)
+      if (borders_of_component[i].size() > 1)
+        add_small_ones(mesh, m_components[i], borders_of_component[i], result);
+    return result;
+  }
+
+private:
+  void add_small_ones(const Corner_mesh& mesh, const std::vector<Index>& faces, std::vector<Border_halfedges>& borders,
+                      std::vector<Border_halfedges>& result) const
+  {
     std::vector<double> lengths;
-    for (const Border& border : all)
+    for (const Border_halfedges& border : borders)
       lengths.push_back(length(mesh, border));
     const std::size_t longest = std::size_t(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
     const double unit = lengths[longest],
-                 greatest_length = hole_bound * relative_root_of_area(mesh, components[i], unit) * unit;
-    for (std::size_t j = 0; j < all.size(); ++j)
-      if (j != longest && all[j].size() >= 3 && lengths[j] <= greatest_length &&
-          std::all_of(all[j].begin(), all[j].end(), [&](Index h) { return is_at_hole[h]; }) &&
-          is_round(mesh, all[j], lengths[j])) {
-        fill(all[j], mesh);
-        ++result[i].holes;
-        result[i].faces += all[j].size();
-      }
+                 greatest_length = m_hole_bound * relative_root_of_area(mesh, faces, unit) * unit;
+    for (std::size_t j = 0; j < borders.size(); ++j)
+      if (j != longest && borders[j].size() >= 3 && lengths[j] <= greatest_length &&
+          std::all_of(borders[j].begin(), borders[j].end(), [&](Index h) { return m_is_at_hole[h]; }))
+        result.push_back(std::move(borders[j]));
+  }
+
+  const std::vector<bool>& m_is_at_hole;
+  double m_hole_bound;
+  std::vector<std::vector<Index>> m_components;
+  std::vector<Index> m_component_of_face;
+};
+
+// Makes halfedges of a border opposite whose ends have become the same ones.
+inline void join_halfedges(const Border_halfedges& border, const std::vector<Index>& representatives, Corner_mesh& mesh)
+{
+  std::map<std::pair<Index, Index>, Index> halfedge_between;
+  for (const Index h : border) {
+    const Index p = representatives[mesh.source(h)], q = representatives[mesh.target(h)];
+    if (const auto other = halfedge_between.find({ q, p }); other != halfedge_between.end()) {
+      mesh.opposite[h] = other->second;
+      mesh.opposite[other->second] = h;
+    } else
+      halfedge_between.insert({ { p, q }, h });
+  }
+}
+
+// Joins the sides of cracks. Returns whether there were any.
+inline bool join_sides(const std::vector<Border_halfedges>& holes, Corner_mesh& mesh)
+{
+  std::vector<const Border_halfedges*> cracks;
+  std::vector<Border> borders;
+  for (const Border_halfedges& hole : holes)
+    if (is_crack(places_along(mesh, hole))) {
+      cracks.push_back(&hole);
+      borders.push_back(vertices_along(mesh, hole));
+    }
+  if (cracks.empty())
+    return false;
+  const std::size_t n = mesh.number_of_vertices();
+  const std::vector<Index> representatives =
+      merge_sides(borders, mesh.points, One_rings(n, triangles_of(mesh)), std::vector<bool>(n, false));
+  for (const Border_halfedges* crack : cracks)
+    join_halfedges(*crack, representatives, mesh);
+  split_vertices(mesh);
+  return true;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::vector<Filled_holes> fill_small_holes(Corner_mesh& mesh, const std::vector<bool>& is_at_hole, double hole_bound)
+{
+  const Small_holes small_holes(mesh, is_at_hole, hole_bound);
+  std::vector<Filled_holes> result(small_holes.number_of_components());
+  std::vector<Border_halfedges> holes = small_holes.find(mesh);
+  for (const Border_halfedges& hole : holes)
+    ++result[small_holes.component_of(hole)].holes;
+  if (join_sides(holes, mesh))
+    holes = small_holes.find(mesh);
+  for (const Border_halfedges& hole : holes) {
+    Filled_holes& filled = result[small_holes.component_of(hole)];
+    const std::vector<Point_3> places = places_along(mesh, hole);
+    if (is_crack(places) || is_round(places)) {
+      fill(hole, perimeter(places), mesh);
+      filled.faces += hole.size();
+    } else
+      --filled.holes;
   }
   return result;
 }

@@ -81,6 +81,11 @@ inline double greatest_length_of_small_holes(const Level& level)
   return part_of_root_of_area * std::sqrt(area);
 }
 
+inline std::vector<Point_3> places_in_space(const Border& border, const Level& level)
+{
+  return places_of(border, [&](Index v) { return level.point(v); });
+}
+
 // The holes of a level up to a length.
 inline std::vector<Border> small_holes(const Level& level, double greatest_length)
 {
@@ -88,8 +93,7 @@ inline std::vector<Border> small_holes(const Level& level, double greatest_lengt
   result.erase(std::remove_if(result.begin(), result.end(),
                               [&](const Border& border) {
                                 return level.hierarchy().is_on_outer_border(border.front()) ||
-                                       length_of_border(border, [&](Index v) { return level.point(v); }) >
-                                           greatest_length;
+                                       perimeter(places_in_space(border, level)) > greatest_length;
                               }),
                result.end());
   return result;
@@ -133,9 +137,7 @@ void Nested_iteration_attempts::find_start_on_closed_surface(const Collapse_hier
   const Level coarsest(hierarchy);
   const double greatest_length = greatest_length_of_small_holes(coarsest);
   const std::vector<Border> holes = small_holes(coarsest, greatest_length);
-  const auto is_crack_of_coarsest = [&](const Border& hole) {
-    return is_crack(hole, [&](Index v) { return coarsest.point(v); });
-  };
+  const auto is_crack_of_coarsest = [&](const Border& hole) { return is_crack(places_in_space(hole, coarsest)); };
   const std::size_t size = m_options.hierarchy.coarsest_size;
   const bool has_many_holes = coarsest.number_of_vertices() > size && least_vertices_at_hole * holes.size() > size,
              may_have_cracks = hierarchy.number_of_levels() > 1 &&

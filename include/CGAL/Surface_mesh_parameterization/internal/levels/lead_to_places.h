@@ -19,6 +19,10 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 Error_code lead_to_places(const Level_energy& energy, bool borders_must_not_meet, Level::Uv& uv,
                           Level_summary& summary);
 
+// Where all vertices of a level have given places, or springs that pull them to some, takes these if that is a map of
+// lower energy, and a valid one where the energy keeps triangles positive.
+void go_to_places(const Level_energy& energy, Level::Uv& uv);
+
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
 #ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE

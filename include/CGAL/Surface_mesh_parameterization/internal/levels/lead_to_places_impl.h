@@ -4,8 +4,15 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_LEAD_TO_PLACES_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_LEAD_TO_PLACES_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Place_leader.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/lead_to_places.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+
+#include <limits>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -19,6 +26,24 @@ Error_code lead_to_places(const Level_energy& energy, bool borders_must_not_meet
   if (!leader.run())
     return ERROR_STOPPED;
   return leader.is_done() ? OK : ERROR_NO_1_TO_1_MAPPING;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void go_to_places(const Level_energy& energy, Level::Uv& uv)
+{
+  const Level& level = energy.level();
+  const std::vector<Index> fixed = fixed_vertices(level);
+  const std::vector<Triangulated_surface_3::Spring> pulled = springs(level);
+  if (fixed.size() + pulled.size() < level.number_of_vertices())
+    return;
+  Level::Uv places(level.number_of_vertices(), Point_2(std::numeric_limits<double>::quiet_NaN(), 0));
+  for (const Triangulated_surface_3::Spring& spring : pulled)
+    places[spring.vertex] = spring.place;
+  for (const Index v : fixed)
+    places[v] = level.fixed_place(v);
+  const bool may_be_taken = !energy.is_flip_free() || is_map_valid(level.rings(), places);
+  if (may_be_taken && energy(places) < energy(uv))
+    uv = std::move(places);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -175,6 +175,7 @@ inline Error_code minimize_with_places(const Level_energy& free_energy, Level::U
       level.hierarchy().springs().empty() ? given_options : options_with_springs(given_options);
   const Level_energy_with_springs energy(free_energy, springs_of_energy(free_energy, options.triangle_weight));
   const bool borders_must_not_meet = options.is_globally_injective;
+  go_to_places(energy, uv);
   if (borders_must_not_meet && !separate_borders(level, uv))
     return ERROR_NO_1_TO_1_MAPPING;
   const double energy_start = energy(uv) / energy.unit();

@@ -6,7 +6,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/detection.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/holes.h>
 
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
@@ -34,10 +37,11 @@ constexpr bool is_fillable = std::is_copy_constructible<TriangleMesh>::value && 
 template <class TriangleMesh>
 class Filled_mesh
 {
-  typedef boost::graph_traits<TriangleMesh>                                                                             Graph_traits;
-  typedef typename Graph_traits::vertex_descriptor                                                                      vertex_descriptor;
-  typedef typename Graph_traits::halfedge_descriptor                                                                    halfedge_descriptor;
-  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<vertex_descriptor>>::const_type   Original_map;
+  typedef boost::graph_traits<TriangleMesh>                                           Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor                                    vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor                                  halfedge_descriptor;
+  typedef CGAL::dynamic_vertex_property_t<vertex_descriptor>                          Vertex_property;
+  typedef typename boost::property_map<TriangleMesh, Vertex_property>::const_type     Original_map;
 
 public:
   // A mesh that would be rejected is copied as it is.
@@ -55,7 +59,7 @@ public:
     if (component.error().code == OK)
       fill_holes(component);
 
-    m_original = get(CGAL::dynamic_vertex_property_t<vertex_descriptor>(), std::as_const(m_mesh));
+    m_original = get(Vertex_property(), std::as_const(m_mesh));
     for (const vertex_descriptor v : vertices(m_mesh))
       put(m_original, v, Graph_traits::null_vertex());
     auto copy = copies.begin();
@@ -92,18 +96,23 @@ private:
   void fill_hole(halfedge_descriptor h)
   {
     const auto point_map = get(CGAL::vertex_point, m_mesh);
-    typedef typename boost::property_traits<decltype(point_map)>::value_type   Point_3;
-    const double n = double(halfedges_around_face(h, m_mesh).size());
-    double x = 0, y = 0, z = 0;
+    typedef typename boost::property_traits<decltype(point_map)>::value_type   User_point_3;
+    const auto place = [&](vertex_descriptor v) {
+      const auto& p = get(point_map, v);
+      return Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    };
+    std::vector<Point_3> hole;
+    Vector_3 sum_of_normals(0, 0, 0);      // of the triangles along the hole
     for (const halfedge_descriptor g : halfedges_around_face(h, m_mesh)) {
-      const auto& p = get(point_map, target(g, m_mesh));
-      x += CGAL::to_double(p.x()) / n;
-      y += CGAL::to_double(p.y()) / n;
-      z += CGAL::to_double(p.z()) / n;
+      const halfedge_descriptor o = opposite(g, m_mesh);
+      hole.push_back(place(target(g, m_mesh)));
+      sum_of_normals += CGAL::cross_product(place(target(o, m_mesh)) - hole.back(),
+                                            place(target(next(o, m_mesh), m_mesh)) - hole.back());
     }
+    const Point_3 middle = middle_of_hole(hole, sum_of_normals);
     Euler::fill_hole(h, m_mesh);
-    const vertex_descriptor middle = target(Euler::add_center_vertex(h, m_mesh), m_mesh);
-    put(point_map, middle, Point_3(x, y, z));
+    put(point_map, target(Euler::add_center_vertex(h, m_mesh), m_mesh),
+        User_point_3(middle.x(), middle.y(), middle.z()));
   }
 
   TriangleMesh m_mesh;

@@ -24,22 +24,16 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Merged_vertices
 {
 public:
-  explicit Merged_vertices(const Triangulated_surface_3& surface)
-    : m_rings(surface.points.size(), surface.triangles), m_first(surface.points.size()),
-      m_is_bound(surface.points.size(), false)
+  // No two bound vertices become one.
+  Merged_vertices(const One_rings& rings, std::vector<bool> is_bound)
+    : m_rings(rings), m_first(is_bound.size()), m_is_bound(std::move(is_bound))
   {
     std::iota(m_first.begin(), m_first.end(), Index(0));
     m_next = m_first;
-    for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices)
-      m_is_bound[fixed.vertex] = true;
-    for (const Triangulated_surface_3::Spring& spring : surface.springs)
-      m_is_bound[spring.vertex] = true;
   }
 
-  const One_rings& rings() const { return m_rings; }
-
-  // The vertex that stands for v and those that are one with it.
-  Index operator[](Index v) const { return m_first[v]; }
+  // The vertex that stands for each one, and those that are one with it.
+  const std::vector<Index>& representatives() const { return m_first; }
 
   // Whether a manifold is left if p and q, on two sides of a hole, become one: they have no edge, and no neighbors in
   // common but the ends of the hole that this closes, one or both.
@@ -81,9 +75,9 @@ private:
     return result;
   }
 
-  One_rings m_rings;
+  const One_rings& m_rings;
   std::vector<Index> m_first, m_next;      // of the cycle of vertices that have become one
-  std::vector<bool> m_is_bound;            // to a place
+  std::vector<bool> m_is_bound;
 };
 
 // Closes a crack from its tips on, as far as it goes. The border is a cycle.
@@ -111,19 +105,40 @@ inline void merge_sides(std::deque<Index> border, const std::vector<Point_3>& po
   }
 }
 
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::vector<Index> merge_sides(const std::vector<Border>& cracks, const std::vector<Point_3>& points,
+                               const One_rings& rings, std::vector<bool> is_bound)
+{
+  Merged_vertices vertices(rings, std::move(is_bound));
+  for (const Border& crack : cracks)
+    merge_sides(std::deque<Index>(crack.begin(), crack.end()), points, vertices);
+  return vertices.representatives();
+}
+
+inline std::vector<bool> are_bound_to_places(const Triangulated_surface_3& surface)
+{
+  std::vector<bool> result(surface.points.size(), false);
+  for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices)
+    result[fixed.vertex] = true;
+  for (const Triangulated_surface_3::Spring& spring : surface.springs)
+    result[spring.vertex] = true;
+  return result;
+}
+
 // Leaves out the vertices that others stand for. Returns the new number of each vertex.
-inline std::vector<Index> remove_merged_vertices(const Merged_vertices& vertices, Triangulated_surface_3& surface)
+inline std::vector<Index> remove_merged_vertices(const std::vector<Index>& representatives,
+                                                 Triangulated_surface_3& surface)
 {
   std::vector<Index> result(surface.points.size());
   Index size = 0;
   for (Index v = 0; v < result.size(); ++v)
-    if (vertices[v] == v) {
+    if (representatives[v] == v) {
       surface.points[size] = surface.points[v];
       result[v] = size++;
     }
   surface.points.resize(size);
   for (Index v = 0; v < result.size(); ++v)
-    result[v] = result[vertices[v]];      // the one that stands for v has its number already
+    result[v] = result[representatives[v]];      // the one that stands for v has its number already
   for (Index_triangle& t : surface.triangles)
     for (Index& v : t)
       v = result[v];
@@ -136,27 +151,30 @@ inline std::vector<Index> remove_merged_vertices(const Merged_vertices& vertices
   return result;
 }
 
+inline std::vector<Border> small_cracks(const Triangulated_surface_3& surface, const One_rings& rings,
+                                        double greatest_length)
+{
+  std::vector<Border> result = holes(surface, rings);
+  const auto is_other = [&](const Border& hole) {
+    const std::vector<Point_3> places = places_of(hole, [&](Index v) { return surface.points[v]; });
+    return !(perimeter(places) <= greatest_length && is_crack(places));
+  };
+  result.erase(std::remove_if(result.begin(), result.end(), is_other), result.end());
+  return result;
+}
+
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Closed_surface close_cracks(Triangulated_surface_3 surface, double greatest_length)
 {
-  const auto is_small_crack = [&](const Border& hole) {
-    const auto place = [&](Index v) { return surface.points[v]; };
-    return length_of_border(hole, place) <= greatest_length && is_crack(hole, place);
-  };
-  Merged_vertices vertices(surface);
-  bool has_cracks = false;
-  for (const Border& hole : holes(surface, vertices.rings()))
-    if (is_small_crack(hole)) {
-      has_cracks = true;
-      merge_sides(std::deque<Index>(hole.begin(), hole.end()), surface.points, vertices);
-    }
-  if (!has_cracks)
-    return { std::move(surface), {} };
-  std::vector<Index> new_vertices = remove_merged_vertices(vertices, surface);
   const One_rings rings(surface.points.size(), surface.triangles);
-  for (const Border& hole : holes(surface, rings))
-    if (is_small_crack(hole))
-      fill_hole(hole, rings, surface);
+  const std::vector<Border> cracks = small_cracks(surface, rings, greatest_length);
+  if (cracks.empty())
+    return { std::move(surface), {} };
+  std::vector<Index> new_vertices =
+      remove_merged_vertices(merge_sides(cracks, surface.points, rings, are_bound_to_places(surface)), surface);
+  const One_rings new_rings(surface.points.size(), surface.triangles);
+  for (const Border& crack : small_cracks(surface, new_rings, greatest_length))
+    fill_hole(crack, new_rings, surface);
   return { std::move(surface), std::move(new_vertices) };
 }
 

@@ -9,11 +9,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 
-#include <CGAL/Kernel/global_functions.h>
-#include <CGAL/number_utils.h>
-
-#include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -23,30 +18,27 @@ typedef std::vector<Index>   Border;      // a cycle of vertices, with the surfa
 // All borders but the outer one. `rings` are those of the surface.
 std::vector<Border> holes(const Triangulated_surface_3& surface, const One_rings& rings);
 
-// The length of a border whose vertices are at `place(v)`.
+// Where the vertices of a border are: a closed polygon.
 template <class Place>
-double length_of_border(const Border& border, const Place& place)
+std::vector<Point_3> places_of(const Border& border, const Place& place)
 {
-  double result = 0;
-  for (std::size_t i = 0; i < border.size(); ++i)
-    result += std::sqrt((place(border[i + 1 == border.size() ? 0 : i + 1]) - place(border[i])).squared_length());
+  std::vector<Point_3> result;
+  for (const Index v : border)
+    result.push_back(place(v));
   return result;
 }
 
-// Whether two sides of a hole, whose vertices are at `place(v)`, almost lie on each other: its area is next to nothing
-// for its length.
-template <class Place>
-bool is_crack(const Border& hole, const Place& place)
-{
-  constexpr double greatest_area = 0.01;      // for the length 1; that of a square is 0.06
-  Vector_3 doubled_area(0, 0, 0);
-  for (std::size_t i = 1; i + 1 < hole.size(); ++i)
-    doubled_area += CGAL::cross_product(place(hole[i]) - place(hole[0]), place(hole[i + 1]) - place(hole[0]));
-  return 0.5 * std::sqrt(doubled_area.squared_length()) <= greatest_area * CGAL::square(length_of_border(hole, place));
-}
+double perimeter(const std::vector<Point_3>& polygon);
 
-// Closes a hole by a virtual vertex in the middle of it, which comes last. In a crack, where its triangles would have
-// no area, it is a little above the surface, if that has an area there. `rings` are those of the surface with the hole.
+// Whether two sides of a hole almost lie on each other: its area is next to nothing for its length.
+bool is_crack(const std::vector<Point_3>& hole);
+
+// The place of a virtual vertex in the middle of a hole: the mean of the hole's. In a crack, where its triangles would
+// have no area, it is a little above the surface, along the sum of the normals there, if that is not 0.
+Point_3 middle_of_hole(const std::vector<Point_3>& hole, const Vector_3& sum_of_normals);
+
+// Closes a hole by a virtual vertex in the middle of it, which comes last. `rings` are those of the surface with the
+// hole.
 void fill_hole(const Border& hole, const One_rings& rings, Triangulated_surface_3& surface);
 
 // Closes every border but the outer one. The virtual vertices come last.

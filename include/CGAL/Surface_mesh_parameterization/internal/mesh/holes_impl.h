@@ -29,23 +29,52 @@ std::vector<Border> holes(const Triangulated_surface_3& surface, const One_rings
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void fill_hole(const Border& hole, const One_rings& rings, Triangulated_surface_3& surface)
+double perimeter(const std::vector<Point_3>& polygon)
+{
+  double result = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector_3 edge = polygon[i + 1 == polygon.size() ? 0 : i + 1] - polygon[i];
+    result += std::hypot(edge.x(), edge.y(), edge.z());
+  }
+  return result;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool is_crack(const std::vector<Point_3>& hole)
+{
+  constexpr double greatest_area = 0.01;      // for the length 1; that of a square is 0.06
+  const double length = perimeter(hole);
+  Vector_3 doubled_area(0, 0, 0);
+  for (std::size_t i = 1; length > 0 && i + 1 < hole.size(); ++i)
+    doubled_area += CGAL::cross_product((hole[i] - hole[0]) / length, (hole[i + 1] - hole[0]) / length);
+  return 0.5 * std::sqrt(doubled_area.squared_length()) <= greatest_area;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Point_3 middle_of_hole(const std::vector<Point_3>& hole, const Vector_3& sum_of_normals)
 {
   constexpr double height_above_crack = 0.2;      // relative to the edges
+  const double n = double(hole.size());
+  Vector_3 result(0, 0, 0);
+  for (const Point_3& p : hole)
+    result += (p - CGAL::ORIGIN) / n;
+  if (const double size = std::sqrt(sum_of_normals.squared_length()); size > 0 && is_crack(hole))
+    result += height_above_crack * perimeter(hole) / n / size * sum_of_normals;
+  return CGAL::ORIGIN + result;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void fill_hole(const Border& hole, const One_rings& rings, Triangulated_surface_3& surface)
+{
   std::vector<Point_3>& points = surface.points;
   const Index middle = Index(points.size());
-  const double n = double(hole.size());
-  Vector_3 center(0, 0, 0), normal(0, 0, 0);      // the latter of the triangles along the hole
+  Vector_3 sum_of_normals(0, 0, 0);      // of the triangles along the hole
   for (std::size_t i = 0; i < hole.size(); ++i) {
     const Index v = hole[i], next = hole[i + 1 == hole.size() ? 0 : i + 1];
     surface.triangles.push_back({ next, v, middle });
-    center += (points[v] - CGAL::ORIGIN) / n;
-    normal += CGAL::cross_product(points[next] - points[v], points[rings[v][1]] - points[v]);
+    sum_of_normals += CGAL::cross_product(points[next] - points[v], points[rings[v][1]] - points[v]);
   }
-  const auto place = [&](Index v) { return points[v]; };
-  if (const double size = std::sqrt(normal.squared_length()); size > 0 && is_crack(hole, place))
-    center += height_above_crack * length_of_border(hole, place) / n / size * normal;
-  points.push_back(CGAL::ORIGIN + center);
+  points.push_back(middle_of_hole(places_of(hole, [&](Index v) { return points[v]; }), sum_of_normals));
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -22,24 +22,33 @@ struct Atlas
   Corner_mesh mesh;
   std::vector<std::vector<Index>> charts;       // the faces of each
   std::vector<Point_2> uv;                      // of the vertices
-  Index number_of_virtual_faces = 0;            // that fill holes: the last ones
+  std::vector<bool> is_at_hole;                 // of the input's halfedges; further ones are of faces that fill holes
 
-  Index number_of_faces() const { return mesh.number_of_faces() - number_of_virtual_faces; }
+  // Without the virtual ones, which come last.
+  Index number_of_faces() const { return Index(is_at_hole.size() / 3); }
+  bool has_virtual_faces() const { return number_of_faces() < mesh.number_of_faces(); }
 
-  // Whether an edge lies between two faces of the surface.
-  bool is_in_surface(Index h) const
+  // Whether an edge lies between two faces that are neighbors in the input.
+  bool is_in_surface(Index h) const { return h < is_at_hole.size() && !mesh.is_border(h) && !is_at_hole[h]; }
+
+  // Whether holes of the input have been closed, by virtual faces or by joining their sides.
+  bool has_closed_holes() const
   {
-    return h / 3 < number_of_faces() && !mesh.is_border(h) && mesh.opposite[h] / 3 < number_of_faces();
+    for (Index h = 0; h < is_at_hole.size(); ++h)
+      if (is_at_hole[h] && !mesh.is_border(h))
+        return true;
+    return has_virtual_faces();
   }
 
-  // The mesh without virtual faces; its vertices are those of the mesh.
+  // The mesh with its holes open; its vertices are those of the mesh.
   Corner_mesh surface() const
   {
     Corner_mesh result = mesh;
-    result.vertex.resize(3 * number_of_faces());
-    result.opposite.resize(3 * number_of_faces());
-    for (Index& h : result.opposite)
-      h = h < 3 * number_of_faces() ? h : no_index;
+    result.vertex.resize(is_at_hole.size());
+    result.opposite.resize(is_at_hole.size());
+    for (Index h = 0; h < result.opposite.size(); ++h)
+      if (!is_in_surface(h))
+        result.opposite[h] = no_index;
     return result;
   }
 };
@@ -50,7 +59,8 @@ std::vector<Index> vertices_of(const Corner_mesh& mesh, const std::vector<Index>
 // The number of each face's chart.
 std::vector<std::size_t> chart_of_face(const Atlas& atlas);
 
-// Scales the map of a chart to the chart's area in space.
+// Scales the map of a chart to the chart's area in space, or to within a factor of 2 of it where triangles would not
+// stay positive otherwise: scales by powers of two do not round.
 void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv);
 
 // The map of a chart: the places of vertices_of().

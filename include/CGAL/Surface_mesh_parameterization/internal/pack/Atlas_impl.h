@@ -58,8 +58,13 @@ void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
     area_in_plane += std::abs(doubled_area(uv[a], uv[b], uv[c]));
   }
   const double scale = std::sqrt(area_in_space / area_in_plane);
-  if (std::isfinite(scale) && scale > 0)
-    uv = scaled(std::move(uv), scale);
+  if (!(std::isfinite(scale) && scale > 0))
+    return;
+  const std::vector<Index_triangle> triangles = triangles_of(chart);
+  Flat_chart flat{ scaled(uv, scale), triangles };
+  if (!is_positive(flat) && is_positive({ uv, triangles }))
+    flat.points = scaled(std::move(uv), std::exp2(std::round(std::log2(scale))));
+  uv = std::move(flat.points);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -210,8 +215,10 @@ inline bool are_apart(const Atlas& atlas, const std::vector<bool>& is_wanted, do
   return are_charts_one_to_one(edges, chart_of_edge, atlas.uv);
 }
 
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_options& options, Round_coordinate round)
+// Packs charts, each at its rounded places. `strayed` are those that had to be changed so much for this that they may
+// meet others or leave the square.
+inline Packing place_charts(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_options& options,
+                            Round_coordinate round, std::vector<std::size_t>& strayed)
 {
   std::vector<Flat_chart> charts;
   std::vector<Index> scratch(atlas.mesh.number_of_vertices(), no_index);
@@ -232,7 +239,6 @@ Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_option
   packing.distance *= scale;
 
   const double most_distance = 0.25 * packing.distance;         // two charts may come nearer to each other
-  std::vector<std::size_t> strayed;
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const std::size_t number = numbers[i];
     const std::vector<Index>& faces = atlas.charts[number];
@@ -254,10 +260,24 @@ Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_option
     for (std::size_t j = 0; j < vertices.size(); ++j)
       atlas.uv[vertices[j]] = chart.points[j];
   }
-  if (!strayed.empty() && !are_apart(atlas, is_wanted, packing.side))
-    for (const std::size_t number : strayed)
-      is_wanted[number] = false;
   return packing;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_options& options, Round_coordinate round)
+{
+  constexpr int most_attempts = 3;      // a chart that strayed is packed again as it is now
+  for (int i = 1;; ++i) {
+    std::vector<std::size_t> strayed;
+    const Packing packing = place_charts(atlas, is_wanted, options, round, strayed);
+    if (strayed.empty() || are_apart(atlas, is_wanted, packing.side))
+      return packing;
+    if (i == most_attempts) {
+      for (const std::size_t number : strayed)
+        is_wanted[number] = false;
+      return packing;
+    }
+  }
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -174,7 +174,7 @@ inline void divide_charts(Atlas& atlas, std::vector<bool>& has_map, const Pack_o
 inline double part_of_surface(const Atlas& atlas, const std::vector<bool>& has_map)
 {
   double all = 0, of_surface = 0;
-  for (std::size_t i = 0; i < atlas.charts.size() && atlas.number_of_virtual_faces > 0; ++i)
+  for (std::size_t i = 0; i < atlas.charts.size() && atlas.has_virtual_faces(); ++i)
     for (const Index f : atlas.charts[i])
       if (has_map[i]) {
         const double area = doubled_area(atlas.uv[atlas.mesh.vertex[3 * f]], atlas.uv[atlas.mesh.vertex[3 * f + 1]],
@@ -205,11 +205,11 @@ inline void pack(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& o
     }
 }
 
-// Takes virtual faces out of what is told. A chart that only they joined becomes several, and one of nothing else is
-// none.
-inline void leave_out_virtual_faces(const Atlas& atlas, Atlas_summary& result)
+// Opens the holes in what is told, without the virtual faces. A chart that is joined only across holes becomes several,
+// and one of nothing but virtual faces is none.
+inline void open_holes(const Atlas& atlas, Atlas_summary& result)
 {
-  if (atlas.number_of_virtual_faces == 0)
+  if (!atlas.has_closed_holes())
     return;
   const std::vector<Atlas_summary::Chart> old_charts = std::move(result.charts);
   const std::vector<std::size_t> old_chart_of_face = std::move(result.chart_of_face);
