@@ -84,7 +84,8 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   0: none. A `double` or a `std::optional<double>`. Default: 0.1
 /// \param np_of_charts those of `hierarchical_parameterization()` except `summary`, for every chart. A `visitor` is
 ///        told of one chart after the other, and of the parts of a chart that is divided, with `CGAL::Parallel_tag` of
-///        several at the same time, in their threads; if it stops one, no other one begins, and there is no atlas
+///        several at the same time, in their threads; if it stops one, no other one begins, and there is no atlas.
+///        It is not asked while the surface is cut and while charts are packed
 ///
 /// \return what was done, with the first error. It is `ERROR_WRONG_PARAMETER` where a number is out of its bounds
 template <template <class...> class Method = Symmetric_Dirichlet_parameterizer_3, class ConcurrencyTag = Sequential_tag,
