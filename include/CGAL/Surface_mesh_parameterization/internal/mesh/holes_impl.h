@@ -58,7 +58,8 @@ Point_3 middle_of_hole(const std::vector<Point_3>& hole, const Vector_3& sum_of_
   Vector_3 result(0, 0, 0);
   for (const Point_3& p : hole)
     result += (p - CGAL::ORIGIN) / n;
-  if (const double size = std::sqrt(sum_of_normals.squared_length()); size > 0 && is_crack(hole))
+  const double size = std::sqrt(sum_of_normals.squared_length());
+  if (std::isnormal(size) && is_crack(hole))
     result += height_above_crack * perimeter(hole) / n / size * sum_of_normals;
   return CGAL::ORIGIN + result;
 }
