@@ -270,19 +270,6 @@ TEST(Atlas_of_sieve, keeps_a_seam_through_a_hole)
   EXPECT_EQ(surface.charts().size(), 2u);
 }
 
-// Many short borders are as long as a long one, but relieve the surface less: it is cut where it is distorted.
-TEST(Hole_bound, of_0_leaves_holes_that_are_no_reason_not_to_cut)
-{
-  const Flat_mesh m = with_pinholes(tube(60, 16, 12), 47);
-  Surface surface(m);
-  const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv, parameters::hole_bound(0));
-  ASSERT_TRUE(summary.is_ok());
-  ASSERT_EQ(summary.cut.components.size(), 1u);
-  EXPECT_GT(summary.cut.components[0].borders, 20u);
-  EXPECT_GT(summary.cut.seam_edges, 0u);
-  EXPECT_LT(summary.cut.components[0].distortion, 8);
-}
-
 TEST(Hole_bound, is_from_0_to_1)
 {
   Surface surface(sieve());

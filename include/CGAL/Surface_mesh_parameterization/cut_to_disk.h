@@ -110,8 +110,8 @@ Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_
 /// hierarchy. If the component has several borders, these are joined first where that is enough, or takes the shorter
 /// seam.
 /// Components that are disks already, with or without holes, are cut the same way where they would exceed a greater
-/// bound; unless the caller gives a bound, this is looked for only if their longest border is shorter than half of a
-/// circle of the same area: others are hardly ever distorted so far.
+/// bound; unless the caller gives a bound, this is looked for only if their border is shorter than half of a circle of
+/// the same area: others are hardly ever distorted so far.
 ///
 /// Sources: Erickson, Whittlesey, *Greedy optimal homotopy and homology generators*, 2005, for the handles, and Gu,
 /// Gortler, Hoppe, *Geometry images*, 2002, for the branches.

@@ -14,7 +14,6 @@
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -31,15 +30,13 @@ void settle_borders(Corner_mesh& mesh, const Cut_options& options)
     join_borders(mesh);
 }
 
-// The length of the longest border, as a part of that of a circle whose area is the surface's.
-inline double relative_length_of_border(const Corner_mesh& mesh)
+// The length of all borders, as a part of that of a circle whose area is the surface's.
+inline double relative_length_of_borders(const Corner_mesh& mesh)
 {
-  double area = 0, longest = 0;
+  double area = 0;
   for (Index f = 0; f < mesh.number_of_faces(); ++f)
     area += area_of_face(mesh, f);
-  for (const std::vector<Index>& border : borders(mesh))
-    longest = (std::max)(longest, length(mesh, border));
-  return longest / std::sqrt(4 * CGAL_PI * area);
+  return length_of_borders(mesh) / std::sqrt(4 * CGAL_PI * area);
 }
 
 // Whether a mesh of disk type lies in the plane without distortion. Coarse levels do not tell: those of a developable
@@ -157,7 +154,7 @@ Component_cut cut_component(Corner_mesh& mesh, const Cut_options& options)
   settle_borders(mesh, options);
   const double bound = was_disk ? options.bound_of_disks : options.distortion_bound;
   const bool may_exceed = !was_disk || options.measures_all_disks ||
-                          relative_length_of_border(mesh) < options.least_length_of_border;
+                          relative_length_of_borders(mesh) < options.least_length_of_border;
   if (may_exceed && std::isfinite(bound))
     cut_distorted(mesh, bound, options, result);
   return result;
