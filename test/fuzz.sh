@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Fuzzes the program's readers and the way to the map, under the sanitizers and with assertions on. Needs clang. Arguments go to libFuzzer, for
-# example -runs=1000000; without any it stops after a minute. What it finds is a file in .build/fuzz.
+# Fuzzes the program's readers and the way to the map, under the sanitizers and with assertions on. Needs clang.
+# Arguments go to libFuzzer, for example -runs=1000000; without any it stops after a minute. What it finds is a file in
+# .build/fuzz.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../.cmake/prepare.sh"
 

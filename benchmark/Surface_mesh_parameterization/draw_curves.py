@@ -53,7 +53,8 @@ def label(value):
 
 def draw(curves, x_name, y_name):
     x_ticks = powers_of_ten(min(min(c) for c in curves.values()), max(max(c) for c in curves.values()))
-    y_ticks = powers_of_ten(min(min(c.values()) for c in curves.values()), max(max(c.values()) for c in curves.values()))
+    y_ticks = powers_of_ten(min(min(c.values()) for c in curves.values()),
+                            max(max(c.values()) for c in curves.values()))
 
     def place(value, ticks, begin, end):
         low, high = math.log(ticks[0]), math.log(ticks[-1])
@@ -79,7 +80,8 @@ def draw(curves, x_name, y_name):
     for i, (name, curve) in enumerate(curves.items()):
         color = COLORS[i % len(COLORS)]
         points = [(x(t), y(s)) for t, s in sorted(curve.items())]
-        yield f'<polyline points="{" ".join(f"{a:.1f},{b:.1f}" for a, b in points)}" fill="none" stroke="{color}" stroke-width="2"/>'
+        yield (f'<polyline points="{" ".join(f"{a:.1f},{b:.1f}" for a, b in points)}" fill="none" '
+               f'stroke="{color}" stroke-width="2"/>')
         for a, b in points:
             yield f'<circle cx="{a:.1f}" cy="{b:.1f}" r="3" fill="{color}"/>'
         legend_y = TOP + 12 + 22 * i

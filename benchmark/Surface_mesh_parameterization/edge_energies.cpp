@@ -106,7 +106,8 @@ template <bool is_symmetric>
 std::size_t solve_by_Krylov_method(const SMP::internal::Edge_system& system, const Limits& limits, SMP::Level::Uv& uv)
 {
   typedef Eigen::SparseMatrix<double, Eigen::RowMajor>   Matrix;
-  typedef std::conditional_t<is_symmetric, Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper>, Eigen::BiCGSTAB<Matrix>>   Solver;
+  typedef std::conditional_t<is_symmetric, Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper>,
+                             Eigen::BiCGSTAB<Matrix>>   Solver;
   const std::vector<SMP::Level::Index> vertices = system.free_vertices();
   Eigen::MatrixX2d right_side(Eigen::Index(vertices.size()), 2);
   for (std::size_t k = 0; k < vertices.size(); ++k) {

@@ -48,7 +48,8 @@ typedef Mesh::Property_map<Mesh::Vertex_index, int>     Index_map;
 template <class Matrix>
 struct Assembled_system
 {
-  typedef std::conditional_t<std::is_same<Matrix, SMP::Multigrid_solver_traits::Matrix>::value, SMP::Multigrid_solver_traits::Vector, ::Vector>   Vector;
+  typedef std::conditional_t<std::is_same<Matrix, SMP::Multigrid_solver_traits::Matrix>::value,
+                             SMP::Multigrid_solver_traits::Vector, ::Vector>   Vector;
 
   std::optional<Matrix> matrix;
   std::vector<Vector> right_sides;
@@ -188,10 +189,9 @@ Solution solve_by_multigrid(const Problem& problem)
   SMP::internal::Linear_solver_options solver_options;
   solver_options.tolerance = problem.tolerance;
   constexpr bool defers = true;
-  auto session =
-      std::make_shared<SMP::internal::Multigrid_session>(hierarchy, SMP::internal::Mesh_unknowns(hierarchy->ranks()),
-                                                         solver_options, &SMP::internal::make_multigrid_linear_solver<2>,
-                                                         defers);
+  auto session = std::make_shared<SMP::internal::Multigrid_session>(
+      hierarchy, SMP::internal::Mesh_unknowns(hierarchy->ranks()), solver_options,
+      &SMP::internal::make_multigrid_linear_solver<2>, defers);
   SMP::Multigrid_solver_traits solver(session);
   double denominator;
   SMP::Multigrid_solver_traits::Vector solutions[2];
@@ -386,8 +386,10 @@ void compare_solvers(Named_mesh& input, const std::string& method, bool is_symme
   for (std::size_t i = 0; i < component.vertices_of_component().size(); ++i)
     index[component.vertices_of_component()[i]] = int(i);
 
-  typedef Parameterizer<Mesh, SMP::Circular_border_arc_length_parameterizer_3<Mesh>, SMP::Multigrid_solver_traits>   With_multigrid;
-  Problem problem = { input.mesh, choice.tolerance, SMP::internal::Solver_use<With_multigrid>::has_uniform_weights, {}, {} };
+  typedef Parameterizer<Mesh, SMP::Circular_border_arc_length_parameterizer_3<Mesh>, SMP::Multigrid_solver_traits>
+      With_multigrid;
+  Problem problem = { input.mesh, choice.tolerance, SMP::internal::Solver_use<With_multigrid>::has_uniform_weights,
+                      {}, {} };
   assemble<Parameterizer>(input.mesh, index, problem.system);
   assemble<Parameterizer>(input.mesh, index, problem.multigrid_system);
   for (const Named_solver& solver : all_solvers()) {
@@ -469,7 +471,8 @@ void run(int argc, char* argv[])
       "compare whole calls, each with its own defaults")("arap-triangles", po::value<int>()->default_value(30000),
                                                          "the most triangles for CGAL's ARAP, which takes minutes");
   const po::variables_map values = parse(argc, argv, options,
-    "linear_solvers [MESH.off] [--subdivide K] [--finest] [--method M]... [--solver S]... [--tolerance T] [--whole] [--arap-triangles N]");
+    "linear_solvers [MESH.off] [--subdivide K] [--finest] [--method M]... [--solver S]... [--tolerance T] [--whole] "
+    "[--arap-triangles N]");
   const std::size_t subdivisions = count_of(values, "subdivide", 0, 12);
   std::vector<std::string> solver_names;
   for (const Named_solver& solver : all_solvers())

@@ -207,8 +207,9 @@ void run(int argc, char* argv[])
     ("parameterizer", po::value<std::vector<std::string>>()->default_value({}, "all"),
      "barycentric, mean-value, conformal, authalic, iterative-authalic, lscm");
   const po::variables_map values =
-      parse(argc, argv, options, "wrapped_parameterizers [MESH.off] [--subdivide K] [--runs N] [--repair] [--mesh-type T]... "
-                                 "[--parameterizer P]...");
+      parse(argc, argv, options,
+            "wrapped_parameterizers [MESH.off] [--subdivide K] [--runs N] [--repair] [--mesh-type T]... "
+            "[--parameterizer P]...");
   const Choice choice = { values["mesh-type"].as<std::vector<std::string>>(),
                           values["parameterizer"].as<std::vector<std::string>>(), count_of(values, "runs", 1, 100),
                           values["repair"].as<bool>() ? SMP::Flip_policy::REPAIR : SMP::Flip_policy::KEEP };

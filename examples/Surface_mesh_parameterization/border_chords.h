@@ -22,7 +22,8 @@ struct New_vertex
 class Border_chords
 {
 public:
-  struct Chord { Mesh::Halfedge_index first, last; };       // the edges of the border that it spans, the surface to their left
+  struct Chord { Mesh::Halfedge_index first, last; };       // the edges of the border that it spans, the surface to
+                                                            // their left
 
   Border_chords(const Mesh& mesh, const Vertex_uv_map& uvmap)
     : m_mesh(mesh), m_uvmap(uvmap), m_leaving(mesh.number_of_vertices(), Mesh::null_halfedge())

@@ -26,7 +26,9 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 class Progress_visitor : public SMP::Hierarchy_visitor_3
 {
 public:
-  Progress_visitor(const CGAL::Real_timer& timer, double most_seconds) : m_timer(timer), m_most_seconds(most_seconds) { }
+  Progress_visitor(const CGAL::Real_timer& timer, double most_seconds)
+    : m_timer(timer), m_most_seconds(most_seconds)
+  { }
 
   bool hierarchy_built(const SMP::Collapse_hierarchy_3& hierarchy)
   {

@@ -114,7 +114,8 @@ private:
 #endif
 
   typedef CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>                           Vertex_base;
-  typedef CGAL::Triangulation_data_structure_2<Vertex_base, CGAL::Constrained_triangulation_face_base_2<Kernel>>   Triangulation_structure;
+  typedef CGAL::Triangulation_data_structure_2<Vertex_base, CGAL::Constrained_triangulation_face_base_2<Kernel>>
+      Triangulation_structure;
   typedef CGAL::Constrained_Delaunay_triangulation_2<Kernel, Triangulation_structure>                Triangulation;
   typedef Triangulation::Face_handle                                                                 Face;
 

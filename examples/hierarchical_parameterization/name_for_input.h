@@ -25,7 +25,8 @@ inline std::string name_for_input(std::string pattern, const std::string& input)
 {
   const std::filesystem::path path(input.empty() ? "face" : input);
   const std::string name = path.stem().string(), whole = (path.parent_path() / path.stem()).string();
-  const std::pair<std::string, std::string> parts[] = { { name_without_ending, name }, { input_without_ending, whole } };
+  const std::pair<std::string, std::string> parts[] = { { name_without_ending, name },
+                                                        { input_without_ending, whole } };
   for (std::size_t at = 0; at < pattern.size();) {      // what the input's name has of these stays
     std::size_t step = 1;
     for (const auto& [part, text] : parts)

@@ -15,8 +15,8 @@
 bool can_write_GLB();
 
 // Writes a mesh with its map as binary glTF 2.0. Vertices are split along seams, and those that belong to no face are
-// left out. Coordinates are floats. The origin of glTF's texture coordinates is the upper left corner, so that v becomes
-// 1 - v. Faces with a corner without a finite place are a primitive without texture coordinates. Throws a
+// left out. Coordinates are floats. The origin of glTF's texture coordinates is the upper left corner, so that v
+// becomes 1 - v. Faces with a corner without a finite place are a primitive without texture coordinates. Throws a
 // std::runtime_error if a coordinate is too large for a float, or the mesh for the format. Returns how many triangles
 // of the map are without area, or turned over, in floats only.
 std::size_t write_GLB(std::ostream& out, const Mesh& mesh, const Corner_map& corner_map);

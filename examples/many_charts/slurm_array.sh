@@ -9,7 +9,8 @@
 #SBATCH --mem-per-cpu=2G
 list=${1-}
 if [ ! -r "$list" ]; then
-  echo "slurm_array.sh: a list of files is needed that can be read: sbatch --array=0-99 slurm_array.sh LIST [OPTION...]" >&2
+  echo "slurm_array.sh: a list of files is needed that can be read:" \
+    "sbatch --array=0-99 slurm_array.sh LIST [OPTION...]" >&2
   exit 1
 fi
 shift

@@ -49,7 +49,8 @@ struct Constrained_mesh : Mapped_mesh
   Error_code run_with(const NamedParameters& options, bool is_hierarchical = true)
   {
     places = uv();
-    return is_hierarchical ? parameterize(SMP::Hierarchical_parameterizer_3<Method>(options)) : parameterize(Method(options));
+    return is_hierarchical ? parameterize(SMP::Hierarchical_parameterizer_3<Method>(options))
+                           : parameterize(Method(options));
   }
 
   void hold_some(std::size_t one_of)

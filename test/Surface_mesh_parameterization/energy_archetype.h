@@ -38,7 +38,8 @@ struct Energy_archetype
   }
 };
 
-typedef testing::Types<MIPS_energy_2, Symmetric_Dirichlet_energy_2, Energy_archetype, Scale_bounded_energy_2<MIPS_energy_2>> Energies;
+typedef testing::Types<MIPS_energy_2, Symmetric_Dirichlet_energy_2, Energy_archetype,
+                       Scale_bounded_energy_2<MIPS_energy_2>> Energies;
 
 } // namespace test_meshes
 

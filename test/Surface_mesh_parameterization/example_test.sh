@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Runs an application on its default input and on small ones, and checks laws of what it writes: example_test.sh NAME PROGRAM
+# Runs an application on its default input and on small ones, and checks laws of what it writes:
+# example_test.sh NAME PROGRAM
 name=$1
 program=$2
 source "$(dirname "$0")/run_as_a_user.sh"
@@ -28,7 +29,8 @@ flat_square() {
 torus() {
   awk -v n=8 'BEGIN {
     print "OFF"; print n^2, 2 * n^2, 0; turn = 8 * atan2(1, 1) / n
-    for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) print (3 + cos(j * turn)) * cos(i * turn), (3 + cos(j * turn)) * sin(i * turn), sin(j * turn)
+    for (i = 0; i < n; ++i) for (j = 0; j < n; ++j)
+      print (3 + cos(j * turn)) * cos(i * turn), (3 + cos(j * turn)) * sin(i * turn), sin(j * turn)
     for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) {
       k = (i + 1) % n; l = (j + 1) % n
       print 3, i * n + j, k * n + j, k * n + l; print 3, i * n + j, k * n + l, i * n + l
@@ -39,7 +41,8 @@ torus >torus.off
 printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >tetrahedron.off
 
 # A square and a triangle, flat, and a tetrahedron; an isolated vertex.
-printf 'OFF\n12 7 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n5 0 0\n5 0.5 0\n5 0 0.5\n9 9 9\n0 0 5\n1 0 5\n0 1 5\n0 0 6\n3 0 1 2\n3 0 2 3\n3 4 5 6\n3 8 10 9\n3 8 9 11\n3 9 10 11\n3 10 8 11\n' >three.off
+printf 'OFF\n12 7 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n5 0 0\n5 0.5 0\n5 0 0.5\n9 9 9\n0 0 5\n1 0 5\n0 1 5\n0 0 6\n'\
+'3 0 1 2\n3 0 2 3\n3 4 5 6\n3 8 10 9\n3 8 9 11\n3 9 10 11\n3 10 8 11\n' >three.off
 
 test_texture_mapping() {
   expect 0
@@ -48,7 +51,8 @@ test_texture_mapping() {
   grep -q '^mtllib texture_mapping.mtl' texture_mapping.obj || fail "the OBJ file does not name its material"
   grep -q '^map_Kd texture_mapping.tga' texture_mapping.mtl || fail "the material does not name its image"
   # Forty squares of 25 pixels each way.
-  [ "$(wc -c <texture_mapping.tga)" -eq $((18 + 3 * 1000 * 1000)) ] || fail "the image has $(wc -c <texture_mapping.tga) bytes"
+  [ "$(wc -c <texture_mapping.tga)" -eq $((18 + 3 * 1000 * 1000)) ] ||
+    fail "the image has $(wc -c <texture_mapping.tga) bytes"
 
   # Three edges that meet in a vertex, or follow each other, lay the tetrahedron flat: two corners more.
   expect 0 three.off --output three.obj
@@ -56,13 +60,21 @@ test_texture_mapping() {
   is_in_output '3 charts, 3 seam edges'
   # Triangles lie in the unit square, none is flipped, and flat charts have one scale.
   awk '
-    $1 == "vt" { x[++n] = $2; y[n] = $3; if ($2 <= 0 || $2 >= 1 || $3 <= 0 || $3 >= 1) { print "outside of the unit square"; exit 1 } }
+    $1 == "vt" {
+      x[++n] = $2; y[n] = $3
+      if ($2 <= 0 || $2 >= 1 || $3 <= 0 || $3 >= 1) { print "outside of the unit square"; exit 1 }
+    }
     $1 == "f" {
       for (i = 2; i <= 4; ++i) { split($i, index_of, "/"); t[i] = index_of[2] }
       area[++f] = ((x[t[3]] - x[t[2]]) * (y[t[4]] - y[t[2]]) - (y[t[3]] - y[t[2]]) * (x[t[4]] - x[t[2]])) / 2
       if (area[f] <= 0) { print "flipped:", $0; exit 1 }
     }
-    END { if (((area[1] + area[2]) / (8 * area[3]) - 1)^2 > 1e-12) { print "the scales differ:", area[1] + area[2], 8 * area[3]; exit 1 } }
+    END {
+      if (((area[1] + area[2]) / (8 * area[3]) - 1)^2 > 1e-12) {
+        print "the scales differ:", area[1] + area[2], 8 * area[3]
+        exit 1
+      }
+    }
     ' three.obj >message || fail "three.obj: $(cat message)"
   # A torus becomes a disk, whose border is its s seam edges, twice each: it has s + 1 vertices more.
   expect 0 torus.off --output torus.obj
@@ -71,7 +83,8 @@ test_texture_mapping() {
 }
 
 test_surface_fitting() {
-  # Between the knots of n control points and those of 2 n - 3 there is one more each: a finer surface can be everything that a coarser one can.
+  # Between the knots of n control points and those of 2 n - 3 there is one more each: a finer surface can be everything
+  # that a coarser one can.
   local n before=1
   for n in 7 11 19; do
     expect 0 --columns $n --rows $n
@@ -92,12 +105,16 @@ test_remeshing() {
   coarse=$(grep -c '^f ' remeshing.obj)
   distance=$(number_after 'of its box:')
   expect 0 --subdivisions 2
-  [ "$(grep -c '^f ' remeshing.obj)" -eq $((16 * coarse)) ] || fail "$(grep -c '^f ' remeshing.obj) triangles instead of 16 times $coarse"
+  [ "$(grep -c '^f ' remeshing.obj)" -eq $((16 * coarse)) ] ||
+    fail "$(grep -c '^f ' remeshing.obj) triangles instead of 16 times $coarse"
   holds "$(number_after 'of its box:') < 0.5 * $distance" "the distance after two subdivisions"
   # The new vertices lie on the surface, here on a square, those of the border on its sides.
   expect 0 square.off --coarsest 10
   awk '
-    $1 == "v" { ++n; x[n] = $2; y[n] = $3; if (($4 - 0.5 * $2)^2 > 1e-20 || $2 < -1e-12 || $2 > 1 + 1e-12 || $3 < -1e-12 || $3 > 1 + 1e-12) exit 1 }
+    $1 == "v" {
+      ++n; x[n] = $2; y[n] = $3
+      if (($4 - 0.5 * $2)^2 > 1e-20 || $2 < -1e-12 || $2 > 1 + 1e-12 || $3 < -1e-12 || $3 > 1 + 1e-12) exit 1
+    }
     $1 == "f" {
       for (i = 2; i <= 4; ++i) { split($i, a, "/"); split($(i % 3 + 2), b, "/"); ++edges[a[1] "," b[1]] }
     }
@@ -119,7 +136,8 @@ test_cut_open_closed_mesh() {
     is_in_output ' 0 flips, 0 overlapping pairs'
     seam_edges=$(sed 's/.* \([0-9]*\) seam edges.*/\1/' stdout)
     expect_counts cut_open.obj 2562 $((2562 + seam_edges - 1)) 5120
-    [ "$(grep -c '^l ' cut_open.obj)" -eq "$seam_edges" ] || fail "$(grep -c '^l ' cut_open.obj) lines for $seam_edges seam edges"
+    [ "$(grep -c '^l ' cut_open.obj)" -eq "$seam_edges" ] ||
+      fail "$(grep -c '^l ' cut_open.obj) lines for $seam_edges seam edges"
     holds "$seam_edges >= $before" "the seam for the bound $bound"
     holds "$(number_after 'symmetric Dirichlet') < 1.02 * $bound" "the bound $bound"
     before=$seam_edges

@@ -1,20 +1,21 @@
-# The layers of the package, and (as a script) the check that no header includes one from a layer above its own or takes part in a circle. That X.h includes the
-# X_impl.h that implements it, where the package is header-only, is no circle.
+# The layers of the package, and (as a script) the check that no header includes one from a layer above its own or takes
+# part in a circle. That X.h includes the X_impl.h that implements it, where the package is header-only, is no circle.
 
 cmake_minimum_required(VERSION 3.18...3.25)
 
 # From the lowest to the highest: a folder of internal/, and the public headers that stand beside it.
 set(layers
-  "core: parameters Parameterization_summary Parameterization_progress error_message Flip_policy Triangle_weight Refinement_options Triangulated_surface_3 Distortion_derivatives_2
-         Rebind_solver concepts MIPS_energy_2 Symmetric_Dirichlet_energy_2 As_rigid_as_possible_energy_2 Uniform_edge_weights_3 Chordal_edge_weights_3"
+  "core: parameters Parameterization_summary Parameterization_progress error_message Flip_policy Triangle_weight
+         Refinement_options Triangulated_surface_3 Distortion_derivatives_2 Rebind_solver concepts MIPS_energy_2
+         Symmetric_Dirichlet_energy_2 As_rigid_as_possible_energy_2 Uniform_edge_weights_3 Chordal_edge_weights_3"
   "star: Harmonic_edge_weights_3 Mean_value_edge_weights_3 Shape_preserving_edge_weights_3"
   "mesh: Mesh_component IO/write_OBJ IO/write_SVG"
   "hierarchy: Collapse_hierarchy_3 Progressive_mesh_3 Level Hierarchy_visitor_3"
   "border: parameterization_quality"
   "linear:"
   "newton:"
-  "levels: settle_flips Refinable_parameterizer_base_3 Distortion_parameterizer_3 MIPS_parameterizer_3 Symmetric_Dirichlet_parameterizer_3
-           As_rigid_as_possible_parameterizer_3 Nested_iteration_parameterizer_3"
+  "levels: settle_flips Refinable_parameterizer_base_3 Distortion_parameterizer_3 MIPS_parameterizer_3
+           Symmetric_Dirichlet_parameterizer_3 As_rigid_as_possible_parameterizer_3 Nested_iteration_parameterizer_3"
   "edge_energy: Edge_energy_parameterizer_3"
   "wrapped: Multigrid_solver_traits Hierarchical_parameterizer_3 hierarchical_parameterization"
   "cut: cut_to_disk"
@@ -68,7 +69,8 @@ foreach(header IN LISTS headers)
         list(APPEND below_${header} ${included})
       endif()
       if(layer_of_${included} GREATER layer_of_${header})
-        list(APPEND faults "${header} (layer ${layer_of_${header}}) includes ${included} (layer ${layer_of_${included}})")
+        list(APPEND faults
+          "${header} (layer ${layer_of_${header}}) includes ${included} (layer ${layer_of_${included}})")
       endif()
     endif()
   endforeach()

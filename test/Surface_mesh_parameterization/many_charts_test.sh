@@ -33,7 +33,8 @@ for i in $(seq $charts); do cat "slurm/chart $i.json"; done >slurm/list.report
 report_is_whole slurm
 
 # As Spark pipes the lines of a list.
-xargs -d '\n' -I CHART "$PROGRAM" --quiet --threads 1 --output=CHART.obj --report - -- CHART <slurm/list >piped 2>/dev/null
+xargs -d '\n' -I CHART "$PROGRAM" --quiet --threads 1 --output=CHART.obj --report - -- CHART \
+  <slurm/list >piped 2>/dev/null
 [ "$(wc -l <piped)" -eq $charts ] || fail "$(wc -l <piped) lines instead of $charts through xargs"
 [ "$(ls slurm/*.obj.obj | wc -l)" -eq $((charts - 1)) ] || fail "xargs left $(ls slurm)"
 
@@ -47,7 +48,8 @@ if command -v parallel >/dev/null; then
   # What has no report is done, and nothing else.
   rm charts/*.uv.ply "charts/chart 3.json" "charts/chart 7.json"
   with_parallel . charts/list
-  [ "$(ls charts/*.uv.ply | tr '\n' ' ')" = "charts/chart 3.uv.ply charts/chart 7.uv.ply " ] || fail "a second run wrote $(ls charts/*.uv.ply)"
+  [ "$(ls charts/*.uv.ply | tr '\n' ' ')" = "charts/chart 3.uv.ply charts/chart 7.uv.ply " ] ||
+    fail "a second run wrote $(ls charts/*.uv.ply)"
 
   # No map of another run stands beside a report that tells of none.
   cp "charts/chart 5.obj" "charts/chart 3.obj"
@@ -62,9 +64,11 @@ if command -v parallel >/dev/null; then
   for name in "${names[@]}"; do make_tube 1 >"names/$name"; done
   printf '%s\n' "${names[@]}" a.b/no_suffix >names/list
   make_tube 1 >names/a.b/no_suffix
-  PROGRAM="$PWD/my program/lay out" with_parallel names list --picture '{.} map.svg' && fail "a name without a suffix was read"
+  PROGRAM="$PWD/my program/lay out" with_parallel names list --picture '{.} map.svg' &&
+    fail "a name without a suffix was read"
   [ "$(grep -c '"error":null' names/list.report)" -eq 5 ] || fail "not a map for each name: $(cat names/list.report)"
-  grep -q '"input":"a.b/no_suffix","status\|no_suffix.*"status":"unreadable"' names/list.report || fail "no report of no_suffix"
+  grep -q '"input":"a.b/no_suffix","status\|no_suffix.*"status":"unreadable"' names/list.report ||
+    fail "no report of no_suffix"
   [ -e 'names/two  blanks map.svg' ] || fail "options with blanks are torn: $(ls names)"
 
   # A program that is not there, and two meshes with one name, are told.

@@ -12,11 +12,12 @@ expect 0 --output face.obj --picture face.svg --report report.json --levels leve
 is_field vertices 1042 face
 is_field flips 0 face
 [ "$(tail -c +1 report.json | wc -l)" -eq 1 ] || fail "the report is not one line"
-[ "$(grep -c '^v ' face.obj)/$(grep -c '^vt ' face.obj)/$(grep -c '^f ' face.obj)" = 1042/1042/1999 ] || fail "face.obj has not 1042 v, 1042 vt, 1999 f"
+[ "$(grep -c '^v ' face.obj)/$(grep -c '^vt ' face.obj)/$(grep -c '^f ' face.obj)" = 1042/1042/1999 ] ||
+  fail "face.obj has not 1042 v, 1042 vt, 1999 f"
 grep -q '</svg>' face.svg || fail "face.svg is not whole"
 [ "$(ls levels | wc -l)" -eq "$(grep -o '"energy_end"' report.json | wc -l)" ] || fail "not every level was written"
-grep -o '"iterations":[1-9][0-9]*,"cycles":[0-9]*' report.json | tr -c '0-9\n' ' ' | awk '$2 < $1 { exit 1 } END { exit NR == 0 }' ||
-  fail "a Newton step took no V-cycle"
+grep -o '"iterations":[1-9][0-9]*,"cycles":[0-9]*' report.json | tr -c '0-9\n' ' ' |
+  awk '$2 < $1 { exit 1 } END { exit NR == 0 }' || fail "a Newton step took no V-cycle"
 finest=$(ls levels | tail -1)
 [ "$(grep -c '^f ' "levels/$finest")" -eq 1999 ] || fail "the finest level is not the input"
 cmp -s <(grep '^vt ' face.obj | sort) <(grep '^vt ' "levels/$finest" | sort) || fail "the finest level has another map"
@@ -28,7 +29,8 @@ cmp -s <(grep '^v ' face.obj) <(grep '^v ' again.obj) || fail "the vertices have
 cmp -s <(grep '^f ' face.obj) <(grep '^f ' again.obj) || fail "the faces have changed"
 
 # With --orient, faces keep their points, whose first places stay as they are; it may turn faces and double points.
-printf '%s\n' 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'v 0 -1 0' 'v 0 0 1' 'v 2 0 1' 'f 1 2 3' 'f 2 1 4' 'f 1 2 5' 'f 2 5 6' >leaves.obj
+printf '%s\n' 'v 0 0 0' 'v 1 0 0' 'v 0 1 0' 'v 0 -1 0' 'v 0 0 1' 'v 2 0 1' \
+  'f 1 2 3' 'f 2 1 4' 'f 1 2 5' 'f 2 5 6' >leaves.obj
 # points_of_faces FILE: a line for each face, with its points in the order of their coordinates.
 points_of_faces() {
   awk '$1 == "v" { point[++n] = $2 " " $3 " " $4 }
@@ -56,7 +58,8 @@ for format in obj ply; do
 done
 printf '# a comment\n\nOFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' | "$program" - --quiet ||
   fail "a file that begins with a comment was not read from the standard input"
-"$program" --version | grep -q '^hierarchical_parameterization [0-9.]* with CGAL [0-9]' || fail "--version tells no version"
+"$program" --version | grep -q '^hierarchical_parameterization [0-9.]* with CGAL [0-9]' ||
+  fail "--version tells no version"
 
 expect 0 --flat --report report.json
 grep -q ' 1 level, ' stdout || fail "one level is told as: $(cat stdout)"
@@ -74,7 +77,8 @@ for method in uniform chordal harmonic shape-preserving; do
   expect 0 --method $method --flat --output flat.obj --report report.json
   is_field status '"ok"' "$method --flat"
   # The same map but for the last digits.
-  paste <(grep '^vt ' nested.obj) <(grep '^vt ' flat.obj) | awk '{ if (($2-$5)^2 + ($3-$6)^2 > 1e-12) exit 1 }' || fail "$method: flat and hierarchical maps differ"
+  paste <(grep '^vt ' nested.obj) <(grep '^vt ' flat.obj) |
+    awk '{ if (($2-$5)^2 + ($3-$6)^2 > 1e-12) exit 1 }' || fail "$method: flat and hierarchical maps differ"
 done
 # CGAL's parameterizers: the same map by multigrid, or by their own solver, and as they are shipped.
 for method in barycentric mean-value conformal authalic iterative-authalic lscm; do
@@ -87,7 +91,8 @@ for method in barycentric mean-value conformal authalic iterative-authalic lscm;
   is_field status '"ok"' "$method --flat"
   is_field linear_solver null "$method --flat"
   [ "$(wc -l <stdout)" -eq 1 ] || fail "$method --flat printed $(wc -l <stdout) lines instead of one"
-  paste <(grep '^vt ' multigrid.obj) <(grep '^vt ' shipped.obj) | awk '{ if (($2-$5)^2 + ($3-$6)^2 > 1e-12) exit 1 }' || fail "$method: the map is not CGAL's"
+  paste <(grep '^vt ' multigrid.obj) <(grep '^vt ' shipped.obj) |
+    awk '{ if (($2-$5)^2 + ($3-$6)^2 > 1e-12) exit 1 }' || fail "$method: the map is not CGAL's"
 done
 [ ! -e last_solve.off ] || fail "a file of CGAL's was left"
 expect 0 --method arap --report report.json
@@ -121,7 +126,8 @@ expect 0 --weights area --tolerance 1e-3 --iterations 5 --quiet
 # One chart in the unit square.
 expect 0 --atlas --output atlas.obj --report report.json
 [ "$(field charts)" -eq 1 ] || fail "--atlas made $(field charts) charts of the face"
-awk '$1 == "vt" && !($2 >= 0 && $2 <= 1 && $3 >= 0 && $3 <= 1) { exit 1 }' atlas.obj || fail "--atlas leaves the unit square"
+awk '$1 == "vt" && !($2 >= 0 && $2 <= 1 && $3 >= 0 && $3 <= 1) { exit 1 }' atlas.obj ||
+  fail "--atlas leaves the unit square"
 
 # On a terminal a bar shows how far a run has come; elsewhere there is none.
 on_terminal() { script -qec "$program $*" /dev/null; }
@@ -156,7 +162,8 @@ OFF
 3 1 3 4
 END
 expect 0 components.off --components largest --output components.obj --report report.json
-[ "$(grep -c '^v ' components.obj)/$(grep -c '^vt ' components.obj)/$(grep -c '^f ' components.obj)" = 8/4/3 ] || fail "components.obj is wrong"
+[ "$(grep -c '^v ' components.obj)/$(grep -c '^vt ' components.obj)/$(grep -c '^f ' components.obj)" = 8/4/3 ] ||
+  fail "components.obj is wrong"
 
 # A run may start from a map that another one wrote, if it is one of the same vertices.
 for map in map.obj map.ply; do
@@ -176,7 +183,10 @@ expect 1 --method lscm --start map.obj
 expect 1 --flat --start map.obj
 expect 1 --levels levels --start map.obj
 for option in output picture report levels start hold; do expect 1 --$option ''; done
-for option in output picture report; do expect 3 nowhere.obj --$option levels; grep -q folder stderr || fail "--$option levels: $(cat stderr)"; done
+for option in output picture report; do
+  expect 3 nowhere.obj --$option levels
+  grep -q folder stderr || fail "--$option levels: $(cat stderr)"
+done
 expect 3 nowhere.obj --levels face.svg
 grep -q folder stderr || fail "--levels face.svg: $(cat stderr)"
 
@@ -190,7 +200,8 @@ expect 1 face.obj tube.obj --start map.obj
 expect 2 --start missing.obj
 expect 2 --start components.obj
 expect 2 tube.obj --start tube.obj
-printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 2 2\nf 1/1 2/2 3/3\nf 1/5 3/3 4/4\n' >seam.obj
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 2 2\nf 1/1 2/2 3/3\nf 1/5 3/3 4/4\n' \
+  >seam.obj
 expect 0 seam.obj
 expect 2 seam.obj --start seam.obj
 grep -q 'line 11: vertex 0 has two places' stderr || fail "the seam is told as: $(cat stderr)"
@@ -262,13 +273,17 @@ done
 expect 1 a.off b.off --output one.obj
 
 # No surface to parameterize.
-bad() { expect 2 "$@" --output bad.obj --picture bad.svg; [ ! -e bad.obj ] && [ ! -e bad.svg ] || fail "'$1' wrote a file"; }
+bad() {
+  expect 2 "$@" --output bad.obj --picture bad.svg
+  [ ! -e bad.obj ] && [ ! -e bad.svg ] || fail "'$1' wrote a file"
+}
 bad missing.off
 : >empty.off; bad empty.off
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' >range.off; bad range.off
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n' >truncated.off; bad truncated.off
 printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' >quad.off; bad quad.off
-printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >closed.off; bad closed.off --cut none
+printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >closed.off
+bad closed.off --cut none
 printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n' >edge.off; bad edge.off
 printf 'OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n' >umbrellas.off; bad umbrellas.off
 printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 3 2\n3 0 2 3\n' >orientation.off; bad orientation.off

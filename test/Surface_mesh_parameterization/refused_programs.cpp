@@ -1,9 +1,9 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Programs that must not compile, each in a namespace; refused_programs_test.sh compiles all at once. The sentence behind
-// the name must be in the program's only error. A compiler tells an error once where two programs instantiate the same:
-// each has types of its own.
+// Programs that must not compile, each in a namespace; refused_programs_test.sh compiles all at once. The sentence
+// behind the name must be in the program's only error. A compiler tells an error once where two programs instantiate
+// the same: each has types of its own.
 
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Distortion_parameterizer_3.h>
@@ -438,7 +438,8 @@ auto wrong()
 }
 
 namespace Summary_for_charts { // the named parameter 'summary' has no effect on charts
-auto wrong(Mesh& m, Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv, SMP::Parameterization_summary& summary)
+auto wrong(Mesh& m, Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv,
+           SMP::Parameterization_summary& summary)
 {
   return SMP::atlas_parameterization(m, uv, np::default_values(), np::summary(std::ref(summary)));
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Compiles the programs of refused_programs.cpp: the compiler's errors must be the sentences that stand behind their names, one for each.
+# Compiles the programs of refused_programs.cpp: the compiler's errors must be the sentences that stand behind their
+# names, one for each.
 # refused_programs_test.sh COMPILER FILE_WITH_ARGUMENTS
 compiler=$1
 arguments=(@"$2" -w -fsyntax-only)

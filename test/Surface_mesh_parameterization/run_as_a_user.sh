@@ -13,7 +13,8 @@ expect() {
   shift
   "$program" "$@" >stdout 2>stderr || status=$?
   [ "$status" -eq "$wanted" ] || fail "'$*' ended with $status instead of $wanted: $(cat stderr)"
-  [ "$wanted" -eq 0 ] || [ "$(wc -l <stderr)" -eq 1 ] || fail "'$*' printed $(wc -l <stderr) lines on stderr instead of one"
+  [ "$wanted" -eq 0 ] || [ "$(wc -l <stderr)" -eq 1 ] ||
+    fail "'$*' printed $(wc -l <stderr) lines on stderr instead of one"
 }
 
 # make_tube N: a tube of N storeys of three squares, closed at one end. A conformal map shrinks along it.

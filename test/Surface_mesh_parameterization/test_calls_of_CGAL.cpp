@@ -53,7 +53,8 @@ constexpr bool have_the_same_border = std::is_same<typename P::Border_parameteri
 template <class P, class Q>
 constexpr bool have_the_same_mesh = std::is_same<typename P::Triangle_mesh, typename Q::Triangle_mesh>::value &&
                                     std::is_same<typename P::TriangleMesh, typename Q::TriangleMesh>::value &&
-                                    std::is_same<typename P::halfedge_descriptor, Halfedge<typename Q::Triangle_mesh>>::value;
+                                    std::is_same<typename P::halfedge_descriptor,
+                                                 Halfedge<typename Q::Triangle_mesh>>::value;
 
 template <class P>
 constexpr bool takes_the_place = have_the_same_mesh<Hierarchical_parameterizer_3<P>, P> &&

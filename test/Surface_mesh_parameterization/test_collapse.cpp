@@ -73,7 +73,8 @@ TEST(Parent_triangle, is_no_needle)
   Random random(1);
   int tried = 0;
   for (int i = 0; i < 100000; ++i) {
-    const double size = std::pow(10., -random(4, 5.5)), turn = random(0, 2 * CGAL_PI), direction = random(0, 2 * CGAL_PI);
+    const double size = std::pow(10., -random(4, 5.5)), turn = random(0, 2 * CGAL_PI),
+                 direction = random(0, 2 * CGAL_PI);
     const Vector_2 along(size * std::cos(turn), size * std::sin(turn)), across(-along.y(), along.x()),
         far = polar(1, direction) - CGAL::ORIGIN;
     std::vector<Vector_2> flat_ring = { far, far + random(0.3, 0.7) * along - std::pow(10., -random(1, 6)) * across,
@@ -87,7 +88,8 @@ TEST(Parent_triangle, is_no_needle)
       ++tried;
       const Parent_triangle parent = find_parent_triangle(flat_ring, w0);
       const double sigma = parent.coordinates[0], tau = parent.coordinates[1], rho = 1 - sigma - tau;
-      ASSERT_LT(length(rho * flat_ring[w0] + sigma * flat_ring[parent.slots[1]] + tau * flat_ring[parent.slots[2]]), 0.5);
+      ASSERT_LT(length(rho * flat_ring[w0] + sigma * flat_ring[parent.slots[1]] + tau * flat_ring[parent.slots[2]]),
+                0.5);
     }
   }
   EXPECT_GT(tried, 1000);

@@ -191,7 +191,8 @@ TYPED_TEST(Held_vertices, lead_around_a_border_that_is_far_from_convex)
     m.place_border<Circular_border_arc_length_parameterizer_3<Mesh>>(1);
     for (const auto v : vertices(m.mesh))
       if (m.is_held[v]) {
-        const double x = m.uvmap[v].x() - 0.5, y = m.uvmap[v].y() - 0.5, scale = 1 + 0.4 * std::cos(3 * std::atan2(y, x));
+        const double x = m.uvmap[v].x() - 0.5, y = m.uvmap[v].y() - 0.5,
+                     scale = 1 + 0.4 * std::cos(3 * std::atan2(y, x));
         m.uvmap[v] = Kernel_point(scale * x, scale * y);
       }
     ASSERT_EQ(m.run<TypeParam>(), OK);
@@ -340,7 +341,8 @@ TYPED_TEST(Held_vertices, at_no_place_are_an_error)
   m.is_held[v] = false;
   EXPECT_EQ(m.run<TypeParam>(), OK);
 
-  for (const double weight : { -1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() }) {
+  for (const double weight :
+       { -1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() }) {
     m.weight[v] = weight;
     EXPECT_EQ(m.run<TypeParam>(), ERROR_WRONG_PARAMETER);
     EXPECT_NE(error_message(m.summary.error).find("weight"), std::string::npos);
@@ -376,7 +378,8 @@ TYPED_TEST(Held_vertices, that_are_none_do_not_mirror_the_map)
     ASSERT_EQ(m.run<TypeParam>(), OK);
     for (const auto v : vertices(m.mesh))
       m.uvmap[v] = Kernel_point(-m.uvmap[v].x(), m.uvmap[v].y());
-    const auto options = parameters::initial_map(true).vertex_is_constrained_map(m.is_held).position_weight_map(m.weight);
+    const auto options =
+        parameters::initial_map(true).vertex_is_constrained_map(m.is_held).position_weight_map(m.weight);
     EXPECT_EQ(m.run_with<TypeParam>(options, is_hierarchical), OK);
     EXPECT_FALSE(m.quality().is_mirrored);
     EXPECT_EQ(m.quality().flips, 0u);
@@ -400,8 +403,8 @@ TEST(Held_vertices_of_ARAP, keep_their_places)
     }
 }
 
-// With lambda = 0 and two vertices held, the energy is that of least squares conformal maps, which is quadratic: any two
-// places lead to similar maps.
+// With lambda = 0 and two vertices held, the energy is that of least squares conformal maps, which is quadratic: any
+// two places lead to similar maps.
 TEST(Held_vertices_of_ARAP, pin_a_conformal_map)
 {
   Constrained_mesh m(delaunay_patch(800, 3, wavy)), turned(delaunay_patch(800, 3, wavy));

@@ -68,7 +68,8 @@ struct Fan
   {
     Block_vectors result;
     for (const Point_2& p : uv) {
-      const double direction = std::atan2(p.y(), p.x()), from_first = direction < -1e-12 ? direction + 2 * CGAL_PI : direction,
+      const double direction = std::atan2(p.y(), p.x()),
+                   from_first = direction < -1e-12 ? direction + 2 * CGAL_PI : direction,
                    part = -angle * from_first / (2 * CGAL_PI);
       result.emplace_back(-part * p.y(), part * p.x());
     }

@@ -156,7 +156,8 @@ TEST(Direct_solver, is_exact_where_the_diagonal_is_small)
         }
     }
     const Known_system system(std::move(matrix));
-    const auto solver = internal::make_multigrid_linear_solver<1>(nullptr, system.matrix.rows(), {}, {}, internal::Loops());
+    const auto solver =
+        internal::make_multigrid_linear_solver<1>(nullptr, system.matrix.rows(), {}, {}, internal::Loops());
     Vector x(n * n);
     const internal::Linear_solver_result result = solver->solve(
         { system.right_side.values().data() }, { x.values().data() }, internal::Linear_solver_options());

@@ -80,7 +80,8 @@ TEST(Best_chord, has_the_least_cost_of_all_that_lie_in_the_polygon)
   for (const std::size_t corners : { 5, 12, 40 }) {
     const std::vector<Point_2> polygon = random_star_polygon(corners, Point_2(2, 1), random);
     const double total_area = area(Polygon(polygon.begin(), polygon.end())), least_area = 0.1 * total_area;
-    for (const auto& [side, cost_of_length] : { std::make_pair(9., 0.), std::make_pair(9., 1.), std::make_pair(1., 0.2) }) {
+    for (const auto& [side, cost_of_length] :
+         { std::make_pair(9., 0.), std::make_pair(9., 1.), std::make_pair(1., 0.2) }) {
       double least_cost = (std::numeric_limits<double>::infinity)();
       for (std::size_t begin = 0; begin < corners; ++begin)
         for (std::size_t end = begin + 2; end < corners; ++end)
@@ -230,7 +231,8 @@ Flat_mesh strip()
 
 TEST(Division, fills_the_square)
 {
-  for (const Flat_mesh& m : { legs(), plate_with_holes(3, 4), strip(), with_component(legs(), plate_with_holes(1, 4), 0.5, 9) }) {
+  for (const Flat_mesh& m :
+       { legs(), plate_with_holes(3, 4), strip(), with_component(legs(), plate_with_holes(1, 4), 0.5, 9) }) {
     Surface whole(m), divided(m);
     const Atlas_summary before = atlas_parameterization(whole.mesh, whole.uv, parameters::least_used_part(0.));
     ASSERT_TRUE(before.is_ok());
@@ -247,7 +249,8 @@ TEST(Division, fills_the_square)
   }
 }
 
-// A slender surface would leave nearly all of the square empty, so it is divided without being asked for. Others are not.
+// A slender surface would leave nearly all of the square empty, so it is divided without being asked for. Others are
+// not.
 TEST(Division, is_of_slender_surfaces_by_default)
 {
   Surface slender(strip()), wide(legs());

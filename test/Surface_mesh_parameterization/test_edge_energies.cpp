@@ -83,8 +83,8 @@ Method keeping_flips()
 
 template <class EdgeWeights>
 class Edge_energy_parameterizer : public testing::Test { };
-typedef testing::Types<Uniform_edge_weights_3, Chordal_edge_weights_3, Harmonic_edge_weights_3, Mean_value_edge_weights_3, Shape_preserving_edge_weights_3>
-  Weights;
+typedef testing::Types<Uniform_edge_weights_3, Chordal_edge_weights_3, Harmonic_edge_weights_3,
+                       Mean_value_edge_weights_3, Shape_preserving_edge_weights_3> Weights;
 TYPED_TEST_SUITE(Edge_energy_parameterizer, Weights, );
 
 // Computes the relative residual of the finest level by its definition.
@@ -265,7 +265,8 @@ TYPED_TEST(Edge_energy_parameterizer, needs_few_iterations_on_any_number_of_vert
   for (const std::size_t vertices : { 2000, 20000 }) {
     Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(vertices, 1, wavy));
     Parameterization_summary s;
-    map_of(mesh, Hierarchical_parameterizer_3<Method<TypeParam>>(Method<TypeParam>(), parameters::summary(std::ref(s))));
+    map_of(mesh, Hierarchical_parameterizer_3<Method<TypeParam>>(Method<TypeParam>(),
+                                                                 parameters::summary(std::ref(s))));
     EXPECT_TRUE(s.converged);
     for (const Level_summary& level : s.levels)
       EXPECT_LE(level.iterations, 12u);
@@ -309,7 +310,8 @@ TEST(Edge_energy, errors_leave_the_maps_untouched)
   map_of(no_length, Uniform(), ERROR_BORDER_TOO_SHORT);
   map_of(no_length, hierarchical(Uniform()), ERROR_BORDER_TOO_SHORT);
 
-  typedef Edge_energy_parameterizer_3<Surface_mesh, Uniform_edge_weights_3, Square_border_uniform_parameterizer_3<Surface_mesh>> Square_method;
+  typedef Edge_energy_parameterizer_3<Surface_mesh, Uniform_edge_weights_3,
+                                      Square_border_uniform_parameterizer_3<Surface_mesh>> Square_method;
   Surface_mesh triangle = make<Surface_mesh>(single_triangle());
   map_of(triangle, hierarchical(Square_method()), ERROR_BORDER_TOO_SHORT);
 }
@@ -336,7 +338,9 @@ TEST(Edge_energy, needs_a_fixed_vertex)
 #ifdef CGAL_LINKED_WITH_TBB
 TYPED_TEST(Edge_energy_parameterizer, is_the_same_for_every_number_of_threads)
 {
-  typedef Edge_energy_parameterizer_3<Surface_mesh, TypeParam, Circular_border_arc_length_parameterizer_3<Surface_mesh>, CGAL::Parallel_tag> Parallel_method;
+  typedef Edge_energy_parameterizer_3<Surface_mesh, TypeParam,
+                                      Circular_border_arc_length_parameterizer_3<Surface_mesh>, CGAL::Parallel_tag>
+    Parallel_method;
   Surface_mesh mesh = make<Surface_mesh>(grid(120, 110, wavy));     // groups of several blocks
   const auto np = parameters::tolerance(1e-4);
   const std::vector<Kernel::Point_2> expected = map_of(mesh, hierarchical(Method<TypeParam>({}, TypeParam(), np)));

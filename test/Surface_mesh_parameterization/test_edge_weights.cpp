@@ -68,8 +68,8 @@ Rows weights_of(const Flat_mesh& m, EdgeWeights weights = EdgeWeights())
 
 template <class EdgeWeights>
 class EdgeWeights_3 : public testing::Test { };
-typedef testing::Types<Uniform_edge_weights_3, Chordal_edge_weights_3, Harmonic_edge_weights_3, Mean_value_edge_weights_3, Shape_preserving_edge_weights_3,
-                       Edge_weights_archetype> All_weights;
+typedef testing::Types<Uniform_edge_weights_3, Chordal_edge_weights_3, Harmonic_edge_weights_3,
+                       Mean_value_edge_weights_3, Shape_preserving_edge_weights_3, Edge_weights_archetype> All_weights;
 TYPED_TEST_SUITE(EdgeWeights_3, All_weights, );
 
 TYPED_TEST(EdgeWeights_3, keep_what_they_promise)
@@ -152,7 +152,8 @@ TEST(Chordal_edge_weights, fall_by_a_power_of_the_length)
 
 template <class EdgeWeights>
 class Linear_precision : public testing::Test { };
-typedef testing::Types<Harmonic_edge_weights_3, Mean_value_edge_weights_3, Shape_preserving_edge_weights_3> Precise_weights;
+typedef testing::Types<Harmonic_edge_weights_3, Mean_value_edge_weights_3, Shape_preserving_edge_weights_3>
+  Precise_weights;
 TYPED_TEST_SUITE(Linear_precision, Precise_weights, );
 
 TYPED_TEST(Linear_precision, an_inner_vertex_of_a_planar_mesh_is_the_mean_of_its_neighbors)

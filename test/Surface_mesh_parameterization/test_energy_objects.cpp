@@ -121,7 +121,8 @@ TEST(Energy_objects, are_told_areas_in_the_users_units)
   constexpr double width = 1000, step = width / 8;
   Energy_of_area::Areas areas;
   Mapped_mesh mapped(affine_image(grid(8, 8, flat), width, 0, 0, width));
-  EXPECT_EQ(mapped.parameterize(Distortion_parameterizer_3<Surface_mesh, Energy_of_area>(Energy_of_area{ &areas })), OK);
+  EXPECT_EQ(mapped.parameterize(Distortion_parameterizer_3<Surface_mesh, Energy_of_area>(Energy_of_area{ &areas })),
+            OK);
   EXPECT_NEAR(areas.least, 0.5 * step * step, 1e-9 * step * step);
   EXPECT_NEAR(areas.greatest, 0.5 * step * step, 1e-9 * step * step);
 }

@@ -43,8 +43,8 @@ namespace parameters = CGAL::parameters;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel        Epick;
 typedef CGAL::Surface_mesh<Epick::Point_3>                         Epick_surface_mesh;
 typedef CGAL::Polyhedron_3<Kernel>                                 Polyhedron;
-typedef CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>::type
-    Linear_cell_complex;
+typedef CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<
+    2, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>::type       Linear_cell_complex;
 
 template <class TriangleMesh>
 struct Model

@@ -269,8 +269,8 @@ TEST(Named_parameters, chain_in_any_order_of_the_package_and_end_with_those_of_C
   for (const Level_summary& level : s.levels)
     EXPECT_EQ(level.vertex_visits, 50u);
   Mapped_mesh tall(tube(20, 12, 12));     // whose map is far above the minimum after so few
-  EXPECT_EQ(tall.parameterize(
-                Symmetric_Dirichlet_parameterizer_3<Surface_mesh>(parameters::number_of_local_steps(100).summary(std::ref(t)))),
+  EXPECT_EQ(tall.parameterize(Symmetric_Dirichlet_parameterizer_3<Surface_mesh>(
+                parameters::number_of_local_steps(100).summary(std::ref(t)))),
             OK);
   EXPECT_EQ(t.levels.back().vertex_visits, 100u);
   EXPECT_EQ(mapped.parameterize(MIPS(

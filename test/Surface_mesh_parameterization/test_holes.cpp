@@ -243,7 +243,8 @@ TEST(Holes, corners_are_kept_where_a_copy_has_the_same_vertices)
 
 TEST(Holes, a_seam_mesh_cannot_be_filled)
 {
-  typedef CGAL::Seam_mesh<Surface_mesh, Surface_mesh::Property_map<Surface_mesh::Edge_index, bool>, Surface_mesh::Property_map<Surface_mesh::Vertex_index, bool>>   Seam_mesh;
+  typedef CGAL::Seam_mesh<Surface_mesh, Surface_mesh::Property_map<Surface_mesh::Edge_index, bool>,
+                          Surface_mesh::Property_map<Surface_mesh::Vertex_index, bool>>   Seam_mesh;
   Surface_mesh mesh = make<Surface_mesh>(grid_with_ear());
   Seam_mesh seam_mesh(mesh, mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:seam", false).first,
                       mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:seam", false).first);

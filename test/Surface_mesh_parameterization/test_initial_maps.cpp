@@ -99,7 +99,7 @@ TYPED_TEST(Initial_map, leads_to_the_minimum_from_any_place)
       ASSERT_EQ(run<TypeParam>(m, true), OK);
       EXPECT_TRUE(m.summary.converged && m.is_valid());
       EXPECT_EQ(m.summary.levels.size(), 1u);
-      const double minimum = m.summary.energy > 100 ? 2 * double(surface.triangles.size()) : 4;     // MIPS, or the other
+      const double minimum = m.summary.energy > 100 ? 2 * double(surface.triangles.size()) : 4;    // MIPS, or the other
       EXPECT_NEAR(m.summary.energy - minimum, best.summary.energy - minimum, 1e-5 * best.summary.energy)
           << surface.triangles.size() << " triangles, change " << &change - changes;
     }

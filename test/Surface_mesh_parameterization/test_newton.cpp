@@ -52,7 +52,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <class Energy>
 class Newton_of : public testing::Test { };
-typedef testing::Types<MIPS_energy_2, Symmetric_Dirichlet_energy_2, As_rigid_as_possible_energy_2> All_energies;     // some let triangles flip
+typedef testing::Types<MIPS_energy_2, Symmetric_Dirichlet_energy_2, As_rigid_as_possible_energy_2>
+  All_energies;     // some let triangles flip
 TYPED_TEST_SUITE(Newton_of, All_energies, );
 
 Eigen::Matrix2d dense_of(const Block& b)

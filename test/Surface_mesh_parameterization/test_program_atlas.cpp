@@ -268,7 +268,8 @@ protected:
 
 std::string surface_name(const testing::TestParamInfo<Program_atlas::ParamType>& info)
 {
-  return surfaces[std::get<0>(info.param)].name + (std::get<1>(info.param) == "mips" ? "_mips" : "_symmetric_dirichlet");
+  return surfaces[std::get<0>(info.param)].name +
+         (std::get<1>(info.param) == "mips" ? "_mips" : "_symmetric_dirichlet");
 }
 
 void expect_report(const nlohmann::json& report, const Surface& surface, const Mapped_mesh& map, const Seams& seams)
@@ -354,8 +355,8 @@ TEST(Program_parts, that_may_not_be_cut_are_told_and_left_out)
   const std::size_t first = octasphere(2).polygons.size(), end = first + patch().polygons.size();
   const Runs runs(m);
   EXPECT_EQ(runs.run("in.off --cut none --output map.obj --report report.json"), bad_input);
-  EXPECT_EQ(runs.error(), "in.off: 2 of 3 components are closed or have handles and were left out, first that of face 0; "
-                          "--cut auto cuts them\n");
+  EXPECT_EQ(runs.error(), "in.off: 2 of 3 components are closed or have handles and were left out, first that of "
+                          "face 0; --cut auto cuts them\n");
   const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
   expect_same_mesh(map, m);
   EXPECT_EQ(mapped_faces(map), flags(first, end, m.polygons.size()));
@@ -377,7 +378,8 @@ TEST(Program_parts, without_a_map_are_told_and_left_out)
   const Mesh tube_and_patch = joined(tube(3, 5), shifted(patch(), 20));
   const Runs runs(tube_and_patch);
   EXPECT_EQ(runs.run("in.off --method lscm --cut none --flips fail --output map.obj --report report.json"), failed);
-  EXPECT_EQ(runs.error().find("in.off: 1 of 2 charts have no map, first that of face 0: the map has "), 0u) << runs.error();
+  EXPECT_EQ(runs.error().find("in.off: 1 of 2 charts have no map, first that of face 0: the map has "), 0u)
+      << runs.error();
   EXPECT_NE(runs.error().find("; --flips repair or keep\n"), std::string::npos) << runs.error();
   const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
   EXPECT_EQ(mapped_faces(map),
@@ -406,7 +408,8 @@ TEST(Program_parts, the_largest_may_be_cut)
   runs.write_input("alone.off", octasphere(3));
   EXPECT_EQ(runs.run("alone.off --output alone.obj"), good);
   const Mapped_mesh alone = read_OBJ(runs.content("alone.obj"));
-  EXPECT_TRUE(std::equal(alone.places.begin(), alone.places.end(), map.places.end() - std::ptrdiff_t(alone.places.size())));
+  EXPECT_TRUE(std::equal(alone.places.begin(), alone.places.end(),
+                         map.places.end() - std::ptrdiff_t(alone.places.size())));
 }
 
 TEST(Program_parts, one_chart_stays_as_it_is)
@@ -494,7 +497,8 @@ TEST(Program_pieces, are_stitched_on_request_and_told_otherwise)
   const Mesh whole = octasphere(2);
   const Runs runs(taken_apart(whole));
   EXPECT_EQ(runs.run("in.off --report report.json"), good);
-  EXPECT_EQ(runs.error(), "in.off: has 128 components whose borders coincide with those of others; --stitch joins them\n");
+  EXPECT_EQ(runs.error(),
+            "in.off: has 128 components whose borders coincide with those of others; --stitch joins them\n");
   EXPECT_EQ(runs.report().at("atlas").at("charts"), 128);
   EXPECT_EQ(runs.run("in.off --stitch --output map.obj --report report.json"), good);
   EXPECT_EQ(runs.error(), "");
@@ -559,9 +563,10 @@ TEST(Program_atlas_options, that_need_one_chart_are_refused)
 {
   const Runs runs(several());
   for (const std::string arguments :
-       { "--flat --components all", "--flat --cut auto", "--levels levels --components all", "--levels levels --cut auto",
-         "--start in.off --components all", "--start in.off --cut auto", "--components some", "--cut some",
-         "--flat --least-used-part 0.7", "--cut none --least-used-part 0.7", "--least-used-part 1.5", "--least-used-part nan",
+       { "--flat --components all", "--flat --cut auto", "--levels levels --components all",
+         "--levels levels --cut auto", "--start in.off --components all", "--start in.off --cut auto",
+         "--components some", "--cut some", "--flat --least-used-part 0.7", "--cut none --least-used-part 0.7",
+         "--least-used-part 1.5", "--least-used-part nan",
          "--flat --distortion-bound 5", "--cut none --distortion-bound 5", "--distortion-bound 3.9",
          "--distortion-bound nan", "--start in.off --overlap-bound 0.1", "--cut none --overlap-bound 0.1",
          "--overlap-bound -0.1", "--overlap-bound 1.1", "--overlap-bound nan", "--flat --sharp-angle 40",

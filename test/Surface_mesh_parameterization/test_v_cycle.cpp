@@ -113,7 +113,10 @@ Eigen::MatrixXd scaled(const Random_matrix& a)
   return scale.asDiagonal() * a.dense * scale.asDiagonal();
 }
 
-Eigen::Map<const Eigen::VectorXd> dense_of(const Block_vectors& x) { return { &x.data()->x, 2 * Eigen::Index(x.size()) }; }
+Eigen::Map<const Eigen::VectorXd> dense_of(const Block_vectors& x)
+{
+  return { &x.data()->x, 2 * Eigen::Index(x.size()) };
+}
 
 Block_vectors random_vectors(std::size_t n, Random& random)
 {

@@ -471,8 +471,8 @@ TEST(Wrapped_iterative_authalic, iterates_as_CGAL_does)
   expect_equal_maps(mesh, Parameterizer(), Hierarchical_parameterizer_3<Parameterizer>());
 }
 
-// Where a surface is large, its weights become smaller with each iteration, until CGAL's solver does not see them beside
-// the rows of the border.
+// Where a surface is large, its weights become smaller with each iteration, until CGAL's solver does not see them
+// beside the rows of the border.
 TEST(Wrapped_iterative_authalic, map_depends_neither_on_the_size_of_the_surface_nor_on_the_solver)
 {
   typedef Iterative_authalic_parameterizer_3<Surface_mesh> Parameterizer;

@@ -205,8 +205,9 @@ struct Cut_sphere
   typedef boost::associative_property_map<std::map<typename Graph_traits::vertex_descriptor, bool>>  Seam_vertex_map;
   typedef CGAL::Seam_mesh<TriangleMesh, Seam_edge_map, Seam_vertex_map>                              Seam_mesh;
   typedef typename Seam_mesh::vertex_descriptor                                                      Seam_vertex;
-  typedef typename boost::property_map<Seam_mesh, CGAL::dynamic_vertex_property_t<Kernel::Point_2>>::const_type    Uv_map;
-  typedef typename boost::property_map<Seam_mesh, CGAL::dynamic_vertex_property_t<bool>>::const_type               Bool_map;
+  typedef typename boost::property_map<Seam_mesh, CGAL::dynamic_vertex_property_t<Kernel::Point_2>>::const_type
+      Uv_map;
+  typedef typename boost::property_map<Seam_mesh, CGAL::dynamic_vertex_property_t<bool>>::const_type   Bool_map;
 
   TriangleMesh mesh = make<TriangleMesh>(sphere(4, 6));
   std::map<typename Graph_traits::edge_descriptor, bool> is_seam_edge;

@@ -32,7 +32,8 @@ template <class TriangleMesh, class BorderParameterizer = CGAL::Default, class S
 class LSCM_by_multigrid
   : public CGAL::Surface_mesh_parameterization::LSCM_parameterizer_3<TriangleMesh, BorderParameterizer, SolverTraits>
 {
-  typedef CGAL::Surface_mesh_parameterization::LSCM_parameterizer_3<TriangleMesh, BorderParameterizer, SolverTraits>   Base;
+  typedef CGAL::Surface_mesh_parameterization::LSCM_parameterizer_3<TriangleMesh, BorderParameterizer, SolverTraits>
+      Base;
 
 public:
   using Base::Base;
@@ -58,8 +59,9 @@ namespace parameters = CGAL::parameters;
 template <class TriangleMesh>
 struct Wrapped_map
 {
-  typedef typename boost::property_traits<typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type>::value_type    Point_3;
-  typedef typename CGAL::Kernel_traits<Point_3>::Kernel::Point_2                                                        Point_2;
+  typedef typename boost::property_traits<
+      typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type>::value_type    Point_3;
+  typedef typename CGAL::Kernel_traits<Point_3>::Kernel::Point_2                             Point_2;
 
   TriangleMesh& mesh;
   typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<Point_2>>::type uvmap;

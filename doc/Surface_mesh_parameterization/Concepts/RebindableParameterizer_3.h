@@ -7,10 +7,10 @@
 /// A parameterizer that solves sparse linear systems through solver traits, which are a template parameter.
 /// `Hierarchical_parameterizer_3` runs it with `Multigrid_solver_traits` instead of its own solver, and the map is the
 /// same. A model has a specialization of `Rebind_solver`. Models with CGAL's three template parameters, mesh, border
-/// parameterizer and solver traits, need none. A run in which a model does not use the solver that it is given ends with
-/// `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`. Where multigrid does not suit a system, the model's own solver solves it, made
-/// by its default constructor; if it has none, a sparse LU factorization does. LSCM's system is factorized as a complex
-/// one there.
+/// parameterizer and solver traits, need none. A run in which a model does not use the solver that it is given ends
+/// with `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`. Where multigrid does not suit a system, the model's own solver solves it,
+/// made by its default constructor; if it has none, a sparse LU factorization does. LSCM's system is factorized as a
+/// complex one there.
 ///
 /// Its systems
 /// - have the same number `k` of unknowns at each vertex of the component; those of the vertex with the index `i` have

@@ -33,8 +33,8 @@ public:
   /// without flips. If not, they go to their stored barycentric coordinates, and flips are possible
   static constexpr bool is_flip_free;
 
-  /// optional: whether the method has no flips on the finest level either. If so, flips in a result are an error, and the
-  /// repair that `Flip_policy::REPAIR` asks for is not compiled
+  /// optional: whether the method has no flips on the finest level either. If so, flips in a result are an error, and
+  /// the repair that `Flip_policy::REPAIR` asks for is not compiled
   static constexpr bool is_result_flip_free;
 
   /// optional: whether `refine()` brings the vertices for which `level.is_fixed(v)` to `level.fixed_place(v)` and holds
@@ -83,8 +83,8 @@ public:
 
   /// optional, with `energy()`: improves a flip-free map of the finest level and keeps it flip-free. It is called with
   /// the map that `refine()` started from, if that has no flips and a repair of the result failed, moved a vertex whose
-  /// place is given, or moved more than a tenth of the vertices. It gives the result if the repair failed, or if its map
-  /// has less energy or more vertices at their given places.
+  /// place is given, or moved more than a tenth of the vertices. It gives the result if the repair failed, or if its
+  /// map has less energy or more vertices at their given places.
   ///
   /// \return `OK` or an error
   CGAL::Surface_mesh_parameterization::Error_code

@@ -24,7 +24,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// Weighted by the areas, the sum over the triangles is the energy that
 /// `CGAL::Surface_mesh_parameterization::ARAP_parameterizer_3` minimizes, half of
 /// \f[ \sum_t \Bigl( \sum_{i} \cot\theta_i \, | u_{i+1} - u_{i+2} - L_t ( x_{i+1} - x_{i+2} ) |^2
-///     + \lambda ( a_t^2 + b_t^2 - 1 )^2 \Bigr), \qquad L_t = \begin{pmatrix} a_t & b_t \\ -b_t & a_t \end{pmatrix}, \f]
+///     + \lambda ( a_t^2 + b_t^2 - 1 )^2 \Bigr), \qquad
+///     L_t = \begin{pmatrix} a_t & b_t \\ -b_t & a_t \end{pmatrix}, \f]
 /// minimized over all \f$ L_t \f$. The cotangents may be negative: they only express the Dirichlet integral of a
 /// triangle.
 ///

@@ -47,8 +47,10 @@ class Collapse_hierarchy_3
 {
 public:
   typedef internal::Index            Index;      ///< an unsigned integer type: rank of a vertex or of a face
-  typedef internal::Point_2          Point_2;    ///< `CGAL::Simple_cartesian<double>::Point_2`, whose predicates are not exact
-  typedef internal::Point_3          Point_3;    ///< `CGAL::Simple_cartesian<double>::Point_3`, whose predicates are not exact
+  typedef internal::Point_2          Point_2;    ///< `CGAL::Simple_cartesian<double>::Point_2`, whose predicates are
+                                                 ///< not exact
+  typedef internal::Point_3          Point_3;    ///< `CGAL::Simple_cartesian<double>::Point_3`, whose predicates are
+                                                 ///< not exact
   typedef internal::Index_triangle   Triangle;   ///< an array of three ranks of vertices, counter-clockwise
 
   /// `Eigen::SparseMatrix<double, Eigen::RowMajor>`. This header only declares it: include `<Eigen/SparseCore>` to use

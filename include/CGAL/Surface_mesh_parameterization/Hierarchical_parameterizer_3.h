@@ -144,8 +144,8 @@ public:
   ///   `Barycentric_mapping_parameterizer_3`, whose weights do not depend on lengths, `unit_edges` is `true` by default
   /// - `flip_policy`: not for an orbifold; a `Flip_policy`: the treatment of flips; default `REPAIR`, or `FAIL` for
   ///   barycentric and mean value coordinates with a border on a circle, whose maps have flips only by rounding, at
-  ///   border points that coincide, and in triangles with two edges on a hole, which are degenerate. If the repair of an
-  ///   LSCM map fails or has to move more than a tenth of the vertices, the map of `MIPS_parameterizer_3` takes its
+  ///   border points that coincide, and in triangles with two edges on a hole, which are degenerate. If the repair of
+  ///   an LSCM map fails or has to move more than a tenth of the vertices, the map of `MIPS_parameterizer_3` takes its
   ///   place
   /// - `fill_holes`: not for an orbifold; whether every border except the outer one is closed by a virtual vertex in
   ///   its middle; default `false`: the borders of holes are free. It works on a `Surface_mesh`, and on a

@@ -146,7 +146,8 @@ private:
     for (std::size_t i = 0; i < m_faces.size(); ++i) {
       halfedge_descriptor h = halfedge(m_faces[i], mesh);
       if (!is_triangle(h, mesh))
-        return fail(ERROR_NON_TRIANGULAR_MESH, Parameterization_error::FACE, internal::position_in(faces(mesh), m_faces[i]));
+        return fail(ERROR_NON_TRIANGULAR_MESH, Parameterization_error::FACE,
+                    internal::position_in(faces(mesh), m_faces[i]));
       internal::Index_triangle triangle;
       for (internal::Index& corner : triangle) {
         corner = read_vertex(target(h, mesh), index_of);

@@ -36,13 +36,13 @@ namespace CGAL::Surface_mesh_parameterization {
 /// of its parameterizers, or as the solver of functions of `Polygon_mesh_processing`. The solution is the same, and
 /// time and memory grow in proportion to the mesh.
 ///
-/// The solver uses conjugate gradients if the matrix is symmetric, else BiCGSTAB if it is diagonally dominant, and GMRES
-/// if it is not. The preconditioner is a V-cycle with an incomplete factorization as smoother, and full multigrid gives
-/// the first guess. A row with only a diagonal entry holds a given value, and its unknown is eliminated. If the residual
-/// does not become small enough, or if the matrix does not couple neighbors in the mesh, so that its unknowns must have
-/// another order, a sparse LU factorization takes over. Of nearly singular matrices, rounding may leave a residual above
-/// the tolerance, which `summary()` tells. If that is above 1e-3, relatively, or if there is no factorization, the
-/// functions return `false` and leave the solution unchanged.
+/// The solver uses conjugate gradients if the matrix is symmetric, else BiCGSTAB if it is diagonally dominant, and
+/// GMRES if it is not. The preconditioner is a V-cycle with an incomplete factorization as smoother, and full multigrid
+/// gives the first guess. A row with only a diagonal entry holds a given value, and its unknown is eliminated. If the
+/// residual does not become small enough, or if the matrix does not couple neighbors in the mesh, so that its unknowns
+/// must have another order, a sparse LU factorization takes over. Of nearly singular matrices, rounding may leave a
+/// residual above the tolerance, which `summary()` tells. If that is above 1e-3, relatively, or if there is no
+/// factorization, the functions return `false` and leave the solution unchanged.
 ///
 /// An object knows the hierarchy and the vertex of each unknown:
 /// \code
@@ -63,8 +63,10 @@ class Multigrid_solver_traits
 {
 public:
   typedef double                    NT;         ///< the number type
-  typedef internal::Sparse_matrix   Matrix;     ///< a matrix of the package's own, a model of `SparseLinearAlgebraTraits_d::Matrix`
-  typedef internal::Solver_vector   Vector;     ///< a vector of the package's own, a model of `SparseLinearAlgebraTraits_d::Vector`
+  typedef internal::Sparse_matrix   Matrix;     ///< a matrix of the package's own, a model of
+                                                ///< `SparseLinearAlgebraTraits_d::Matrix`
+  typedef internal::Solver_vector   Vector;     ///< a vector of the package's own, a model of
+                                                ///< `SparseLinearAlgebraTraits_d::Vector`
 
   /// Until a scope ends, objects that this thread makes by the default constructor share its solver. Scopes may be
   /// nested.

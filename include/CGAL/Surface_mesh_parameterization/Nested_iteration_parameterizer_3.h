@@ -57,10 +57,11 @@ class Nested_iteration_parameterizer_3
                                  internal::Names<>>>>>   Option_names;
 
 public:
-  typedef typename Method::Triangle_mesh                                      Triangle_mesh;          ///< the mesh type
-  typedef typename Method::Triangle_mesh                                      TriangleMesh;           ///< the same, as CGAL names it
+  typedef typename Method::Triangle_mesh   Triangle_mesh;   ///< the mesh type
+  typedef typename Method::Triangle_mesh   TriangleMesh;    ///< the same, as CGAL names it
 #ifdef DOXYGEN_RUNNING
-  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;    ///< a halfedge of the mesh
+  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor
+      halfedge_descriptor;   ///< a halfedge of the mesh
 #else
   typedef typename internal::Mesh_descriptors<Triangle_mesh>::halfedge_descriptor   halfedge_descriptor;
 #endif
@@ -133,10 +134,10 @@ public:
   ///
   /// \return `OK`; an error of `Mesh_component` or of the method; `ERROR_WRONG_PARAMETER` if the method fixed a vertex
   ///         at a place that is not finite, if `uvmap` cannot be read but must be, if the place of a constrained vertex
-  ///         is not finite, or if a weight is negative or not finite; `ERROR_NO_1_TO_1_MAPPING` if a vertex could not be
-  ///         inserted without a flip, because its neighbors lie too close together for doubles, if a constrained vertex
-  ///         could not be brought to its place without a flip, or if there are flips and the `Flip_policy` is `FAIL`;
-  ///         `ERROR_STOPPED` if the visitor stopped the run. The `summary` names a constrained vertex that is
+  ///         is not finite, or if a weight is negative or not finite; `ERROR_NO_1_TO_1_MAPPING` if a vertex could not
+  ///         be inserted without a flip, because its neighbors lie too close together for doubles, if a constrained
+  ///         vertex could not be brought to its place without a flip, or if there are flips and the `Flip_policy` is
+  ///         `FAIL`; `ERROR_STOPPED` if the visitor stopped the run. The `summary` names a constrained vertex that is
   ///         the cause, or the triangle whose corners contradict each other
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,

@@ -66,8 +66,8 @@ struct Linear_solver_summary
   /// the greatest relative residual of a solution, recomputed at the end; rows scaled to unit diagonal. It is at most
   /// the tolerance, unless rounding leaves more, as of a nearly singular matrix
   double residual = 0;
-  /// right-hand sides for which there was no multigrid, as with LSCM on small surfaces, or no convergence: the solver of
-  /// the parameterizer solved, or a direct one
+  /// right-hand sides for which there was no multigrid, as with LSCM on small surfaces, or no convergence: the solver
+  /// of the parameterizer solved, or a direct one
   std::size_t direct_solutions = 0;
   double seconds_setup = 0;           ///< wall-clock time of the setups
   double seconds_solve = 0;           ///< wall-clock time of the iterations and direct solutions

@@ -39,11 +39,12 @@ template <class Method, class TriangleMesh_, class ConcurrencyTag = Sequential_t
 class Refinable_parameterizer_base_3
 {
 public:
-  typedef TriangleMesh_                                                       Triangle_mesh;          ///< the mesh type
-  typedef TriangleMesh_                                                       TriangleMesh;           ///< the same, as CGAL names it
-  typedef ConcurrencyTag                                                      Concurrency_tag;        ///< whether several threads are used
+  typedef TriangleMesh_    Triangle_mesh;     ///< the mesh type
+  typedef TriangleMesh_    TriangleMesh;      ///< the same, as CGAL names it
+  typedef ConcurrencyTag   Concurrency_tag;   ///< whether several threads are used
 #ifdef DOXYGEN_RUNNING
-  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor    halfedge_descriptor;    ///< a halfedge of the mesh
+  typedef typename boost::graph_traits<Triangle_mesh>::halfedge_descriptor
+      halfedge_descriptor;   ///< a halfedge of the mesh
 #else
   typedef typename internal::Mesh_descriptors<Triangle_mesh>::halfedge_descriptor   halfedge_descriptor;
 #endif

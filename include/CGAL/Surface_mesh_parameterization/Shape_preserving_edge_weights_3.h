@@ -47,9 +47,9 @@ public:
   }
 
 private:
-  //        Wj                 The triangle of Wi that holds V: the ray from Wi through V leaves the ring by the edge WjWk. So Wj is the last one in
-  //       /| \  -              counter-clockwise order that is less than half a turn away from Wi.
-  //      / V---- Wi
+  //        Wj                 The triangle of Wi that holds V: the ray from Wi through V leaves the ring by the edge
+  //       /| \  -             WjWk. So Wj is the last one in counter-clockwise order that is less than half a turn
+  //      / V---- Wi           away from Wi.
   //     / -   -
   //    Wk
   void add_coordinates(std::size_t i, double factor, std::vector<double>& weights) const

@@ -75,8 +75,8 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   Default: 0.25, which only slender surfaces do not reach in one chart
 /// - `overlap_bound`: the part of a chart's triangles, from 0 to 1, that may lie over others, counted by their
 ///   centroids, when the method has minimized its energy, or before it keeps borders apart if it can do so. Where more
-///   do, the chart is divided; a part that exceeds `distortion_bound` is cut further. 1: no chart is divided. A `double`
-///   or a `std::optional<double>`. Default: 0.2
+///   do, the chart is divided; a part that exceeds `distortion_bound` is cut further. 1: no chart is divided. A
+///   `double` or a `std::optional<double>`. Default: 0.2
 /// - `hole_bound`: holes whose border is no longer than this part, from 0 to 1, of the square root of the component's
 ///   area are laid out as parts of the surface, closed by a virtual vertex in their middle, as scans have many of them.
 ///   The sides of cracks, where vertices at one place were not merged, get the same places. Not the longest border of a

@@ -40,13 +40,13 @@ struct Parameterization_quality
   /// not finite
   std::size_t flips = 0;
   std::size_t degenerate = 0;   ///< those of them whose corners lie on a line
-  std::size_t overlaps =
-      0;      ///< pairs of triangles whose interiors meet, by exact predicates; if a map overlaps itself many times, only a part is counted
+  std::size_t overlaps = 0;     ///< pairs of triangles whose interiors meet, by exact predicates; if a map overlaps
+                                ///< itself many times, only a part is counted
   bool is_mirrored = false;     ///< whether most triangles are negative, that is, clockwise
   double mips = 0;              ///< sum over the triangles of `s1/s2 + s2/s1`
   double mips_excess = 0;       ///< `mips` less its minimum, which is 2 per triangle
-  double symmetric_dirichlet =
-      0;      ///< mean over the surface's area of `s1^2 + s2^2 + 1/s1^2 + 1/s2^2`, after the best uniform scaling; at least 4
+  double symmetric_dirichlet = 0;   ///< mean over the surface's area of `s1^2 + s2^2 + 1/s1^2 + 1/s2^2`, after the best
+                                    ///< uniform scaling; at least 4
   double l2_stretch =
       0;      ///< root mean square stretch (Sander et al. 2001), after scaling to equal areas; at least 1
   double linf_stretch = 0;      ///< greatest stretch (Sander et al. 2001), after scaling to equal areas; at least 1

@@ -127,8 +127,8 @@ namespace IO {
 /// in the order of `faces(mesh)`. Coordinates are doubles, with the fewest digits that read back the same.
 ///
 /// Of a `CGAL::Seam_mesh` the surface is written uncut: its `v` lines are the vertices of the mesh that it cuts, in the
-/// order of that mesh. Only the texture coordinates are cut: there is a `vt` line for each vertex of the seam mesh, so a
-/// point on the seam has several.
+/// order of that mesh. Only the texture coordinates are cut: there is a `vt` line for each vertex of the seam mesh, so
+/// a point on the seam has several.
 ///
 /// \param os the stream; its state tells whether writing succeeded
 /// \param mesh a model of `FaceListGraph` with an internal vertex point map

@@ -11,8 +11,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The least t >= 0 at which the vectors p + t dp and q + t dq lie on one line and fulfill a condition; infinite if there
-// is none.
+// The least t >= 0 at which the vectors p + t dp and q + t dq lie on one line and fulfill a condition; infinite if
+// there is none.
 template <class Condition>
 double time_on_one_line(const Vector_2& p, const Vector_2& dp, const Vector_2& q, const Vector_2& dq,
                         const Condition& condition)

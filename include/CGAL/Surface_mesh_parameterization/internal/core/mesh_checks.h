@@ -249,8 +249,9 @@ struct Halfedge_uv_map_check
   static void tell()
   {
     static_assert(Halfedge_uv_map_check::value,
-                  "uvmap is no map from the halfedges of the mesh to points of the plane: it needs put(uvmap, h, point), "
-                  "get(uvmap, h) if it is read, and points with x(), y() and a constructor from two doubles");
+                  "uvmap is no map from the halfedges of the mesh to points of the plane: it needs "
+                  "put(uvmap, h, point), get(uvmap, h) if it is read, and points with x(), y() and a constructor from "
+                  "two doubles");
   }
 };
 

@@ -86,8 +86,8 @@ inline std::vector<Index> nearest_sources(const Shortest_paths& paths, const Cor
   return result;
 }
 
-// Joins all borders along a shortest spanning tree: each of its paths crosses an edge between the regions of places that
-// two borders are nearest to.
+// Joins all borders along a shortest spanning tree: each of its paths crosses an edge between the regions of places
+// that two borders are nearest to.
 inline void join_borders(Corner_mesh& mesh)
 {
   Shortest_paths paths(mesh);

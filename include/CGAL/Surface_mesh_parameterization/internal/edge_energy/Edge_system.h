@@ -27,7 +27,8 @@ class Edge_system
 {
 public:
   // Computes the weights of the edges of one vertex, see EdgeWeights_3.
-  typedef std::function<void(const Point_3&, const std::vector<Point_3>&, bool, std::vector<double>&)>   Weight_function;
+  typedef std::function<void(const Point_3&, const std::vector<Point_3>&, bool, std::vector<double>&)>
+      Weight_function;
 
   template <class EdgeWeights>
   Edge_system(const Level& level, const EdgeWeights& weights)

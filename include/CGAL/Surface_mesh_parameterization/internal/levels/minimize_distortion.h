@@ -34,8 +34,8 @@ void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv
 Error_code minimize_energy(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
                            Level_summary& summary);
 
-// The same for a map that must stay free of flips, and of borders that meet if the options say so. If the result is bad,
-// other starts are tried, unless places are given or wished for; these also keep it from being scaled.
+// The same for a map that must stay free of flips, and of borders that meet if the options say so. If the result is
+// bad, other starts are tried, unless places are given or wished for; these also keep it from being scaled.
 // Returns `ERROR_NO_1_TO_1_MAPPING` also if the borders could not be separated, and may return `GIVEN_UP`.
 Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, Level::Uv& uv,
                               const Refinement_options& options, Level_summary& summary);

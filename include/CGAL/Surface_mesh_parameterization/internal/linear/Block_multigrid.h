@@ -30,7 +30,8 @@ struct Block_multigrid_options
   std::size_t groups_per_grid = 5;        // collapse groups from one grid to the next
   std::size_t coarsest_size = 1000;       // a grid of so many vertices is solved directly
   int sweeps = 2;                         // of the smoother, before and after the coarse grids
-  bool has_k_cycles = false;              // two steps of conjugate gradients on each coarse grid, see take_second_step()
+  bool has_k_cycles = false;              // two steps of conjugate gradients on each coarse grid, see
+                                          // take_second_step()
   double shift =
       1e-10;      // of the coarsest matrix, that is singular: the energies do not change when the plane is moved
 };

@@ -86,8 +86,8 @@ std::unique_ptr<Direct_solver> factorize_hermitian(const Sparse_rows<Complex<Rea
 
 // The factorization L U of any regular matrix of dimension n; null if it is singular.
 //
-// All three are templates for the sake of who uses the package header-only: what is not called is not compiled, and this
-// one takes long.
+// All three are templates for the sake of who uses the package header-only: what is not called is not compiled, and
+// this one takes long.
 template <class Real = double>
 std::unique_ptr<Direct_solver> factorize(Index n, const std::vector<Matrix_entry>& entries);
 
@@ -113,8 +113,8 @@ std::unique_ptr<Direct_solver> factorize_rows(const Sparse_rows<double>& a)
   return factorize<Real>(a.number_of_rows(), entries_of(a));
 }
 
-// The same of a symmetric matrix that should be a complex one, see complex_rows(): as such, it takes a third of the memory
-// and of the time.
+// The same of a symmetric matrix that should be a complex one, see complex_rows(): as such, it takes a third of the
+// memory and of the time.
 template <class Real = double>
 std::unique_ptr<Direct_solver> factorize_as_complex(const Sparse_rows<Real>& a)
 {

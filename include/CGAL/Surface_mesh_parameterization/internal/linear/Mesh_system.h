@@ -97,7 +97,10 @@ public:
 
   // Row i of the scaled matrix times x.
   template <class Vector>
-  typename Vector::value_type row_times(Index i, const Vector& x) const { return row_scale(i) * m_rows->row_times(i, x); }
+  typename Vector::value_type row_times(Index i, const Vector& x) const
+  {
+    return row_scale(i) * m_rows->row_times(i, x);
+  }
 
   // The residual of the free unknowns in scaled rows, 0 for the fixed ones.
   template <class Right_sides, class Vector>

@@ -30,8 +30,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Solves a linear system whose unknowns sit at the vertices of a hierarchy, for as many right sides as it has
 // `columns`: conjugate gradients if it is symmetric; if not, stabilized bi-conjugate gradients, or minimal residuals if
-// it is not diagonally dominant. They are preconditioned by V-cycles, from the first guess of full multigrid. Where they
-// do not arrive, it solves directly.
+// it is not diagonally dominant. They are preconditioned by V-cycles, from the first guess of full multigrid. Where
+// they do not arrive, it solves directly.
 //
 // `Real` is the type of the grids' numbers: with single precision they take half the memory, and are exact enough for a
 // preconditioner.

@@ -75,8 +75,8 @@ public:
   // Solves for one right side with the last matrix.
   bool solve(const Vector& right_side, Vector& solution);
 
-  // Finds what was put off. Returns false if one of the solutions that nobody has been told of could not be found: those
-  // that finish() or a reader asked for. The second call of a pair tells of both itself.
+  // Finds what was put off. Returns false if one of the solutions that nobody has been told of could not be found:
+  // those that finish() or a reader asked for. The second call of a pair tells of both itself.
   bool finish();
 
 private:

@@ -13,7 +13,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 //   solve(b, x)                       on the coarsest grid
 //   smooth_from_zero(g, b, x), smooth(g, b, x)
 //   restrict_residual(g, b, x)        to right_side(g + 1)
-//   solve_coarse(g + 1)               from right_side(g + 1) to solution(g + 1), by cycles on this grid: one in a V-cycle
+//   solve_coarse(g + 1)               from right_side(g + 1) to solution(g + 1), by cycles on this grid: one in a
+//                                     V-cycle
 //   add_correction(g, x)              from solution(g + 1)
 template <class Multigrid, class Vector>
 void v_cycle(Multigrid& multigrid, std::size_t g, const Vector& b, Vector& x)

@@ -20,7 +20,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 template <class TriangleMesh>
 struct Longest_border
 {
-  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor   halfedge = boost::graph_traits<TriangleMesh>::null_halfedge();
+  typename boost::graph_traits<TriangleMesh>::halfedge_descriptor   halfedge =
+      boost::graph_traits<TriangleMesh>::null_halfedge();
   std::size_t number_of_borders = 0;
 };
 

@@ -28,7 +28,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 template <class TriangleMesh>
 class Border_maps
 {
-  typedef typename boost::property_map<TriangleMesh, vertex_point_t>::const_type                             Vertex_point_map;
+  typedef typename boost::property_map<TriangleMesh, vertex_point_t>::const_type   Vertex_point_map;
   typedef typename CGAL::Kernel_traits<typename boost::property_traits<Vertex_point_map>::value_type>::Kernel  Kernel;
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor      vertex_descriptor;
   typedef std::unordered_map<vertex_descriptor, typename Kernel::Point_2>    Places;

@@ -51,7 +51,8 @@ public:
   // cuts them. A contact that is moved as a whole is not resisted: where the map turns, that is far.
   static constexpr double damping = 0.05;
 
-  // Adds the Hessian of the contacts' energies to the matrix of this pattern, whose blocks are those of the mesh as yet.
+  // Adds the Hessian of the contacts' energies to the matrix of this pattern, whose blocks are those of the mesh as
+  // yet.
   void add(const Contacts& contacts, Block_matrix& matrix) const
   {
     for (const auto& [v, w] : m_joined)

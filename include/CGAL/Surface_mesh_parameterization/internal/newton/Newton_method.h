@@ -223,8 +223,8 @@ private:
     }
   }
 
-  // A part of the map that turns moves along circles, and what turns along straight lines is stretched: where long parts
-  // turn, this cuts steps short. An energy that scales do not change hardly minds.
+  // A part of the map that turns moves along circles, and what turns along straight lines is stretched: where long
+  // parts turn, this cuts steps short. An energy that scales do not change hardly minds.
   bool is_worth_bending(const Step& step) const
   {
     return step.length < 1 && step.cycles >= m_options.least_cycles_before_bend && m_energy.is_flip_free() &&

@@ -21,8 +21,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The side of a square that should hold charts of these areas, each grown by the part of its box that it covers when the
-// box grows by the margin, a part of that side.
+// The side of a square that should hold charts of these areas, each grown by the part of its box that it covers when
+// the box grows by the margin, a part of that side.
 inline double guessed_side(const std::vector<Flat_chart>& charts, const std::vector<double>& areas, double margin)
 {
   constexpr double guessed_part = 0.75;

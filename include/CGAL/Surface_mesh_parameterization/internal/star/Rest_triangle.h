@@ -24,7 +24,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // With a, b, v the images in the plane, the squared Frobenius norm of the map is quadratic and its determinant linear
 // in v:
 //
-//     area (s1^2 + s2^2) = |v - (a + foot ab)|^2 / (2 height) + height |ab|^2 / 2,       area s1 s2 = cross(ab, v - a) / 2.
+//     area (s1^2 + s2^2) = |v - (a + foot ab)|^2 / (2 height) + height |ab|^2 / 2,   area s1 s2 = cross(ab, v - a) / 2.
 struct Rest_corner
 {
   double foot, height, inverse_area;

@@ -106,8 +106,8 @@ struct Own_solver_traits<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
   typedef void   type;
 };
 
-// How systems are solved that are not for multigrid: complex ones by a factorization of their own; others as without the
-// adaptor, where that is known and nobody has to say how the solver is made, else by a factorization, too.
+// How systems are solved that are not for multigrid: complex ones by a factorization of their own; others as without
+// the adaptor, where that is known and nobody has to say how the solver is made, else by a factorization, too.
 template <class Parameterizer>
 void set_direct_solver(Linear_solver_options& options)
 {

@@ -38,8 +38,8 @@ struct Plain_solver_use
   static constexpr bool has_positive_weights = false;     // see may_have_flips
   static constexpr double part_of_solution = 0.9;         // of what is left of a run, the time of a solution
 
-  // Of the matrices that are for multigrid, see Linear_solver_options. Cotangent weights of the worst triangles stay below
-  // a half of this.
+  // Of the matrices that are for multigrid, see Linear_solver_options. Cotangent weights of the worst triangles stay
+  // below a half of this.
   static constexpr double greatest_row_sum = 10;
 
   // How far iterations go on below the tolerance, see there, too. Where a matrix is not diagonally dominant or depends

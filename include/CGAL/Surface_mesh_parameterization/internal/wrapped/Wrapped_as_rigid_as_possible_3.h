@@ -26,7 +26,8 @@ class Wrapped_as_rigid_as_possible_3
   typedef parameters::Default_named_parameters                   Default_parameters;
 
 public:
-  typedef typename Default::Get<BorderParameterizer, Two_vertices_parameterizer_3<TriangleMesh_>>::type   Border_parameterizer;
+  typedef typename Default::Get<BorderParameterizer, Two_vertices_parameterizer_3<TriangleMesh_>>::type
+      Border_parameterizer;
 
   // The arguments are those of ARAP_parameterizer_3's constructors, less the solver; named parameters, of the method
   // and of the hierarchy, may follow them. The border parameterizer is not needed: the border is free, and what it pins

@@ -44,8 +44,8 @@ template <class TriangleMesh>
 class Wrapped_run
 {
 public:
-  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor                                    vertex_descriptor;
-  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor                                  halfedge_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor     vertex_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor   halfedge_descriptor;
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int>>::const_type     Index_map;
 
   // Reads the component of `bhd`. Whether the run can go on is told by error().
