@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/number_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/first_maps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/lead_to_places.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Place_constraints.h>
@@ -169,7 +170,7 @@ private:
   static Error_code lead_to_places(const Level& level, Level::Uv& uv, Level_summary& summary)
   {
     const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, Triangle_weight::AREA);
-    return internal::lead_to_places(energy, false, uv, summary);
+    return internal::lead_to_places(internal::Level_energy_with_springs(energy, {}), false, uv, summary);
   }
 
   double m_lambda = 1000;

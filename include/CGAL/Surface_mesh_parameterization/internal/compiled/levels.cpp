@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_attempts_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/first_maps_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/lead_to_places_impl.h>

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/soften_springs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
@@ -29,19 +30,21 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // against the energy of the triangles, which keeps them positive; then those that have come near go to their places,
 // where the map stays valid, and are held there from then on.
 //
-// One that triangles keep from its place gets stiffer springs, and pays with distortion.
+// One that triangles keep from its place gets stiffer springs, and pays with distortion. The user's own springs become
+// as stiff as they are in the same rounds: at once they would crush triangles in their way, for good.
 class Place_leader
 {
 public:
-  Place_leader(const Level_energy& energy, bool borders_must_not_meet, Level::Uv& uv, Level_summary& summary)
+  Place_leader(const Level_energy_with_springs& energy, bool borders_must_not_meet, Level::Uv& uv,
+               Level_summary& summary)
     : m_energy(energy), m_level(energy.level()), m_uv(uv), m_summary(summary),
       m_displaced(displaced_vertices(m_level, uv))
   {
-    if (borders_must_not_meet && !m_displaced.empty())
+    if (borders_must_not_meet && !is_done())
       m_barrier = std::make_unique<Border_barrier>(m_level, Newton_options().barrier_stiffness * energy.mean_weight());
   }
 
-  bool is_done() const { return m_displaced.empty(); }
+  bool are_fixed_vertices_at_places() const { return m_displaced.empty(); }
 
   // Returns false if a visitor stopped the run.
   bool run()
@@ -65,6 +68,8 @@ public:
   }
 
 private:
+  typedef Triangulated_surface_3::Spring   Spring;
+
   // Of the springs, relative to what the energy has at a vertex whose triangles are hardly distorted: at first, the
   // factor from one round to the next where a round no longer brings the vertices nearer by this part, and at last: on
   // the finest level, and on others, that may be too coarse for the places.
@@ -87,6 +92,12 @@ private:
     return m_level.progressed(m_summary, 0);
   }
 
+  bool is_done() const
+  {
+    return are_fixed_vertices_at_places() &&
+           (m_has_springs_in_full || m_energy.energy_of_springs(m_uv) <= m_energy.without_springs()(m_uv));
+  }
+
   const Point_2& place(Index v) const { return m_level.fixed_place(v); }
 
   // The greatest distance of a vertex from its place.
@@ -98,13 +109,10 @@ private:
     return std::sqrt(result);
   }
 
-  // Newton's method with springs of that stiffness.
+  // Newton's method with springs of that stiffness, and with the user's up to it.
   bool pull(double stiffness)
   {
-    std::vector<Level_energy_with_springs::Spring> springs;
-    for (const Index v : m_displaced)
-      springs.push_back({ v, place(v), stiffness * unit_of_stiffness(v) });
-    const Level_energy_with_springs energy(m_energy, springs);
+    const Level_energy_with_springs energy(m_energy.without_springs(), springs_up_to(stiffness));
     Newton_method newton(energy, m_barrier.get());
     newton.fix_vertices(settled_vertices());
     double current = energy(m_uv);
@@ -121,6 +129,16 @@ private:
     return true;
   }
 
+  std::vector<Spring> springs_up_to(double stiffness)
+  {
+    std::vector<Spring> result = m_energy.springs();
+    m_has_springs_in_full = !soften_springs(m_energy, stiffness, m_uv, result);
+    for (const Index v : m_displaced)
+      result.push_back({ v, place(v), stiffness * unit_of_stiffness(v) });
+    std::sort(result.begin(), result.end(), [](const Spring& s, const Spring& t) { return s.vertex < t.vertex; });
+    return result;
+  }
+
   std::vector<Index> settled_vertices() const
   {
     const std::vector<Index> all = fixed_vertices(m_level);
@@ -129,16 +147,12 @@ private:
     return result;
   }
 
-  // The weight of the triangles at a vertex by the mean square of the lengths of its edges.
   double unit_of_stiffness(Index v) const
   {
-    double squares = 0, weights = 0;
+    double squares = 0;
     for (const Index w : m_level.one_ring(v))
       squares += (m_uv[w] - m_uv[v]).squared_length();
-    const Rest_corners corners = m_level.rest_corners(v);
-    for (std::size_t i = 0; i < m_level.number_of_triangles(v); ++i)
-      weights += m_energy.weight(corners[i]);
-    return weights * double(m_level.one_ring(v).size()) / squares;
+    return stiffness_of_triangles(m_energy, v, squares);
   }
 
   // Lets vertices that are nearer to their places than that part of the way to the opposite edges go there.
@@ -172,10 +186,11 @@ private:
     return true;
   }
 
-  const Level_energy& m_energy;
+  const Level_energy_with_springs& m_energy;
   const Level& m_level;
   Level::Uv& m_uv;
   Level_summary& m_summary;
+  bool m_has_springs_in_full = false;             // the user's, in the last round
   std::vector<Index> m_displaced;
   std::unique_ptr<Border_barrier> m_barrier;      // none unless borders must not meet
 };

@@ -8,15 +8,15 @@
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Brings the vertices of a level whose places are given there, in a valid map that stays valid. An energy that keeps
-// triangles positive decides how the others follow. If `borders_must_not_meet`, no borders do that did not before.
+// Brings the vertices of a level whose places are given there, and those that stiff springs pull near to theirs, in a
+// valid map that stays valid. An energy that keeps triangles positive decides how the others follow. If `borders_must_not_meet`, no borders do that did not before.
 //
-// Returns `OK`; `ERROR_NO_1_TO_1_MAPPING` if some are still elsewhere, as near as they came; or `ERROR_STOPPED`.
-Error_code lead_to_places(const Level_energy& energy, bool borders_must_not_meet, Level::Uv& uv,
+// Returns `OK`; `ERROR_NO_1_TO_1_MAPPING` if some of the first are still elsewhere, as near as they came; or `ERROR_STOPPED`.
+Error_code lead_to_places(const Level_energy_with_springs& energy, bool borders_must_not_meet, Level::Uv& uv,
                           Level_summary& summary);
 
 // Where all vertices of a level have given places, or springs that pull them to some, takes these if that is a map of

@@ -17,15 +17,13 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code lead_to_places(const Level_energy& energy, bool borders_must_not_meet, Level::Uv& uv,
+Error_code lead_to_places(const Level_energy_with_springs& energy, bool borders_must_not_meet, Level::Uv& uv,
                           Level_summary& summary)
 {
   Place_leader leader(energy, borders_must_not_meet, uv, summary);
-  if (leader.is_done())
-    return OK;
   if (!leader.run())
     return ERROR_STOPPED;
-  return leader.is_done() ? OK : ERROR_NO_1_TO_1_MAPPING;
+  return leader.are_fixed_vertices_at_places() ? OK : ERROR_NO_1_TO_1_MAPPING;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

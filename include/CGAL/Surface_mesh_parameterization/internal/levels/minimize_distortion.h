@@ -13,20 +13,6 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Tutte's map of a level, scaled to the surface's area, or near the places of vertices if some are given or wished for.
-// Returns what compute_Tutte_embedding() does.
-Error_code compute_first_map(const Level& level, Level::Uv& uv);
-
-// The same, or the unfolded level if that is a map of less energy. No borders meet if the options say so.
-Error_code choose_first_map(const Level_energy& energy, const Refinement_options& options, Level::Uv& uv);
-
-// The factor that brings a map to the area of the surface; 0 if the surface has none in doubles.
-double scale_of_area(const Level& level, const Level::Uv& uv);
-
-// Scales a map so that it has the area of the surface. Where rounding would spoil it, the nearest power of two is taken
-// instead, which is exact. Where `borders_must_not_meet`, that counts as spoilt, too.
-void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv);
-
 // Minimizes an energy from a map that is valid, if the energy keeps triangles positive, with the springs of the level.
 // Vertices whose places are given are brought there, or held where they are if the energy lets triangles flip.
 // Returns `OK`, `ERROR_STOPPED`, or `ERROR_NO_1_TO_1_MAPPING` if on the finest level one could not be brought to its

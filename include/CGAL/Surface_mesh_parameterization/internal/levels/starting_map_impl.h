@@ -4,13 +4,13 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_STARTING_MAP_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_STARTING_MAP_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/scale_of_area.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/first_maps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/starting_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
-#include <cmath>
 #include <cstddef>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -31,7 +31,7 @@ bool bring_to_scale(const Level& level, bool borders_must_not_meet, Level::Uv& u
 {
   constexpr double greatest_factor = 2;
   const double factor = scale_of_area(level, uv);
-  if (!(factor > 0 && std::isfinite(factor)))
+  if (!(factor > 0))
     return false;
   if (factor > greatest_factor || 1 / factor > greatest_factor)
     scale_to_area(level, borders_must_not_meet, uv);

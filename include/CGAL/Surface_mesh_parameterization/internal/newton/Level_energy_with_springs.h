@@ -31,6 +31,9 @@ public:
     : Level_energy(energy), m_energy(energy), m_springs(std::move(springs))
   { }
 
+  const Level_energy& without_springs() const { return m_energy; }
+  const std::vector<Spring>& springs() const { return m_springs; }
+
   // The part of the springs.
   double energy_of_springs(const Level::Uv& uv) const { return sum_of_springs(m_springs.begin(), m_springs.end(), uv); }
 

@@ -1,0 +1,107 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_FIRST_MAPS_IMPL_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_FIRST_MAPS_IMPL_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/scale_of_area.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/best_similarity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/first_maps.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/unfolding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void move_near_places(const Level& level, Level::Uv& uv)
+{
+  std::vector<std::pair<Point_2, Point_2>> pairs;
+  for (const Index v : fixed_vertices(level))
+    pairs.push_back({ uv[v], level.fixed_place(v) });
+  for (const Triangulated_surface_3::Spring& s : springs(level))
+    pairs.push_back({ uv[s.vertex], s.place });
+  if (!pairs.empty())
+    apply_if_valid(best_similarity(pairs), level, uv);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code compute_first_map(const Level& level, Level::Uv& uv)
+{
+  const Error_code status = compute_Tutte_embedding(level, uv);
+  if (status == OK) {
+    scale_to_area(level, false, uv);
+    move_near_places(level, uv);
+  }
+  return status;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void scale_to_energy(const Level_energy& energy, Level::Uv& uv)
+{
+  constexpr double least_step = 0.01;
+  double exponent = 0, least = energy(uv);
+  const auto try_exponent = [&](double other) {
+    const double value = energy(scaled(uv, std::exp2(other)));
+    if (!(value < least))
+      return false;
+    least = value;
+    exponent = other;
+    return true;
+  };
+  for (double step = 1; step > least_step; step /= 4)
+    while (try_exponent(exponent + step) || try_exponent(exponent - step))
+      ;
+  Level::Uv result = scaled(uv, std::exp2(exponent));
+  if (is_map_valid(energy.level().rings(), result, energy.level().loops()))
+    uv.swap(result);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool unfold_to_lower_energy(const Level_energy& energy, bool has_map, const Refinement_options& options,
+                            Level::Uv& uv)
+{
+  const Level& level = energy.level();
+  Level::Uv unfolded;
+  const bool is_better = unfold(level, unfolded) && !(has_map && !(energy(unfolded) < energy(uv))) &&
+                         !(options.is_globally_injective && has_crossings(border_edges(level.rings()), unfolded));
+  if (is_better)
+    uv.swap(unfolded);
+  return is_better;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code choose_first_map(const Level_energy& energy, const Refinement_options& options, Level::Uv& uv)
+{
+  const Level& level = energy.level();
+  const Error_code status = compute_first_map(level, uv);
+  if (!unfold_to_lower_energy(energy, status == OK, options, uv))
+    return status;
+  move_near_places(level, uv);
+  return OK;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv)
+{
+  const double scale = scale_of_area(level, uv);
+  if (!(scale > 0))
+    return;
+  Level::Uv result = scaled(uv, scale);
+  const bool is_spoilt = !is_map_valid(level.rings(), result, level.loops()) ||
+                         (borders_must_not_meet && has_crossings(border_edges(level.rings()), result));
+  if (is_spoilt)
+    result = scaled(uv, std::exp2(std::round(std::log2(scale))));
+  uv.swap(result);
+}
+
+} // namespace CGAL::Surface_mesh_parameterization::internal
+
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_FIRST_MAPS_IMPL_H
