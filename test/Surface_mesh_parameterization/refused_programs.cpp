@@ -445,6 +445,29 @@ auto wrong(Mesh& m, Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv
 }
 }
 
+namespace Vertices_held_in_charts { // the vertices of charts are not those of the mesh
+auto wrong(Mesh& m, Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv,
+           Mesh::Property_map<Mesh::Vertex_index, bool> is_held)
+{
+  return SMP::atlas_parameterization(m, uv, np::default_values(), np::vertex_is_constrained_map(is_held));
+}
+}
+
+namespace Springs_in_charts { // the vertices of charts are not those of the mesh
+auto wrong(Mesh& m, Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv,
+           Mesh::Property_map<Mesh::Vertex_index, double> weights)
+{
+  return SMP::atlas_parameterization(m, uv, np::default_values(), np::position_weight_map(weights));
+}
+}
+
+namespace Start_for_charts { // the named parameter 'initial_map' has no effect on charts
+auto wrong(Mesh& m, Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv)
+{
+  return SMP::atlas_parameterization(m, uv, np::default_values(), np::initial_map(true));
+}
+}
+
 namespace Option_of_CGAL { // a named parameter of CGAL's has no effect here
 auto wrong(Mesh& m, UV_map uv)
 {

@@ -103,7 +103,9 @@ TEST(Overlapping_pairs, of_random_triangles_on_a_grid)
         p = { long(random.below(5)), long(random.below(5)) };
     const bool overlaps = area_of(pair[0]) != 0 && area_of(pair[1]) != 0 && !is_separated_by_edge(pair[0], pair[1]) &&
                           !is_separated_by_edge(pair[1], pair[0]);
-    EXPECT_EQ(number_of_overlapping_pairs({ as_triangle(pair[0]), as_triangle(pair[1]) }), overlaps ? 1u : 0u);
+    const std::vector<Triangle_2> both = { as_triangle(pair[0]), as_triangle(pair[1]) };
+    EXPECT_EQ(number_of_overlapping_pairs(both), overlaps ? 1u : 0u);
+    EXPECT_EQ(internal::has_overlapping_pairs(both), overlaps);
     overlapping += overlaps;
   }
   EXPECT_GT(overlapping, 4000u);

@@ -245,4 +245,23 @@ TEST(Write_SVG, draws_every_triangle)
   EXPECT_EQ(text.find("nan"), std::string::npos);
 }
 
+// A map that is scaled by a power of two has the same picture, also where doubles end.
+TEST(Write_SVG, does_not_depend_on_the_scale)
+{
+  const Flat_mesh surface = grid(4, 3, flat);
+  std::string picture;
+  for (const int exponent : { 0, -3, -500, -1022, -1040, 500, 1000, 1020 }) {
+    Mapped_mesh mapped(surface);
+    for (const auto v : vertices(mapped.mesh)) {
+      const auto& p = surface.points[std::size_t(v)];
+      put(mapped.uvmap, v, Kernel::Point_2(std::ldexp(16 * p.x() - 8, exponent), std::ldexp(16 * p.y(), exponent)));
+    }
+    std::ostringstream file;
+    SMP::IO::write_SVG(file, mapped.mesh, faces(mapped.mesh), mapped.uvmap);
+    if (exponent == 0)
+      picture = file.str();
+    EXPECT_EQ(file.str(), picture) << exponent;
+  }
+}
+
 } // namespace test_results

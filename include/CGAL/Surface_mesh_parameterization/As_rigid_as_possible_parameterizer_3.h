@@ -106,7 +106,8 @@ public:
 
   /// improves a flip-free map of a level and keeps it flip-free. On the finest level, minimizes the energy, and flips
   /// are possible.
-  /// \return `OK`, `ERROR_STOPPED`, or `ERROR_WRONG_PARAMETER` if an option is negative or no number
+  /// \return `OK`; `ERROR_NO_1_TO_1_MAPPING` if on the finest level a vertex could not be brought to the place that is
+  /// given; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if an option is negative or no number
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     if (fault_of_options())
@@ -127,7 +128,7 @@ public:
   /// improves a flip-free map of a level for the symmetric Dirichlet energy, and keeps it flip-free. On the finest
   /// level this is the result where a repair of flips would fail, move a vertex that is held, or leave little of the
   /// map at a higher energy.
-  /// \return `OK`, or `ERROR_STOPPED`
+  /// \return `OK`; `ERROR_NO_1_TO_1_MAPPING` as refine(); `ERROR_STOPPED`
   Error_code refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     constexpr double tolerance_of_start = 1e-3;

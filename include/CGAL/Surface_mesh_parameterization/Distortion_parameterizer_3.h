@@ -128,7 +128,8 @@ public:
 
   /// improves a flip-free map of a level and keeps it flip-free.
   /// \return `OK`, or `ERROR_NO_1_TO_1_MAPPING` if `globally_injective` is true and the borders could not be
-  ///         separated, or if the energy is not finite on the finest level; `ERROR_STOPPED`;
+  ///         separated, or if on the finest level the energy is not finite or a vertex could not be brought to the
+  ///         place that is given; `ERROR_STOPPED`;
   ///         `ERROR_WRONG_PARAMETER` if an option makes no sense
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {

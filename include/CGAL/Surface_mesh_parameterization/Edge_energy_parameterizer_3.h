@@ -49,7 +49,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \tparam BorderParameterizer one of CGAL's border parameterizers, a model of `Parameterizer_3` that places the border
 /// only
 /// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result
-/// is the same. The factors of the multigrid method's smoother, and sweeps with them, are left to one thread
+/// is the same
 template <class TriangleMesh_, class EdgeWeights,
           class BorderParameterizer = Circular_border_arc_length_parameterizer_3<TriangleMesh_>,
           class ConcurrencyTag = Sequential_tag>

@@ -82,8 +82,9 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   The sides of cracks, where vertices at one place were not merged, get the same places. Not the longest border of a
 ///   component and seams, nor with `join_borders`. Energies, flips and levels of charts are those of the closed ones.
 ///   0: none. A `double` or a `std::optional<double>`. Default: 0.1
-/// \param np_of_charts those of `hierarchical_parameterization()` except `summary`, for every chart. A `visitor` is
-///        told of one chart after the other, and of the parts of a chart that is divided, with `CGAL::Parallel_tag` of
+/// \param np_of_charts those of `hierarchical_parameterization()` for every chart, but for `summary`, `overlap_bound` and
+///        those that tell of the mesh's vertices: `vertex_is_constrained_map`, `position_weight_map` and `initial_map`. A
+///        `visitor` is told of one chart after the other, and of the parts of a chart that is divided, with `CGAL::Parallel_tag` of
 ///        several at the same time, in their threads; if it stops one, no other one begins, and there is no atlas.
 ///        It is not asked while the surface is cut and while charts are packed
 ///
@@ -100,10 +101,7 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
                            internal::Halfedge_uv_map_check<HalfedgeUVMap, TriangleMesh>>   Check;
   if constexpr (Check::value) {
     internal::assert_names<internal::Atlas_names>(np);
-    static_assert(parameters::is_default_parameter<Chart_parameters, internal_np::summary_t>::value,
-                  "the named parameter 'summary' has no effect on charts: what is returned has the summary of each");
-    static_assert(parameters::is_default_parameter<Chart_parameters, internal_np::overlap_bound_t>::value,
-                  "the named parameter 'overlap_bound' is one of the atlas, not of charts");
+    internal::assert_names_of_charts<Chart_parameters>();
     typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor   edge_descriptor;
     CGAL::Real_timer timer;
     timer.start();

@@ -40,19 +40,19 @@ struct Parameterization_quality
   /// not finite
   std::size_t flips = 0;
   std::size_t degenerate = 0;   ///< those of them whose corners lie on a line
-  std::size_t overlaps = 0;     ///< pairs of triangles whose interiors meet, by exact predicates; if a map overlaps
-                                ///< itself many times, only a part is counted
+  std::size_t overlaps = 0;     ///< pairs of triangles whose interiors meet, by exact predicates; if more than 100
+                                ///< million pairs are near each other, those among the first 100 million
   bool is_mirrored = false;     ///< whether most triangles are negative, that is, clockwise
   double mips = 0;              ///< sum over the triangles of `s1/s2 + s2/s1`
   double mips_excess = 0;       ///< `mips` less its minimum, which is 2 per triangle
-  double symmetric_dirichlet = 0;   ///< mean over the surface's area of `s1^2 + s2^2 + 1/s1^2 + 1/s2^2`, after the best
-                                    ///< uniform scaling; at least 4
-  double l2_stretch =
-      0;      ///< root mean square stretch (Sander et al. 2001), after scaling to equal areas; at least 1
+  /// mean over the surface's area of `s1^2 + s2^2 + 1/s1^2 + 1/s2^2`, after the best uniform scaling; at least 4
+  double symmetric_dirichlet = 0;
+  double l2_stretch = 0;        ///< root mean square stretch (Sander et al. 2001), after scaling to equal areas; at
+                                ///< least 1
   double linf_stretch = 0;      ///< greatest stretch (Sander et al. 2001), after scaling to equal areas; at least 1
   double angle = 0;             ///< mean over the area of `(s1/s2 + s2/s1) / 2`; at least 1, for a conformal map
-  double area =
-      0;      ///< mean over the area of `(r + 1/r) / 2`, with `r = s1 s2` after scaling to equal areas; at least 1
+  double area = 0;              ///< mean over the area of `(r + 1/r) / 2`, with `r = s1 s2` after scaling to equal
+                                ///< areas; at least 1
 };
 
 namespace internal {
@@ -199,7 +199,7 @@ bool is_map_one_to_one(const TriangleMesh& mesh, const FaceRange& face_range, Ve
   if (turn_of_all == RIGHT_TURN)
     mirror(borders.uv);
   return are_borders_one_to_one(borders.edges, borders.uv) ||
-         (!has_crossings(borders.edges, borders.uv) && number_of_overlapping_pairs(triangles) == 0);
+         (!has_crossings(borders.edges, borders.uv) && !has_overlapping_pairs(triangles));
 }
 
 } // namespace internal

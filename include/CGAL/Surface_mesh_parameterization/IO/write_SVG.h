@@ -46,14 +46,21 @@ public:
   void write(Text_writer& os) const
   {
     constexpr double size = 1000;
-    const double width = (std::max)(0., m_box.xmax() - m_box.xmin()),     // of no triangle: that from infinity back
-                 height_of_box = (std::max)(0., m_box.ymax() - m_box.ymin()), extent = (std::max)(width, height_of_box);
+    const int exponent = exponent_of_coordinates();
+    const Bbox_2 box(std::ldexp(m_box.xmin(), -exponent), std::ldexp(m_box.ymin(), -exponent),
+                     std::ldexp(m_box.xmax(), -exponent), std::ldexp(m_box.ymax(), -exponent));
+    const double width = (std::max)(0., box.xmax() - box.xmin()),     // of no triangle: that from infinity back
+                 height_of_box = (std::max)(0., box.ymax() - box.ymin()), extent = (std::max)(width, height_of_box);
     const double scale = extent > 0 ? size / extent : 1;
     const double map_width = scale * width, map_height = scale * height_of_box;
     const double height = (std::max)(map_height, bar_height + 2 * bar_room);
     os << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << rounded(map_width + bar_space + 2 * margin)
        << ' ' << rounded(height + 2 * margin) << "\" stroke=\"#222\" stroke-width=\"0.4\" stroke-linejoin=\"round\">\n";
-    write_triangles(os, scale, margin + 0.5 * (height - map_height));
+    const double top = margin + 0.5 * (height - map_height);
+    write_triangles(os, [&](const Point_2& p) {
+      return Point_2(margin + scale * (std::ldexp(p.x(), -exponent) - box.xmin()),
+                     top + scale * (box.ymax() - std::ldexp(p.y(), -exponent)));
+    });
     write_bar(os, margin + map_width + bar_space - bar_width, margin + 0.5 * (height - bar_height));
     os << "</svg>\n";
   }
@@ -64,7 +71,16 @@ private:
   // Of the bar: its size, the space between its right end and the map, the room above and below for texts.
   static constexpr double bar_width = 18, bar_height = 260, bar_space = 110, bar_room = 30;
 
-  void write_triangles(Text_writer& os, double scale, double top) const
+  // The power of two by which coordinates are divided, lest their differences overflow, or what scales them.
+  int exponent_of_coordinates() const
+  {
+    const double greatest = (std::max)({ std::abs(m_box.xmin()), std::abs(m_box.xmax()), std::abs(m_box.ymin()),
+                                         std::abs(m_box.ymax()) });
+    return greatest > 0 && std::isfinite(greatest) ? std::ilogb(greatest) : 0;
+  }
+
+  template <class Function>
+  void write_triangles(Text_writer& os, const Function& place_in_picture) const
   {
     for (std::size_t i = 0; i < number_of_colors; ++i) {
       if (m_triangles[i].empty())
@@ -73,8 +89,8 @@ private:
       for (const std::array<Point_2, 3>& t : m_triangles[i]) {
         char command = 'M';
         for (const Point_2& p : t) {
-          os << command << rounded(margin + scale * (p.x() - m_box.xmin())) << ' '
-             << rounded(top + scale * (m_box.ymax() - p.y()));
+          const Point_2 place = place_in_picture(p);
+          os << command << rounded(place.x()) << ' ' << rounded(place.y());
           command = 'L';
         }
         os << 'Z';

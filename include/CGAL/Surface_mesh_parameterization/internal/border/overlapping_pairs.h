@@ -21,6 +21,9 @@ typedef std::array<Point_2, 3>   Triangle_2;
 // infinite or no number.
 std::size_t number_of_overlapping_pairs(const std::vector<Triangle_2>& triangles, std::size_t most_tests = 100'000'000);
 
+// Whether there is such a pair; however many are near each other.
+bool has_overlapping_pairs(const std::vector<Triangle_2>& triangles);
+
 // Whether the borders of a map of positive triangles show that it is one-to-one: no two edges cross, and of the closed
 // curves just one turns left. Then it winds at most once around a point of the plane, and as often as it winds around
 // it, so many triangles lie over it.

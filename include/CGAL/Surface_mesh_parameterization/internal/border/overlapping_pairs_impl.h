@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/box_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Function_ref.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 
 #include <CGAL/Bbox_2.h>
@@ -35,8 +36,8 @@ inline bool do_interiors_meet(const Triangle_2& s, const Triangle_2& t)
   return !separates(s, t) && !separates(t, s);
 }
 
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-std::size_t number_of_overlapping_pairs(const std::vector<Triangle_2>& triangles, std::size_t most_tests)
+// Calls goes_on(do_interiors_meet) for the pairs of triangles that are near each other, until it returns false.
+inline void for_each_near_pair(const std::vector<Triangle_2>& triangles, Function_ref<bool(bool)> goes_on)
 {
   struct Enough { };
   std::vector<Triangle_2> positive;
@@ -51,15 +52,34 @@ std::size_t number_of_overlapping_pairs(const std::vector<Triangle_2>& triangles
     boxes.push_back(t[0].bbox() + t[1].bbox() + t[2].bbox());
   }
 
-  std::size_t pairs = 0, tests = 0;
   try {
     for_each_pair_of_boxes(boxes, [&](std::size_t i, std::size_t j) {
-      pairs += do_interiors_meet(positive[i], positive[j]);
-      if (++tests == most_tests)
+      if (!goes_on(do_interiors_meet(positive[i], positive[j])))
         throw Enough();
     });
   } catch (const Enough&) { }
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::size_t number_of_overlapping_pairs(const std::vector<Triangle_2>& triangles, std::size_t most_tests)
+{
+  std::size_t pairs = 0, tests = 0;
+  for_each_near_pair(triangles, [&](bool do_meet) {
+    pairs += do_meet;
+    return ++tests != most_tests;
+  });
   return pairs;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool has_overlapping_pairs(const std::vector<Triangle_2>& triangles)
+{
+  bool result = false;
+  for_each_near_pair(triangles, [&](bool do_meet) {
+    result = do_meet;
+    return !do_meet;
+  });
+  return result;
 }
 
 // A closed curve of a border.

@@ -206,12 +206,13 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
     if (!options.make_starting_map(component.surface(), uv))
       uv.clear();
   }
+  const int scale_exponent = component.surface().scale_exponent;
   Nested_iteration_attempts attempts(engine_method, options_of_run, visitor, summary);
   Error_code status = attempts.run(std::move(component.surface()), timer, uv);
   if (is_mirrored)
     mirror(uv);
   if (status == OK) {
-    status = summary.error.code = write_map(component, component.surface().scale_exponent, uv, uvmap, vpmap);
+    status = summary.error.code = write_map(component, scale_exponent, uv, uvmap, vpmap);
     if (status != OK)
       summary.error.cause = "the map is too large for doubles";
   } else if (status == ERROR_WRONG_PARAMETER)

@@ -18,6 +18,22 @@ typedef Joined_names<Joined_names<Cut_names, Pack_names>,
                      Names<internal_np::edge_is_constrained_t, internal_np::least_used_part_t,
                            internal_np::overlap_bound_t, internal_np::hole_bound_t>>   Atlas_names;
 
+// Checks that no named parameter for the runs of an atlas is one that these cannot have.
+template <class Chart_parameters>
+void assert_names_of_charts()
+{
+  using parameters::is_default_parameter;
+  static_assert(is_default_parameter<Chart_parameters, internal_np::summary_t>::value,
+                "the named parameter 'summary' has no effect on charts: what is returned has the summary of each");
+  static_assert(is_default_parameter<Chart_parameters, internal_np::overlap_bound_t>::value,
+                "the named parameter 'overlap_bound' is one of the atlas, not of charts");
+  static_assert(is_default_parameter<Chart_parameters, internal_np::vertex_is_constrained_t>::value &&
+                    is_default_parameter<Chart_parameters, internal_np::position_weight_t>::value,
+                "the vertices of charts are not those of the mesh: none can be held or pulled by a spring");
+  static_assert(is_default_parameter<Chart_parameters, internal_np::initial_map_t>::value,
+                "the named parameter 'initial_map' has no effect on charts: no map is known before the surface is cut");
+}
+
 struct Atlas_options
 {
   Cut_options cut;
