@@ -9,8 +9,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/Harmonic_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Patch_unfolder.h>
@@ -80,6 +82,23 @@ TYPED_TEST(Flip_policies, are_kept)
   const auto repaired = m.uv();
   EXPECT_EQ(m.parameterize(TypeParam()), OK);     // the default
   EXPECT_EQ(m.uv(), repaired);
+}
+
+// Where a map is the one of least energy, its repair costs energy, and that is what the summary has.
+TEST(Flip_policies_of_edge_energies, tell_the_energy_of_the_repaired_map)
+{
+  typedef Edge_energy_parameterizer_3<Mesh, Harmonic_edge_weights_3> Harmonic;
+  Mapped_mesh m(crumpled_grid(14, 1));
+  const auto run = [&](Flip_policy policy) {
+    return m.parameterize(
+        Hierarchical_parameterizer_3<Harmonic>(parameters::flip_policy(policy).summary(std::ref(m.summary))));
+  };
+  EXPECT_EQ(run(Flip_policy::KEEP), OK);
+  const double least = m.summary.energy;
+  EXPECT_EQ(run(Flip_policy::REPAIR), OK);
+  EXPECT_GT(m.summary.moved_vertices, 0u);
+  EXPECT_NEAR(m.summary.levels.back().energy_end / least, 1, 1e-12);
+  EXPECT_GT(m.summary.energy / least, 1.0001);
 }
 
 // ---- repair ----

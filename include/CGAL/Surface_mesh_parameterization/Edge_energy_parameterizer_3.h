@@ -139,6 +139,12 @@ public:
                                         uv, summary);
   }
 
+  /// the energy of a map of a level
+  double energy(const Level& level, const Level::Uv& uv) const
+  {
+    return internal::Edge_system(level, m_weights).energy(uv);
+  }
+
   /// \cond SKIP_IN_MANUAL
   // What is wrong with the options; null if nothing is.
   const char* fault_of_options() const

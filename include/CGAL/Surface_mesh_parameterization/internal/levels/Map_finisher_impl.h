@@ -26,7 +26,7 @@ Map_finisher::Map_finisher(Refinable_method& method, const Nested_iteration_opti
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Map_finisher::remember_start(const Level::Uv& uv)
 {
-  if (m_options.flips.policy == Flip_policy::REPAIR && m_method.has_other_way())
+  if (m_options.flips.policy == Flip_policy::REPAIR && m_method.has_flip_free_alternative())
     m_map_before = uv;
 }
 
@@ -47,9 +47,11 @@ Error_code Map_finisher::settle_flips(const Level& level, Level::Uv& uv)
   constexpr std::size_t greatest_part_moved = 10;      // a tenth of the vertices
   const Error_code status = m_method.settle_flips(
       m_options.flips, level.rings(), [&] { return surface_by_rank(level); }, uv, m_summary);
-  if (m_map_before.empty() || (status == OK && m_summary.moved_vertices == 0))
+  const bool is_repaired = m_summary.moved_vertices > 0;
+  if (is_repaired && m_method.has_energy())
+    m_summary.energy = m_method.energy(level, uv);
+  if (m_map_before.empty() || (status == OK && !is_repaired))
     return status;
-  m_summary.energy = m_method.energy(level, uv);
   const bool leaves_little = m_summary.moved_vertices > uv.size() / greatest_part_moved;
   return status == OK && !leaves_little && displaced_vertices(level, uv).empty() ? OK : replace_map(level, status, uv);
 }

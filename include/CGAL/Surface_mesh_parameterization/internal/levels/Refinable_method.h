@@ -28,9 +28,10 @@ public:
   virtual bool leave_room() = 0;
   virtual bool keep_borders_apart(bool yes) = 0;
 
-  // Whether a method whose results may have flips has the next two functions, too: the energy of a map, and another way
-  // to refine one, without flips.
-  virtual bool has_other_way() const = 0;
+  // Whether a method whose results may have flips tells the energy of a map; whether it has another way to refine one,
+  // without flips, too.
+  virtual bool has_energy() const = 0;
+  virtual bool has_flip_free_alternative() const = 0;
   virtual double energy(const Level& level, const Level::Uv& uv) const = 0;
   virtual Error_code refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) = 0;
 

@@ -65,7 +65,8 @@ public:
     return false;
   }
 
-  bool has_other_way() const override
+  bool has_energy() const override { return is_detected<Energy_of, Method>; }
+  bool has_flip_free_alternative() const override
   {
     return is_detected<Energy_of, Method> && is_detected<Refined_without_flips, Method>;
   }
