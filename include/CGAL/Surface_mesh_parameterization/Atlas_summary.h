@@ -23,8 +23,9 @@ struct Atlas_summary
   struct Chart
   {
     std::size_t faces = 0;                  ///< number of triangles
-    /// of its map. The index of an error is that of a face of the mesh. Of a part of a chart that was divided it is
-    /// that of the whole chart, with a share of its seconds, unless it was divided as it lay over itself
+    /// of its map. The index of an error is that of a face of the mesh. The parts of a chart that was divided to fill
+    /// the square have the summary of the whole chart, each with a share of its seconds; those of a chart that lay over
+    /// itself have their own
     Parameterization_summary summary;
   };
 

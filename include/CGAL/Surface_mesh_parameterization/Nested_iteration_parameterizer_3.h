@@ -81,12 +81,13 @@ public:
   ///   hole is mapped like a part of the surface; default `false`: holes are open in the result, but flip-free methods
   ///   start from a map with filled holes where small ones are many, or with cracks closed
   /// - `flip_policy`: a `Flip_policy`: the treatment of flips; default `REPAIR`
-  /// - `overlap_bound`: of methods that keep borders apart; a map of which more than this part of the triangles lies
-  ///   over others before they do is to be divided: to keep its borders apart would distort it far, and take long. So
-  ///   is one of which less lies over others, if to keep its borders apart fails, leaves more than twice the energy
-  ///   after 80 iterations on the finest level, or raises it by more than 2 % in the end. Then it is the result, or a
-  ///   draft of it that has not `converged`, see `Level::is_draft()`. Borders that meet so little that no triangle's
-  ///   center is covered are kept apart in any case. With `initial_map` there is no such map. Default: 1, none
+  /// - `overlap_bound`: of methods that keep borders apart: the greatest part of the triangles, counted by their
+  ///   centroids, that may lie over others in the map without that constraint if borders are to be kept apart. Where
+  ///   more do, that map is the result, or a draft of it that has not `converged`, see `Level::is_draft()`: it is to be
+  ///   divided, since keeping its borders apart would distort it far and take long. It is the result, too, where
+  ///   keeping borders apart fails, leaves more than twice the energy after 80 iterations on the finest level, or
+  ///   raises it by more than 2 % in the end. Where no centroid is covered, borders are kept apart in any case. It has
+  ///   no effect with `initial_map`. Default: 1, which keeps borders apart in any case
   /// - `initial_map`: of flip-free methods; whether `uvmap`, which must be readable then, holds a map to start from;
   ///   default `false`. The method refines it on the finest level. Flips are repaired first, vertices whose coordinates
   ///   are not finite get a place between their neighbors, and a map that is less than half or more than twice as long

@@ -79,14 +79,14 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   `double` or a `std::optional<double>`. Default: 0.2
 /// - `hole_bound`: holes whose border is no longer than this part, from 0 to 1, of the square root of the component's
 ///   area are laid out as parts of the surface, closed by a virtual vertex in their middle, as scans have many of them.
-///   The sides of cracks, where vertices at one place were not merged, get the same places. Not the longest border of a
-///   component and seams, nor with `join_borders`. Energies, flips and levels of charts are those of the closed ones.
-///   0: none. A `double` or a `std::optional<double>`. Default: 0.1
-/// \param np_of_charts those of `hierarchical_parameterization()` for every chart, but for `summary`, `overlap_bound` and
-///        those that tell of the mesh's vertices: `vertex_is_constrained_map`, `position_weight_map` and `initial_map`. A
-///        `visitor` is told of one chart after the other, and of the parts of a chart that is divided, with `CGAL::Parallel_tag` of
-///        several at the same time, in their threads; if it stops one, no other one begins, and there is no atlas.
-///        It is not asked while the surface is cut and while charts are packed
+///   The sides of cracks, where vertices at one place were not merged, get the same places. The longest border of a
+///   component and seams stay open, and with `join_borders` all holes do. Energies, flips and levels of charts are
+///   those of the closed ones. 0: none. A `double` or a `std::optional<double>`. Default: 0.1
+/// \param np_of_charts those of `hierarchical_parameterization()` for every chart, but for `summary`, `overlap_bound`
+///        and those of the mesh's vertices: `vertex_is_constrained_map`, `position_weight_map` and `initial_map`. A
+///        `visitor` is told of one chart after the other, and of the parts of a chart that is divided, with
+///        `CGAL::Parallel_tag` of several at the same time, in their threads; if it stops one, no other one begins, and
+///        there is no atlas. It is not asked while the surface is cut and while charts are packed
 ///
 /// \return what was done, with the first error. It is `ERROR_WRONG_PARAMETER` where a number is out of its bounds
 template <template <class...> class Method = Symmetric_Dirichlet_parameterizer_3, class ConcurrencyTag = Sequential_tag,

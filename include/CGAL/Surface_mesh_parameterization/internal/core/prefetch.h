@@ -12,7 +12,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Asks for the memory at an address that will be read soon. Does nothing where the compiler has no word for it. This
+// Asks for the memory at an address that will be read soon. Does nothing where the compiler offers no way. This
 // and functions that do nothing else must be inlined by force: gcc takes a call that changes nothing for superfluous.
 BOOST_FORCEINLINE void prefetch([[maybe_unused]] const void* address)
 {

@@ -44,7 +44,6 @@ Error_code Map_finisher::finish(const Level& level, Level::Uv& uv)
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Map_finisher::settle_flips(const Level& level, Level::Uv& uv)
 {
-  constexpr std::size_t greatest_part_moved = 10;      // a tenth of the vertices
   const Error_code status = m_method.settle_flips(
       m_options.flips, level.rings(), [&] { return surface_by_rank(level); }, uv, m_summary);
   const bool is_repaired = m_summary.moved_vertices > 0;
@@ -52,8 +51,9 @@ Error_code Map_finisher::settle_flips(const Level& level, Level::Uv& uv)
     m_summary.energy = m_method.energy(level, uv);
   if (m_map_before.empty() || (status == OK && !is_repaired))
     return status;
-  const bool leaves_little = m_summary.moved_vertices > uv.size() / greatest_part_moved;
-  return status == OK && !leaves_little && displaced_vertices(level, uv).empty() ? OK : replace_map(level, status, uv);
+  const bool is_good = status == OK && !leaves_little(m_summary.moved_vertices, uv.size()) &&
+                       displaced_vertices(level, uv).empty();
+  return is_good ? OK : replace_map(level, status, uv);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -38,6 +38,12 @@ struct Flip_settlement
   Loops loops;                    // of the search for flips
 };
 
+// Whether a repair that moves so many vertices leaves so little of a map that another method should take its place.
+inline bool leaves_little(std::size_t moved_vertices, std::size_t number_of_vertices)
+{
+  return moved_vertices > number_of_vertices / 10;
+}
+
 // As named parameters say, or else a repair of maps that may have flips.
 template <bool may_have_flips, class NamedParameters>
 Flip_settlement flip_settlement_of(const NamedParameters& np)

@@ -13,9 +13,11 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Brings the vertices of a level whose places are given there, and those that stiff springs pull near to theirs, in a
-// valid map that stays valid. An energy that keeps triangles positive decides how the others follow. If `borders_must_not_meet`, no borders do that did not before.
+// valid map that stays valid. An energy that keeps triangles positive decides how the others follow. If
+// `borders_must_not_meet`, no borders do that did not before.
 //
-// Returns `OK`; `ERROR_NO_1_TO_1_MAPPING` if some of the first are still elsewhere, as near as they came; or `ERROR_STOPPED`.
+// Returns `OK`; `ERROR_NO_1_TO_1_MAPPING` if some of the first are still elsewhere, as near as they came; or
+// `ERROR_STOPPED`.
 Error_code lead_to_places(const Level_energy_with_springs& energy, bool borders_must_not_meet, Level::Uv& uv,
                           Level_summary& summary);
 

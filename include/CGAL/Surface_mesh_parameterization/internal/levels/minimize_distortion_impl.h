@@ -163,8 +163,8 @@ inline Error_code minimize_near_places(const Level_energy& free_energy, Level::U
   return status;
 }
 
-// Minimizes the energy together with that of the level's springs, and with vertices at given places. A coarse level may have no room for one of
-// these: it waits for a finer one.
+// Minimizes the energy together with that of the level's springs, and with vertices at given places. A coarse level may
+// have no room for one of these: it waits for a finer one.
 inline Error_code minimize_with_places(const Level_energy& free_energy, Level::Uv& uv,
                                        const Refinement_options& given_options, Level_summary& summary)
 {

@@ -21,7 +21,7 @@ inline std::size_t number_of_flat_triangles(const Level& level)
     const Point_3 &p = level.point(t[0]), &q = level.point(t[1]), &r = level.point(t[2]);
     const double longest2 =
         (std::max)({ CGAL::squared_distance(p, q), CGAL::squared_distance(q, r), CGAL::squared_distance(r, p) });
-    return !(doubled_area(p, q, r) > lowest_rest_height * longest2);
+    return is_height_raised(doubled_area(p, q, r), longest2);
   }));
 }
 

@@ -180,7 +180,7 @@ Closed_surface close_cracks(Triangulated_surface_3 surface, double greatest_leng
 
 // Moves a border vertex by a small part of its shortest edge along the bisector of its triangles, while these stay
 // positive.
-inline void move_inwards(const One_rings& rings, Index v, std::vector<Point_2>& uv)
+inline void open_along_bisector(const One_rings& rings, Index v, std::vector<Point_2>& uv)
 {
   constexpr double part_of_shortest_edge = 0.1;
   constexpr int most_halvings = 30;
@@ -219,7 +219,7 @@ std::vector<Point_2> open_cracks(const Triangulated_surface_3& surface, const Cl
   const One_rings rings(surface.points.size(), surface.triangles);
   for (Index v = 0; v < uv.size(); ++v)
     if (number_of_copies[closed.vertices[v]] > 1 && !is_fixed[v])
-      move_inwards(rings, v, uv);
+      open_along_bisector(rings, v, uv);
   return is_map_valid(rings, uv) ? uv : std::vector<Point_2>();
 }
 

@@ -39,12 +39,13 @@ struct Level_refiner_options
   // Where borders are kept apart a step has to lower it by more than this part, whatever the tolerance is: they slide
   // along each other for long in the end, and gain less than what it costs to keep them apart.
   double least_decrease_with_barrier = 1e-4;
-  // There, too, so many steps in a row that do not lower the energy to less than ever are enough: they gain only what
-  // it costs to keep borders apart.
+  // There, too, a run ends after `most_steps_without_fall` steps in a row that do not lower the energy to less than
+  // ever: they gain only what it costs to keep borders apart.
   std::size_t most_steps_without_fall = 20;
-  // Nothing less is enough there, and falls count from `least_decrease_with_barrier` on, while the energy is more than
-  // so many times its minimum, and that part of it at one vertex: then vertices are wedged between borders, which give
-  // way slowly, and what is not put right on a coarse level grows worse on finer ones. But so many steps must do.
+  // A run is jammed, within its first `most_steps_in_jam` steps, while the energy exceeds `least_ratio_of_jam` times
+  // its minimum and one vertex holds `least_part_of_jam` of it: vertices are wedged between borders, which give way
+  // slowly, and what is not put right on a coarse level grows worse on finer ones. Then no step is too small to go on,
+  // but it is no fall if it is less than `least_decrease_with_barrier`.
   double least_ratio_of_jam = 5, least_part_of_jam = 0.1;
   std::size_t most_steps_in_jam = 60;
   // After so many steps it gives up where the energy is more than Level::give_up_above() says, and sooner where it is

@@ -19,7 +19,7 @@ struct Division_options
   double least_used_part = 0;               // of the square, up to which charts are divided
   std::size_t most_divisions = 50;
   std::size_t most_packings = 10, most_trials = 200;        // to see how much is used
-  std::size_t most_charts = 200;            // of more, none is to blame for what is empty
+  std::size_t most_charts = 200;            // more are not divided: no single one leaves much empty
   std::size_t most_places = 200;            // on the border of a chart, between which cuts are tried
   double least_part_of_chart = 0.02;        // on each side of a cut
   double least_gain = 0.005;                // of the area of all charts: by how much boxes around charts become smaller

@@ -92,6 +92,12 @@ inline std::array<Rest_corner, 3> rest_corners(const Point_3& p, const Point_3& 
   return result;
 }
 
+// Whether a triangle, with the square of its longest edge, is so flat that its height is raised.
+inline bool is_height_raised(double doubled_area, double longest2)
+{
+  return !(doubled_area > lowest_rest_height * longest2);
+}
+
 // The corner of one vertex v of the triangle vab; faster where no height has to be raised.
 inline Rest_corner rest_corner(const Point_3& v, const Point_3& a, const Point_3& b)
 {
@@ -99,7 +105,7 @@ inline Rest_corner rest_corner(const Point_3& v, const Point_3& a, const Point_3
   const double base2 = base.squared_length(), side2 = side.squared_length(), along = base * side;
   const double doubled_area = std::sqrt(CGAL::cross_product(base, side).squared_length());
   const double longest2 = (std::max)({ base2, side2, base2 + side2 - 2 * along });
-  if (!(doubled_area > lowest_rest_height * longest2))
+  if (is_height_raised(doubled_area, longest2))
     return rest_corners(v, a, b)[0];
   const double inverse = 1 / base2;
   return { along * inverse, doubled_area * inverse, 2 / doubled_area };

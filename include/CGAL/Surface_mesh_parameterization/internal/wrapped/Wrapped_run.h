@@ -163,7 +163,7 @@ public:
   bool is_map_lost()
   {
     return m_options.flips.policy == Flip_policy::REPAIR &&
-           (error() == ERROR_NO_1_TO_1_MAPPING || summary().moved_vertices > m_vertices.size() / 10);
+           (error() == ERROR_NO_1_TO_1_MAPPING || leaves_little(summary().moved_vertices, m_vertices.size()));
   }
 
   // Makes another map by `make_map(map, summary)`; the summary tells of both. If there is none, a repaired map stays.
