@@ -1,0 +1,246 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Atlases in the unit square: margins, floats, and what is packed.
+
+#include "closed_meshes.h"
+#include "mesh_conversions.h"
+#include "surface_with_corner_map.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
+#include <CGAL/Surface_mesh_parameterization/pack_charts.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace test_packed_atlases {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+namespace parameters = CGAL::Surface_mesh_parameterization::parameters;
+
+double distance(const internal::Triangle_2& s, const internal::Triangle_2& t)
+{
+  double least = (std::numeric_limits<double>::infinity)();
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      least = (std::min)(least, CGAL::squared_distance(s[i], Kernel::Segment_2(t[j], t[(j + 1) % 3])));
+      least = (std::min)(least, CGAL::squared_distance(t[i], Kernel::Segment_2(s[j], s[(j + 1) % 3])));
+    }
+  return std::sqrt(least);
+}
+
+TEST(Packing, keeps_the_margin)
+{
+  for (const double margin : { 0., 1. / 64, 1. / 16 }) {
+    SCOPED_TRACE(margin);
+    Flat_mesh m = sphere(4, 6);
+    for (int i = 1; i < 12; ++i)
+      m = with_component(m, i % 2 == 0 ? tetrahedron() : grid(Index(i), 1, flat), 1. / i, 10. * i);
+    Surface surface(m);
+    ASSERT_TRUE(atlas_parameterization(surface.mesh, surface.uv, parameters::margin(margin)).is_ok());
+    const auto charts = surface.charts();
+    double least = 1;
+    for (std::size_t i = 0; i < charts.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        for (const internal::Triangle_2& s : charts[i])
+          for (const internal::Triangle_2& t : charts[j])
+            least = (std::min)(least, distance(s, t));
+    EXPECT_GT(least, margin);
+  }
+}
+
+// So many charts have no room for the margin.
+TEST(Packing, ends_where_the_margins_would_fill_the_square)
+{
+  Flat_mesh m = single_triangle();
+  for (int i = 1; i < 150; ++i)
+    m = with_component(m, single_triangle(), 1, 10. * i);
+  Surface surface(m);
+  ASSERT_TRUE(atlas_parameterization(surface.mesh, surface.uv, parameters::margin(0.1)).is_ok());
+  expect_one_to_one(surface);
+  const auto charts = surface.charts();
+  double least = 1;
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      least = (std::min)(least, distance(charts[i][0], charts[j][0]));
+  EXPECT_GT(least, 0.25 / std::sqrt(150.));
+}
+
+// Finer margins than the grid are kept, too, in no more time.
+TEST(Packing, keeps_fine_margins)
+{
+  for (const double margin : { 1. / 16384, 1e-9, 1e-300 }) {
+    Surface surface(with_component(single_triangle(), single_triangle(), 1, 10));
+    ASSERT_TRUE(atlas_parameterization(surface.mesh, surface.uv, parameters::margin(margin)).is_ok());
+    expect_one_to_one(surface);
+    EXPECT_GT(distance(surface.charts()[0][0], surface.charts()[1][0]), margin);
+  }
+}
+
+// A row of squares that winds back to its first one, whose corner it meets but for a gap; if that is negative, the
+// squares overlap.
+internal::Flat_chart almost_closed_ring(double gap)
+{
+  const int path[][2] = { { 0, 0 },  { 0, -1 }, { 1, -1 }, { 2, -1 }, { 3, -1 },
+                          { 3, 0 }, { 3, 1 },  { 2, 1 },  { 1, 1 } };
+  internal::Flat_chart chart;
+  std::map<std::pair<int, int>, Index> vertices;
+  const auto vertex = [&](int x, int y) {
+    const auto [place, is_new] = vertices.try_emplace({ x, y }, Index(chart.points.size()));
+    if (is_new)
+      chart.points.emplace_back(x, y);
+    return place->second;
+  };
+  for (const auto& [x, y] : path) {
+    chart.triangles.push_back({ vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1) });
+    chart.triangles.push_back({ vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1) });
+    if (x == 0 && y == 0) {
+      chart.points[vertices[{ 1, 1 }]] = internal::Point_2(1 - gap, 1 - gap);
+      vertices.erase({ 1, 1 });      // the last square has its own
+    }
+  }
+  return chart;
+}
+
+TEST(Packing, parts_borders_that_rounding_lets_meet)
+{
+  const auto overlaps = [](const internal::Flat_chart& chart) {
+    std::vector<internal::Triangle_2> triangles;
+    for (const internal::Index_triangle& t : chart.triangles)
+      triangles.push_back({ chart.points[t[0]], chart.points[t[1]], chart.points[t[2]] });
+    return internal::number_of_overlapping_pairs(triangles);
+  };
+  const internal::Flat_chart apart = almost_closed_ring(1e-15), meeting = almost_closed_ring(-1e-15);
+  ASSERT_EQ(overlaps(apart), 0u);
+  ASSERT_GT(overlaps(meeting), 0u);
+  internal::Flat_chart parted = meeting;
+  EXPECT_TRUE(internal::part_borders(parted, apart.points, nullptr));
+  EXPECT_EQ(overlaps(parted), 0u);
+  EXPECT_TRUE(internal::is_positive(parted));
+  for (std::size_t i = 0; i < parted.points.size(); ++i)
+    EXPECT_LT((parted.points[i] - meeting.points[i]).squared_length(), 1e-15);
+  // Borders that met before are not rounding's.
+  internal::Flat_chart left = meeting;
+  EXPECT_TRUE(internal::part_borders(left, meeting.points, nullptr));
+  EXPECT_EQ(left.points, meeting.points);
+}
+
+// A chart that becomes a segment when it is turned does not spoil the others.
+TEST(Packing, holds_out_with_slivers)
+{
+  Surface surface(with_component(single_triangle(), single_triangle(), 1, 10));
+  const double x = 0.76142843599823706, y = 0.30333063602585919;
+  const Kernel::Point_2 places[] = { { 0, 0 }, { x, x }, { y, 0.30333063602585925 }, { 0, 0 }, { 1, 0 }, { 0, 1 } };
+  for (const bool is_mirrored : { false, true }) {
+    for (const auto f : surface.mesh.faces()) {
+      std::size_t i = 3 * f;
+      for (const auto h : surface.mesh.halfedges_around_face(surface.mesh.halfedge(f))) {
+        const Kernel::Point_2& p = places[i++];
+        surface.uv[h] = is_mirrored ? Kernel::Point_2(p.y(), p.x()) : p;
+      }
+    }
+    const Error_code code = pack_charts(surface.mesh, surface.uv);
+    for (const Kernel::Point_2& p : surface.corners()) {
+      EXPECT_TRUE(std::isfinite(p.x()) && std::isfinite(p.y()));
+      if (code == OK) {
+        EXPECT_TRUE(p.x() > 0 && p.x() < 1 && p.y() > 0 && p.y() < 1) << p;
+      }
+    }
+  }
+}
+
+void expect_one_to_one_in_floats(const Flat_mesh& m)
+{
+  Surface surface(m);
+  const auto uv = surface.mesh
+                      .add_property_map<Surface_mesh::Halfedge_index, CGAL::Simple_cartesian<float>::Point_2>("h:float")
+                      .first;
+  ASSERT_TRUE(atlas_parameterization(surface.mesh, uv).is_ok());
+  for (const auto h : surface.mesh.halfedges())
+    if (!surface.mesh.is_border(h))
+      surface.uv[h] = Kernel::Point_2(double(uv[h].x()), double(uv[h].y()));
+  expect_one_to_one(surface);
+}
+
+// Specks that are smaller than a float's steps are scaled up, and stay where they have room.
+TEST(Packing, keeps_specks_apart_in_floats)
+{
+  for (const double size : { 1e-6, 1e-8, 1e-11 }) {
+    Flat_mesh m = grid(8, 8, wavy);
+    for (int i = 1; i <= 5; ++i)
+      m = with_component(m, tetrahedron(), size, 10. * i);
+    expect_one_to_one_in_floats(m);
+  }
+}
+
+// A hundred pieces of several sizes: squares fit side by side, triangles and other shapes leave more room between them.
+TEST(Packing, fills_the_square)
+{
+  const auto used_part = [](const Flat_mesh& piece) {
+    Flat_mesh m = piece;
+    for (int i = 1; i < 100; ++i)
+      m = with_component(m, piece, 1 + 0.3 * std::sin(i), 10 * i);
+    Surface surface(m);
+    const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv, parameters::margin(0.));
+    EXPECT_TRUE(summary.is_ok());
+    return summary.used_part;
+  };
+  EXPECT_GT(used_part(grid(1, 1, flat)), 0.8);
+  EXPECT_GT(used_part(single_triangle()), 0.6);
+  EXPECT_GT(used_part(tetrahedron()), 0.65);
+}
+
+TEST(Packing, packs_a_map_from_elsewhere_and_refuses_what_is_none)
+{
+  Surface surface(with_component(grid(4, 4, flat), grid(3, 3, flat), 2, 0));
+  for (const auto h : surface.mesh.halfedges())
+    if (!surface.mesh.is_border(h))
+      surface.uv[h] = Kernel::Point_2(surface.mesh.point(surface.mesh.target(h)).x(),
+                                      surface.mesh.point(surface.mesh.target(h)).y());
+  const std::vector<Kernel::Point_2> before = surface.corners();
+  EXPECT_EQ(pack_charts(surface.mesh, surface.uv, parameters::margin(0.5)), ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(surface.corners(), before);
+  EXPECT_EQ(pack_charts(surface.mesh, surface.uv), OK);
+  expect_one_to_one(surface);
+  EXPECT_EQ(surface.charts().size(), 2u);
+
+  const auto h = surface.mesh.halfedge(*surface.mesh.faces().begin());
+  surface.uv[h] = Kernel::Point_2((std::numeric_limits<double>::infinity)(), 0);
+  EXPECT_EQ(pack_charts(surface.mesh, surface.uv), ERROR_WRONG_PARAMETER);
+}
+
+// Rounding to the user's numbers makes no flips, not even in a chart whose triangles are a few of their steps wide.
+TEST(Packing, keeps_triangles_positive_in_floats)
+{
+  expect_one_to_one_in_floats(with_component(grid(4, 4, wavy), crumpled_grid(12, 1), 4e-9));
+}
+
+// On a lattice most triangles of a fine surface have no area, and in the map next to none: scales round them.
+TEST(Packing, keeps_triangles_positive_that_have_no_area_in_space)
+{
+  for (Flat_mesh m : { grid(40, 40, wavy), delaunay_patch(1600, 3, wavy) }) {
+    constexpr double cells = 10;
+    for (Point_3& p : m.points)
+      p = Point_3(std::round(cells * p.x()), std::round(cells * p.y()), std::round(cells * p.z()));
+    Surface surface(m);
+    ASSERT_TRUE(atlas_parameterization(surface.mesh, surface.uv).is_ok());
+    expect_one_to_one(surface);
+  }
+}
+
+} // namespace test_packed_atlases
