@@ -171,10 +171,10 @@ inline Error_code minimize_with_places(const Level_energy& free_energy, Level::U
   const Level& level = free_energy.level();
   const Refinement_options options =
       level.hierarchy().springs().empty() ? given_options : options_with_springs(given_options);
-  const Level_energy_with_springs energy(free_energy, springs_of_energy(free_energy, options.triangle_weight, uv));
   const bool borders_must_not_meet = options.is_globally_injective;
   if (has_first_map_and_springs(level) && minimize_near_places(free_energy, uv, given_options) == ERROR_STOPPED)
     return ERROR_STOPPED;
+  const Level_energy_with_springs energy(free_energy, springs_of_energy(free_energy, options.triangle_weight, uv));
   go_to_places(energy, uv);
   if (borders_must_not_meet && !separate_borders(level, uv))
     return ERROR_NO_1_TO_1_MAPPING;
