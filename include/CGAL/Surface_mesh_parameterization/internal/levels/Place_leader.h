@@ -190,7 +190,7 @@ private:
   const Level& m_level;
   Level::Uv& m_uv;
   Level_summary& m_summary;
-  bool m_has_springs_in_full = false;             // the user's, in the last round
+  bool m_has_springs_in_full = m_energy.springs().empty();      // the user's, in the last round
   std::vector<Index> m_displaced;
   std::unique_ptr<Border_barrier> m_barrier;      // none unless borders must not meet
 };
