@@ -93,6 +93,53 @@ TEST(Atlas, has_one_scale)
   EXPECT_NEAR(total, area_in_space, 1e-9 * area_in_space);
 }
 
+// Times a power of two, which rounds no coordinate: up to some 1e270, or down to that part of 1.
+Flat_mesh times_power_of_two(Flat_mesh m, int exponent)
+{
+  for (Kernel::Point_3& p : m.points)
+    p = Kernel::Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent));
+  return m;
+}
+
+std::vector<Kernel::Point_2> times_power_of_two(std::vector<Kernel::Point_2> corners, int exponent)
+{
+  for (Kernel::Point_2& p : corners)
+    p = Kernel::Point_2(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent));
+  return corners;
+}
+
+Flat_mesh sieve()
+{
+  Flat_mesh m = grid(20, 10, wavy);
+  for (const std::ptrdiff_t f : { 333, 222, 111 })
+    m.triangles.erase(m.triangles.begin() + f);
+  return m;
+}
+
+// Cut, closed at holes, divided and packed: the same whatever the unit of length is.
+TEST(Atlas, is_the_same_at_all_scales)
+{
+  std::vector<Uncut_surface> surfaces = uncut_surfaces();
+  surfaces.push_back({ "sieve", sieve(), {} });
+  for (const Uncut_surface& s : surfaces)
+    for (const bool is_square : { true, false }) {
+      SCOPED_TRACE(s.name);
+      const auto np = parameters::least_used_part(0.8).unit_square(is_square);
+      Surface surface(s.mesh);
+      const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv, np);
+      ASSERT_TRUE(summary.is_ok());
+      for (const int exponent : { -900, -90, 70, 600, 900 }) {
+        SCOPED_TRACE(exponent);
+        Surface other(times_power_of_two(s.mesh, exponent));
+        const Atlas_summary other_summary = atlas_parameterization(other.mesh, other.uv, np);
+        ASSERT_TRUE(other_summary.is_ok());
+        EXPECT_EQ(other_summary.chart_of_face, summary.chart_of_face);
+        EXPECT_EQ(other_summary.cut.seam_length, std::ldexp(summary.cut.seam_length, exponent));
+        EXPECT_EQ(other.corners(), times_power_of_two(surface.corners(), is_square ? 0 : exponent));
+      }
+    }
+}
+
 TEST(Atlas, goes_along_the_seams_of_the_user)
 {
   Surface surface(grid(10, 10, wavy));

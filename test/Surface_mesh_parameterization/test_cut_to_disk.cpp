@@ -14,9 +14,13 @@
 #include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/cut_to_disk.h>
 #include <CGAL/Surface_mesh_parameterization/error_message.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <gtest/gtest.h>
@@ -25,6 +29,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <set>
 #include <string>
 
 namespace test_cut_to_disk {
@@ -122,6 +128,54 @@ TEST(Cut_to_disk, cuts_disks_only_where_it_is_asked_to)
   const Cut_summary again = cut_to_disk(disk.mesh, disk.seams);
   EXPECT_EQ(again.components[0].borders, 1u);
   EXPECT_EQ(again.seam_edges, 0u);
+}
+
+// Two pyramids with a common base, whose apexes become joined by several edges.
+Surface_mesh with_double_edges(Index sides, Index edges_of_apexes)
+{
+  Flat_mesh m;
+  m.points = { Point_3(0, 0, 1), Point_3(0, 0, -1) };
+  for (Index i = 0; i < sides; ++i) {
+    const double angle = 2 * CGAL_PI * i / sides;
+    m.points.emplace_back(std::cos(angle), std::sin(angle), 0);
+    const Index v = 2 + i, next = 2 + (i + 1) % sides;
+    m.triangles.push_back({ 0, v, next });
+    m.triangles.push_back({ 1, next, v });
+  }
+  Surface_mesh result = make<Surface_mesh>(m);
+  for (Index i = 0; i < edges_of_apexes; ++i) {
+    const Index j = i * (sides / edges_of_apexes);
+    const Surface_mesh::Vertex_index v(2 + j), next(2 + (j + 1) % sides);
+    CGAL::Euler::flip_edge(result.halfedge(v, next), result);
+  }
+  return result;
+}
+
+// What tells triangles by their vertices cannot tell these.
+TEST(Cut_to_disk, severs_edges_with_the_same_ends)
+{
+  for (const Index edges_of_apexes : { 2, 3 })
+    for (const Index sides : { 3, 4, 6, 9 }) {
+      Surface surface{ Flat_mesh() };
+      surface.mesh.join(with_double_edges(sides, edges_of_apexes));
+      ASSERT_TRUE(CGAL::is_closed(surface.mesh));
+      const Cut_summary summary = cut_to_disk(surface.mesh, surface.seams);
+      ASSERT_TRUE(summary.is_ok());
+      EXPECT_EQ(summary.components.size(), edges_of_apexes);
+      EXPECT_EQ(summary.seam_edges, std::size_t(std::count(surface.seams.begin(), surface.seams.end(), true)));
+      internal::Corner_mesh corners;
+      ASSERT_EQ(internal::read_corner_mesh(surface.mesh, surface.seams, corners).code, OK);
+      std::map<std::set<Index>, std::set<Index>> edges;     // by ends
+      for (Index h = 0; h < corners.number_of_halfedges(); ++h)
+        edges[{ corners.source(h), corners.target(h) }].insert(
+            corners.is_border(h) ? h : (std::min)(h, corners.opposite[h]));
+      for (const auto& [ends, edges_between] : edges) {
+        EXPECT_EQ(ends.size(), 2u);
+        EXPECT_EQ(edges_between.size(), 1u);
+      }
+      EXPECT_TRUE(atlas_parameterization(surface.mesh, surface.uv).is_ok());
+      expect_one_to_one(surface);
+    }
 }
 
 TEST(Cut_to_disk, names_what_it_cannot_read)

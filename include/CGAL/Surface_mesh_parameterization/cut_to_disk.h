@@ -64,12 +64,14 @@ Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_
     summary.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, "distortion_bound is less than 4" };
   if (!summary.is_ok())
     return result;
+  const std::vector<Index> old_opposite = corners.opposite;
+  sever_double_edges(corners);
+  normalize(corners);
   result.is_at_hole = is_at_hole(mesh);
   result.is_seam.assign(corners.number_of_halfedges(), false);
   std::vector<Filled_holes> filled;
   if (hole_bound > 0 && !options.joins_borders)
     filled = fill_small_holes(corners, result.is_at_hole, hole_bound);
-  const std::vector<Index> old_opposite = corners.opposite;
   for (const Component_cut& c : cut_mesh(corners, options, loops))
     summary.components.push_back({ c.faces, c.genus, c.borders, c.branches, c.distortion });
   for (std::size_t i = 0; i < filled.size(); ++i) {
@@ -81,7 +83,7 @@ Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_
       result.is_seam[h] = true;
       if (h < old_opposite[h]) {
         ++summary.seam_edges;
-        summary.seam_length += length(corners, h);
+        summary.seam_length += user_length(corners, h);
       }
     }
   return result;
@@ -108,7 +110,8 @@ Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_
 /// limb, by the shortest path of edges to what is cut already. Branches that gain little are given up; where no others
 /// are found, the map of least energy tells what is shrunk most. This is decided on a coarse level of the component's
 /// hierarchy. If the component has several borders, these are joined first where that is enough, or takes the shorter
-/// seam.
+/// seam. Edges that have the same two vertices are seams in any case.
+///
 /// Components that are disks already, with or without holes, are cut the same way where they would exceed a greater
 /// bound; unless the caller gives a bound, this is looked for only if their border is shorter than half of a circle of
 /// the same area: others are hardly ever distorted so far.

@@ -113,6 +113,7 @@ Error_code pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uvmap,
     });
     if (error.code != OK)
       return error.code;
+    atlas.scale_exponent = internal::normalize(corners);
     internal::make_charts(corners, atlas);
     std::vector<bool> is_packed(atlas.charts.size(), true);
     typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;

@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/Text_writer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
 
 #include <CGAL/Bbox_2.h>
@@ -57,9 +58,9 @@ public:
     os << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << rounded(map_width + bar_space + 2 * margin)
        << ' ' << rounded(height + 2 * margin) << "\" stroke=\"#222\" stroke-width=\"0.4\" stroke-linejoin=\"round\">\n";
     const double top = margin + 0.5 * (height - map_height);
-    write_triangles(os, [&](const Point_2& p) {
-      return Point_2(margin + scale * (std::ldexp(p.x(), -exponent) - box.xmin()),
-                     top + scale * (box.ymax() - std::ldexp(p.y(), -exponent)));
+    write_triangles(os, [&](const Point_2& place) {
+      const Point_2 p = times_power_of_two(place, -exponent);
+      return Point_2(margin + scale * (p.x() - box.xmin()), top + scale * (box.ymax() - p.y()));
     });
     write_bar(os, margin + map_width + bar_space - bar_width, margin + 0.5 * (height - bar_height));
     os << "</svg>\n";

@@ -26,7 +26,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // as the corners meet them.
 struct Corner_mesh
 {
-  std::vector<Point_3> points;          // of the vertices
+  std::vector<Point_3> points;          // of the vertices: the user's, times 2 to the power of the exponent
+  int scale_exponent = 0;
   std::vector<Index> vertex;            // of each corner
   std::vector<Index> opposite;          // of each halfedge; `no_index` on a border
 
@@ -50,10 +51,16 @@ struct Corner_mesh
   }
 };
 
+// Scales the points by a power of two, to about size 1.
+void normalize(Corner_mesh& mesh);
+
 // The length of an edge in space, and of several.
 double length(const Corner_mesh& mesh, Index h);
 double length(const Corner_mesh& mesh, const std::vector<Index>& halfedges);
 double length_of_borders(const Corner_mesh& mesh);
+
+// The length of an edge of the user's mesh.
+double user_length(const Corner_mesh& mesh, Index h);
 
 double area_of_face(const Corner_mesh& mesh, Index f);
 

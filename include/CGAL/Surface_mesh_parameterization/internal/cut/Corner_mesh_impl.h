@@ -4,9 +4,11 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CORNER_MESH_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CORNER_MESH_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -14,6 +16,17 @@
 #include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void normalize(Corner_mesh& mesh)
+{
+  CGAL::Bbox_3 box;
+  for (const Point_3& p : mesh.points)
+    box += p.bbox();
+  mesh.scale_exponent = scale_exponent_of(box);
+  for (Point_3& p : mesh.points)
+    p = times_power_of_two(p, mesh.scale_exponent);
+}
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 double length(const Corner_mesh& mesh, Index h)
@@ -39,6 +52,12 @@ double length_of_borders(const Corner_mesh& mesh)
     if (mesh.is_border(h))
       sum += length(mesh, h);
   return sum;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+double user_length(const Corner_mesh& mesh, Index h)
+{
+  return std::ldexp(length(mesh, h), -mesh.scale_exponent);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -105,6 +124,7 @@ Corner_mesh component_of(const Corner_mesh& mesh, const std::vector<Index>& face
   if (faces.size() == mesh.number_of_faces())
     return mesh;
   Corner_mesh result;
+  result.scale_exponent = mesh.scale_exponent;
   result.vertex.reserve(3 * faces.size());
   result.opposite.reserve(3 * faces.size());
   const auto new_halfedge = [&](Index h) {

@@ -50,7 +50,7 @@ inline Sample coarsest_level(const Collapse_hierarchy_3& hierarchy)
   const Level level(hierarchy);
   Sample sample;
   std::vector<std::pair<std::pair<Index, Index>, Index>> edges;       // ends in order, halfedge
-  const double unit = std::ldexp(1., -level.scale_exponent());      // of the level, in the user's
+  const double unit = std::ldexp(1., -level.scale_exponent());      // of the level, in that of the mesh
   for (Index v = 0; v < level.number_of_vertices(); ++v) {
     sample.mesh.points.push_back(CGAL::ORIGIN + unit * (level.point(v) - CGAL::ORIGIN));
     sample.fine_vertex.push_back(hierarchy.input_vertex(v));

@@ -12,6 +12,10 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+// Severs edges that have the same ends as others, or one vertex for both: what knows triangles by their vertices cannot
+// tell them apart. A border of two edges may be left.
+void sever_double_edges(Corner_mesh& mesh);
+
 // What was done with a component.
 struct Component_cut
 {

@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_COMPONENT_IMPL_H
 
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Extremity_search.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_component.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/handle_cut.h>
@@ -14,6 +15,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -21,6 +23,31 @@
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void sever_double_edges(Corner_mesh& mesh)
+{
+  const Compressed_lists<Index> edges_of_vertex(mesh.number_of_vertices(), [&](const auto& add) {
+    for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
+      if (mesh.is_border(h) || h < mesh.opposite[h])
+        add((std::min)(mesh.source(h), mesh.target(h)), h);
+  });
+  std::vector<Index> edge_to(mesh.number_of_vertices(), no_index), doubles;
+  for (Index v = 0; v < mesh.number_of_vertices(); ++v) {
+    for (const Index h : edges_of_vertex[v]) {
+      Index& other = edge_to[(std::max)(mesh.source(h), mesh.target(h))];
+      if (other != no_index)
+        doubles.insert(doubles.end(), { h, other });
+      other = h;
+    }
+    for (const Index h : edges_of_vertex[v])
+      edge_to[(std::max)(mesh.source(h), mesh.target(h))] = no_index;
+  }
+  for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
+    if (mesh.source(h) == mesh.target(h))
+      doubles.insert(doubles.end(), { h, Corner_mesh::next(h), Corner_mesh::previous(h) });
+  sever(mesh, doubles);
+}
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void settle_borders(Corner_mesh& mesh, const Cut_options& options)

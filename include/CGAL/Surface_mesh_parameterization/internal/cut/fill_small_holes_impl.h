@@ -41,7 +41,7 @@ inline bool is_round(const std::vector<Point_3>& hole)
   constexpr double least_part_of_regular = 0.01, least_part_of_areas = 0.25;
   const double length = perimeter(hole),
                least_area = least_part_of_regular / (4 * CGAL_PI * double(hole.size()));     // for the length 1
-  const Point_3 middle = middle_of_hole(hole, Vector_3(0, 0, 0));
+  const Point_3 middle = middle_of_hole({ hole, {} });
   double sum_of_areas = 0;
   Vector_3 sum_of_normals(0, 0, 0);
   for (std::size_t i = 0; i < hole.size(); ++i) {
@@ -56,36 +56,14 @@ inline bool is_round(const std::vector<Point_3>& hole)
   return std::sqrt(sum_of_normals.squared_length()) >= least_part_of_areas * sum_of_areas;
 }
 
-// The root of the area of some faces, over a length of about their size.
-inline double relative_root_of_area(const Corner_mesh& mesh, const std::vector<Index>& faces, double unit)
-{
-  double sum = 0;
-  for (const Index f : faces) {
-    const Point_3& p = mesh.points[mesh.vertex[3 * f]];
-    const Vector_3 normal = CGAL::cross_product((mesh.points[mesh.vertex[3 * f + 1]] - p) / unit,
-                                                (mesh.points[mesh.vertex[3 * f + 2]] - p) / unit);
-    sum += 0.5 * std::sqrt(normal.squared_length());
-  }
-  return std::sqrt(sum);
-}
-
-// The sum of the normals of the faces along a border, in a unit of length.
-inline Vector_3 sum_of_normals(const Corner_mesh& mesh, const Border_halfedges& border, double unit)
-{
-  Vector_3 sum(0, 0, 0);
-  for (const Index h : border) {
-    const Point_3& p = mesh.points[mesh.source(h)];
-    sum += CGAL::cross_product((mesh.points[mesh.target(h)] - p) / unit,
-                               (mesh.points[mesh.target(Corner_mesh::next(h))] - p) / unit);
-  }
-  return sum;
-}
-
-// Fills a hole of the given perimeter.
-inline void fill(const Border_halfedges& border, double length, Corner_mesh& mesh)
+inline void fill(const Border_halfedges& border, Corner_mesh& mesh)
 {
   const Index middle = Index(mesh.points.size()), first = mesh.number_of_halfedges(), n = Index(border.size());
-  mesh.points.push_back(middle_of_hole(places_along(mesh, border), sum_of_normals(mesh, border, length)));
+  Hole_3 hole{ places_along(mesh, border), {} };
+  for (const Index h : border)
+    hole.triangles.push_back({ mesh.points[mesh.source(h)], mesh.points[mesh.target(h)],
+                               mesh.points[mesh.target(Corner_mesh::next(h))] });
+  mesh.points.push_back(middle_of_hole(hole));
   for (Index i = 0; i < n; ++i) {
     const Index h = border[i], new_h = first + 3 * i;      // leads back; from its ends spokes lead to the middle
     mesh.vertex.insert(mesh.vertex.end(), { mesh.source(h), middle, mesh.target(h) });
@@ -131,8 +109,10 @@ private:
     for (const Border_halfedges& border : borders)
       lengths.push_back(length(mesh, border));
     const std::size_t longest = std::size_t(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
-    const double unit = lengths[longest],
-                 greatest_length = m_hole_bound * relative_root_of_area(mesh, faces, unit) * unit;
+    double area = 0;
+    for (const Index f : faces)
+      area += area_of_face(mesh, f);
+    const double greatest_length = m_hole_bound * std::sqrt(area);
     for (std::size_t j = 0; j < borders.size(); ++j)
       if (j != longest && borders[j].size() >= 3 && lengths[j] <= greatest_length &&
           std::all_of(borders[j].begin(), borders[j].end(), [&](Index h) { return m_is_at_hole[h]; }))
@@ -194,7 +174,7 @@ std::vector<Filled_holes> fill_small_holes(Corner_mesh& mesh, const std::vector<
     Filled_holes& filled = result[small_holes.component_of(hole)];
     const std::vector<Point_3> places = places_along(mesh, hole);
     if (is_crack(places) || is_round(places)) {
-      fill(hole, perimeter(places), mesh);
+      fill(hole, mesh);
       filled.faces += hole.size();
     } else
       --filled.holes;

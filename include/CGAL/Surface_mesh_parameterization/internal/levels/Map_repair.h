@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/best_similarity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
@@ -113,7 +114,7 @@ private:
   Point_2 from_own_units(const Point_2& p) const { return scaled(p, -m_exponent); }
   Point_2 scaled(const Point_2& p, int exponent) const
   {
-    return Point_2(std::ldexp(m_is_mirrored ? -p.x() : p.x(), exponent), std::ldexp(p.y(), exponent));
+    return times_power_of_two(Point_2(m_is_mirrored ? -p.x() : p.x(), p.y()), exponent);
   }
 
   // The finest level on which the wanted places are valid; if there is none, Tutte's map of the coarsest, as near to

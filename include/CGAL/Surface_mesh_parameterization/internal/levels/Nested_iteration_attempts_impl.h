@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_NESTED_ITERATION_ATTEMPTS_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_NESTED_ITERATION_ATTEMPTS_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/vertex_order.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
@@ -124,7 +125,7 @@ bool Nested_iteration_attempts::find_start_at_scale_of_places(const Collapse_hie
   if (exponent == 0)
     return false;
   for (Point_3& p : surface.points)
-    p = Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent));
+    p = times_power_of_two(p, exponent);
   return find_start(std::move(surface));
 }
 

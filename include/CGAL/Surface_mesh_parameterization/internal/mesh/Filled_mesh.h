@@ -101,15 +101,13 @@ private:
       const auto& p = get(point_map, v);
       return Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
     };
-    std::vector<Point_3> hole;
-    Vector_3 sum_of_normals(0, 0, 0);      // of the triangles along the hole
+    Hole_3 hole;
     for (const halfedge_descriptor g : halfedges_around_face(h, m_mesh)) {
       const halfedge_descriptor o = opposite(g, m_mesh);
-      hole.push_back(place(target(g, m_mesh)));
-      sum_of_normals += CGAL::cross_product(place(target(o, m_mesh)) - hole.back(),
-                                            place(target(next(o, m_mesh), m_mesh)) - hole.back());
+      hole.places.push_back(place(target(g, m_mesh)));
+      hole.triangles.push_back({ hole.places.back(), place(target(o, m_mesh)), place(target(next(o, m_mesh), m_mesh)) });
     }
-    const Point_3 middle = middle_of_hole(hole, sum_of_normals);
+    const Point_3 middle = middle_of_hole(hole);
     Euler::fill_hole(h, m_mesh);
     put(point_map, target(Euler::add_center_vertex(h, m_mesh), m_mesh),
         User_point_3(middle.x(), middle.y(), middle.z()));

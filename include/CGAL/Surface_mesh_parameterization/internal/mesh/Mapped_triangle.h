@@ -4,8 +4,10 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_MAPPED_TRIANGLE_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_MAPPED_TRIANGLE_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 
+#include <CGAL/Origin.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
@@ -64,10 +66,8 @@ public:
     const int k = exponent(m_longest), l = exponent(m_longest_image);
     Mapped_triangle result = t;
     for (int i = 0; i < 3; ++i) {
-      const Vector_3 p = t.points[i] - t.points[0];
-      const Vector_2 q = t.uv[i] - t.uv[0];
-      result.points[i] = Point_3(std::ldexp(p.x(), k), std::ldexp(p.y(), k), std::ldexp(p.z(), k));
-      result.uv[i] = Point_2(std::ldexp(q.x(), l), std::ldexp(q.y(), l));
+      result.points[i] = times_power_of_two(CGAL::ORIGIN + (t.points[i] - t.points[0]), k);
+      result.uv[i] = times_power_of_two(CGAL::ORIGIN + (t.uv[i] - t.uv[0]), l);
     }
     return result;
   }
@@ -94,12 +94,10 @@ struct Map_invariants
     for (int i = 0; i < 3; ++i)
       longest = (std::max)({ longest, std::abs(p[i]), std::abs(q[i]) });
     const int exponent = longest > 0 ? std::ilogb(longest) : 0;
-    const auto scaled = [&](double x) { return std::ldexp(x, -exponent); };
+    const auto scaled = [&](const auto& vector) { return times_power_of_two(CGAL::ORIGIN + vector, -exponent); };
 
-    const Rest_corner c = rest_corner(Point_3(0, 0, 0), Point_3(scaled(p.x()), scaled(p.y()), scaled(p.z())),
-                                      Point_3(scaled(q.x()), scaled(q.y()), scaled(q.z())));
-    const Vector_2 to_b = t.uv[2] - t.uv[1], to_v = t.uv[0] - t.uv[1];
-    const Point_2 a(0, 0), b(scaled(to_b.x()), scaled(to_b.y())), v(scaled(to_v.x()), scaled(to_v.y()));
+    const Rest_corner c = rest_corner(Point_3(0, 0, 0), scaled(p), scaled(q));
+    const Point_2 a(0, 0), b = scaled(t.uv[2] - t.uv[1]), v = scaled(t.uv[0] - t.uv[1]);
     frobenius = c.squared_frobenius_norm(v, a, b);
     determinant = c.determinant(v, a, b);
     area = std::ldexp(1 / c.inverse_area, 2 * exponent);

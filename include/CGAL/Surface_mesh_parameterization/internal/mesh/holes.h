@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 
+#include <array>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -33,9 +34,16 @@ double perimeter(const std::vector<Point_3>& polygon);
 // Whether two sides of a hole almost lie on each other: its area is next to nothing for its length.
 bool is_crack(const std::vector<Point_3>& hole);
 
+// A hole as a closed polygon, and the triangles of the surface along it.
+struct Hole_3
+{
+  std::vector<Point_3> places;
+  std::vector<std::array<Point_3, 3>> triangles;
+};
+
 // The place of a virtual vertex in the middle of a hole: the mean of the hole's. In a crack, where its triangles would
 // have no area, it is a little above the surface, along the sum of the normals there, if that is not 0.
-Point_3 middle_of_hole(const std::vector<Point_3>& hole, const Vector_3& sum_of_normals);
+Point_3 middle_of_hole(const Hole_3& hole);
 
 // Closes a hole by a virtual vertex in the middle of it, which comes last. `rings` are those of the surface with the
 // hole.

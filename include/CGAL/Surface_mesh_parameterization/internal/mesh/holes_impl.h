@@ -51,17 +51,22 @@ bool is_crack(const std::vector<Point_3>& hole)
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Point_3 middle_of_hole(const std::vector<Point_3>& hole, const Vector_3& sum_of_normals)
+Point_3 middle_of_hole(const Hole_3& hole)
 {
   constexpr double height_above_crack = 0.2;      // relative to the edges
-  const double n = double(hole.size());
-  Vector_3 result(0, 0, 0);
-  for (const Point_3& p : hole)
-    result += (p - CGAL::ORIGIN) / n;
-  const double size = std::sqrt(sum_of_normals.squared_length());
-  if (std::isnormal(size) && is_crack(hole))
-    result += height_above_crack * perimeter(hole) / n / size * sum_of_normals;
-  return CGAL::ORIGIN + result;
+  const double n = double(hole.places.size());
+  Vector_3 middle(0, 0, 0);
+  for (const Point_3& p : hole.places)
+    middle += (p - CGAL::ORIGIN) / n;
+  if (is_crack(hole.places)) {
+    const double length = perimeter(hole.places);
+    Vector_3 sum_of_normals(0, 0, 0);
+    for (const auto& [p, q, r] : hole.triangles)
+      sum_of_normals += CGAL::cross_product((q - p) / length, (r - p) / length);
+    if (const double size = std::sqrt(sum_of_normals.squared_length()); std::isnormal(size))
+      middle += height_above_crack * length / n / size * sum_of_normals;
+  }
+  return CGAL::ORIGIN + middle;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -69,13 +74,13 @@ void fill_hole(const Border& hole, const One_rings& rings, Triangulated_surface_
 {
   std::vector<Point_3>& points = surface.points;
   const Index middle = Index(points.size());
-  Vector_3 sum_of_normals(0, 0, 0);      // of the triangles along the hole
+  Hole_3 hole_in_space{ places_of(hole, [&](Index v) { return points[v]; }), {} };
   for (std::size_t i = 0; i < hole.size(); ++i) {
     const Index v = hole[i], next = hole[i + 1 == hole.size() ? 0 : i + 1];
     surface.triangles.push_back({ next, v, middle });
-    sum_of_normals += CGAL::cross_product(points[next] - points[v], points[rings[v][1]] - points[v]);
+    hole_in_space.triangles.push_back({ points[v], points[next], points[rings[v][1]] });
   }
-  points.push_back(middle_of_hole(places_of(hole, [&](Index v) { return points[v]; }), sum_of_normals));
+  points.push_back(middle_of_hole(hole_in_space));
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

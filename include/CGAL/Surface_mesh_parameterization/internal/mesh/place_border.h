@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/properties.h>
@@ -78,8 +79,8 @@ Parameterization_error place_border(Method& method, const TriangleMesh& mesh,
       if (!get(maps.is_placed, v))
         continue;
       const auto& place = get(maps.place, v);
-      const Point_2 scaled(std::ldexp(CGAL::to_double(place.x()), surface.scale_exponent),
-                           std::ldexp(CGAL::to_double(place.y()), surface.scale_exponent));
+      const Point_2 scaled = times_power_of_two(
+          Point_2(CGAL::to_double(place.x()), CGAL::to_double(place.y())), surface.scale_exponent);
       if (!is_finite(scaled))
         return { ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, position_in(vertices(mesh), v),
                  "the border parameterizer gave a vertex a place that is not finite" };

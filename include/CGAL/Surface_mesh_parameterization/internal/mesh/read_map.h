@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 
 #include <CGAL/number_utils.h>
 
@@ -22,8 +23,7 @@ std::vector<Point_2> read_map(const Mesh_component<TriangleMesh>& component, int
   uv.reserve(component.vertices_of_component().size());
   for (const auto v : component.vertices_of_component()) {
     const auto& p = get(uvmap, v);
-    uv.emplace_back(std::ldexp(CGAL::to_double(p.x()), scale_exponent),
-                    std::ldexp(CGAL::to_double(p.y()), scale_exponent));
+    uv.push_back(times_power_of_two(Point_2(CGAL::to_double(p.x()), CGAL::to_double(p.y())), scale_exponent));
   }
   return uv;
 }

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_SURFACE_CHECKS_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_SURFACE_CHECKS_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 
@@ -41,13 +42,9 @@ void normalize(Triangulated_surface_3& surface)
   // Halves, so that the sums of huge coordinates stay finite.
   const double center[3] = { 0.5 * box.xmin() + 0.5 * box.xmax(), 0.5 * box.ymin() + 0.5 * box.ymax(),
                              0.5 * box.zmin() + 0.5 * box.zmax() };
-  double half_width = 0;
-  for (int i = 0; i < 3; ++i)
-    half_width = (std::max)(half_width, 0.5 * box.max(i) - 0.5 * box.min(i));
-  const int exponent = half_width > 0 ? -std::ilogb(half_width) : 0;
+  const int exponent = scale_exponent_of(box);
   for (Point_3& p : surface.points)
-    p = Point_3(std::ldexp(p.x() - center[0], exponent), std::ldexp(p.y() - center[1], exponent),
-                std::ldexp(p.z() - center[2], exponent));
+    p = times_power_of_two(Point_3(p.x() - center[0], p.y() - center[1], p.z() - center[2]), exponent);
   surface.scale_exponent = exponent;
 }
 

@@ -21,7 +21,8 @@ struct Atlas
 {
   Corner_mesh mesh;
   std::vector<std::vector<Index>> charts;       // the faces of each
-  std::vector<Point_2> uv;                      // of the vertices
+  std::vector<Point_2> uv;                      // of the vertices: the user's, times 2 to the power of the exponent
+  int scale_exponent = 0;
   std::vector<bool> is_at_hole;                 // of the input's halfedges; further ones are of faces that fill holes
 
   // Without the virtual ones, which come last.

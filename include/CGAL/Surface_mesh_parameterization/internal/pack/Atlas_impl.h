@@ -234,7 +234,8 @@ inline Packing place_charts(Atlas& atlas, std::vector<bool>& is_wanted, const Pa
   Packing packing = pack_charts(charts, options);
   if (packing.side == 0)
     return packing;
-  const double scale = options.fills_unit_square ? 1 / packing.side : 1;
+  const double scale = options.fills_unit_square ? 1 / packing.side : std::ldexp(1., -atlas.scale_exponent);
+  atlas.scale_exponent = 0;
   packing.side *= scale;
   packing.distance *= scale;
 

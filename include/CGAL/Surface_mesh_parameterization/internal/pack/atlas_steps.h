@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_part.h>
@@ -28,12 +29,12 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 typedef CGAL::Surface_mesh<Point_3>   Chart_mesh;
 
-// Returns whether there is such a mesh: not if two edges of the chart have the same ends.
+// In the user's coordinates. Returns whether there is such a mesh: not if two edges of the chart have the same ends.
 inline bool make_chart_mesh(const Corner_mesh& chart, Chart_mesh& mesh)
 {
   mesh.reserve(Chart_mesh::size_type(chart.number_of_vertices()), chart.number_of_halfedges(), chart.number_of_faces());
   for (const Point_3& p : chart.points)
-    mesh.add_vertex(p);
+    mesh.add_vertex(times_power_of_two(p, -chart.scale_exponent));
   for (Index h = 0; h < chart.number_of_halfedges(); h += 3)
     if (mesh.add_face(Chart_mesh::Vertex_index(chart.vertex[h]), Chart_mesh::Vertex_index(chart.vertex[h + 1]),
                       Chart_mesh::Vertex_index(chart.vertex[h + 2])) == Chart_mesh::null_face())
@@ -92,7 +93,7 @@ inline void sever_parts(const std::vector<Parts_with_map>& parts, Atlas& atlas, 
         if (!atlas.mesh.is_border(h)) {
           if (atlas.is_in_surface(h)) {
             ++result.cut.seam_edges;
-            result.cut.seam_length += length(atlas.mesh, h);
+            result.cut.seam_length += user_length(atlas.mesh, h);
           }
           atlas.mesh.sever(h);
           is_severed = true;
@@ -198,7 +199,7 @@ inline void pack(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& o
     if (had_map[i] && !has_map[i]) {
       Parameterization_error& error = result.charts[i].summary.error;
       error = { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::FACE, atlas.charts[i].front(),
-                packing.side == 0 ? "the charts have no area, or squares of their sizes over- or underflow"
+                packing.side == 0 ? "the charts have no area"
                                   : "rounding leaves the triangles of a chart no room" };
       if (result.is_ok())
         result.error = error;

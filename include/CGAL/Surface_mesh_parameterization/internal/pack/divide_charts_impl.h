@@ -203,7 +203,7 @@ Division divide_charts(Atlas& atlas, const std::vector<bool>& has_map, const Pac
   for (const Index h : divider.seam()) {
     if (atlas.is_in_surface(h)) {
       ++result.seam_edges;
-      result.seam_length += length(atlas.mesh, h);
+      result.seam_length += user_length(atlas.mesh, h);
     }
     atlas.mesh.sever(h);
   }

@@ -129,7 +129,7 @@ private:
       longest = (std::max)(longest, length(m_chart, h));
     const auto cost = [&](Index h) {
       const double part = length(m_chart, h) / longest;
-      return 1 + (part <= 1 ? Minimum_cut::Cost(steps_of_longest * part) : 0);      // lengths may over- or underflow
+      return 1 + (part <= 1 ? Minimum_cut::Cost(steps_of_longest * part) : 0);      // all may be 0
     };
     Minimum_cut cut(m_number_of_faces);
     for (Index h = 0; h < m_chart.number_of_halfedges(); ++h)

@@ -120,6 +120,7 @@ private:
           mesh, uvmap, with_options<Method<Chart_mesh>>(m_np, overlap_bound));
       if (summary.is_ok()) {
         part.uv.assign(uvmap.begin(), uvmap.end());
+        normalize(part.uv);
         scale_to_area_in_space(part.mesh, part.uv);
       } else if (summary.error.code == ERROR_STOPPED)
         m_is_stopped = true;
@@ -140,6 +141,7 @@ template <template <class...> class Method, class ConcurrencyTag, class NamedPar
 std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, const Cut_options& cut_options,
                                       double overlap_bound, Atlas_summary& result)
 {
+  atlas.scale_exponent = atlas.mesh.scale_exponent;
   Chart_parameterizer<Method, ConcurrencyTag, NamedParameters> parameterizer(np, cut_options, overlap_bound);
   std::vector<Parts_with_map> parts(atlas.charts.size());
   const auto make_scratch = [&] { return std::vector<Index>(atlas.mesh.number_of_vertices(), no_index); };
