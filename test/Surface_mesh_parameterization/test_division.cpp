@@ -145,14 +145,13 @@ TEST(Path_in_plane, is_shortest_and_avoids_the_border)
   const std::vector<Index> border = internal::outer_border(corners, uv);
   ASSERT_EQ(border.size(), std::size_t(4 * n));
   const auto vertex_at = [&](double x, double y) {
-    const auto is_there = [&](Index v) { return uv[v] == Point_2(x, y); };
-    return *std::find_if(border.begin(), border.end(), is_there);
+    return Index(std::find(uv.begin(), uv.end(), Point_2(x, y)) - uv.begin());
   };
   const auto expect_path = [&](const Point_2& from, const Point_2& to, double expected_length) {
     const Index start = vertex_at(from.x(), from.y()), goal = vertex_at(to.x(), to.y());
     double sum = 0;
     Index v = goal;
-    for (const Index h : internal::path_in_plane(corners, uv, start, goal)) {
+    for (const Index h : internal::path_in_plane(corners, uv, border, start, goal)) {
       sum += length(uv[corners.source(h)] - uv[corners.target(h)]);
       EXPECT_TRUE(corners.source(h) == v || corners.target(h) == v);
       EXPECT_FALSE(corners.is_border(h));
@@ -163,6 +162,35 @@ TEST(Path_in_plane, is_shortest_and_avoids_the_border)
   };
   expect_path(Point_2(0.25, 0), Point_2(0.25, 1), 1);
   expect_path(Point_2(1, 0.5), Point_2(0, 0.5), 1);
+}
+
+// A square frame: halfway between two of its sides the way leads along the hole, whichever way that is.
+Flat_mesh frame(Index n, double width)
+{
+  const auto is_inside = [width](double x) { return x > width && x < 1 - width; };
+  return part(grid(n, n, flat), [&](const Point_3& p) { return !is_inside(p.x()) || !is_inside(p.y()); });
+}
+
+TEST(Path_in_plane, takes_what_is_cut_already_for_nothing)
+{
+  constexpr double width = 0.125;
+  const auto mesh = make<Surface_mesh>(frame(8, width));
+  internal::Corner_mesh corners;
+  const CGAL::Constant_property_map<Surface_mesh::Edge_index, bool> no_seam(false);
+  ASSERT_EQ(internal::read_corner_mesh(mesh, no_seam, corners).code, OK);
+  std::vector<Point_2> uv;
+  for (const Point_3& p : corners.points)
+    uv.emplace_back(p.x(), p.y());
+  const auto vertex_at = [&](const Point_2& p) { return Index(std::find(uv.begin(), uv.end(), p) - uv.begin()); };
+  double length_of_cut = 0;
+  for (const Index h : internal::path_in_plane(corners, uv, internal::outer_border(corners, uv),
+                                               vertex_at(Point_2(0, 0.5)), vertex_at(Point_2(1, 0.5)))) {
+    if (!corners.is_border(h))
+      length_of_cut += length(uv[corners.source(h)] - uv[corners.target(h)]);
+    corners.sever(h);
+  }
+  EXPECT_NEAR(length_of_cut, 2 * width, 1e-12);
+  EXPECT_EQ(internal::connected_components(corners).size(), 2u);
 }
 
 struct Seams
@@ -245,6 +273,23 @@ TEST(Division, fills_the_square)
     EXPECT_GE(summary.charts.size(), before.charts.size() + summary.divisions);
     expect_one_to_one(divided);
     expect_told(whole, before);
+    expect_told(divided, summary);
+  }
+}
+
+// The square around a U or a frame becomes smaller only when several sides are cut off.
+TEST(Division, cuts_frames)
+{
+  const Flat_mesh u = part(frame(40, 0.05), [](const Point_3& p) { return p.y() < 0.95; });
+  for (const Flat_mesh& m : { u, frame(40, 0.05) }) {
+    Surface whole(m), divided(m);
+    const Atlas_summary before = atlas_parameterization(whole.mesh, whole.uv, parameters::least_used_part(0.));
+    ASSERT_LT(before.used_part, 0.2);
+    const Atlas_summary summary = atlas_parameterization(divided.mesh, divided.uv, parameters::least_used_part(0.7));
+    ASSERT_TRUE(summary.is_ok());
+    EXPECT_GE(summary.used_part, 0.7);
+    EXPECT_LT(summary.cut.seam_length, 1);
+    expect_one_to_one(divided);
     expect_told(divided, summary);
   }
 }

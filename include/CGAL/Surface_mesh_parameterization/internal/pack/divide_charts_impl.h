@@ -25,8 +25,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 struct Divided_part : Chart_part
 {
   double box = 0;                           // the area that the least box around it takes
-  std::vector<Index> cut;                   // halfedges of the best cut
-  double gain = 0;                          // of that cut; 0 if there is none that is worth it
+  Index start = no_index, goal = no_index;  // between which the best cut leads; `no_index` if there is none
+  double gain = 0;                          // of that cut; 0 if it is not worth it
 };
 
 class Chart_divider
@@ -91,25 +91,34 @@ private:
     return m_area / std::accumulate(m_parts.begin(), m_parts.end(), 0., add);
   }
 
-  // Where a part is to be cut, if that is worth it.
+  // Where a part is to be cut.
   void find_cut(Divided_part& part) const
+  {
+    find_cut(part, m_options.least_part_of_chart);
+    if (!(part.gain > m_options.least_gain * m_area))
+      part.gain = 0;
+  }
+
+  // The same that leaves so much of the part on each side, whatever that gains.
+  void find_cut(Divided_part& part, double least_part) const
   {
     const std::vector<Index> border = outer_border(part.mesh, part.uv);
     std::vector<Index> places;
     std::vector<Point_2> polygon;
     for (std::size_t i = 0; i < border.size(); i += border.size() / m_options.most_places + 1) {
-      places.push_back(border[i]);
-      polygon.push_back(part.uv[border[i]]);
+      places.push_back(part.mesh.target(border[i]));
+      polygon.push_back(part.uv[places.back()]);
     }
     const double side_of_square = m_greatest_length * std::sqrt(m_area / m_options.least_used_part);
-    const double least_area = m_options.least_part_of_chart * area(chart_of(part.mesh, part.uv));
+    const double least_area = least_part * area(chart_of(part.mesh, part.uv));
     const Chord chord = best_chord(polygon, side_of_square, least_area, m_cost_of_length * std::sqrt(m_area));
     part.box = area_of_box(part.uv, side_of_square);
     part.gain = part.box - chord.cost;
-    if (part.gain > m_options.least_gain * m_area)
-      part.cut = path_in_plane(part.mesh, part.uv, places[chord.begin], places[chord.end]);
-    else
-      part.gain = 0;
+    part.start = part.goal = no_index;
+    if (std::isfinite(chord.cost)) {
+      part.start = places[chord.begin];
+      part.goal = places[chord.end];
+    }
   }
 
   // Returns whether at least one part was divided.
@@ -137,7 +146,7 @@ private:
         continue;
       }
       if (m_changes == m_options.most_changes)
-        return false;
+        return divide_at_loss();
       ++m_changes;
       m_cost_of_length *= m_options.change_of_cost;
       m_greatest_length *= m_options.change_of_length;
@@ -146,17 +155,32 @@ private:
     }
   }
 
+  // Cuts the part whose box is emptiest. Returns whether there is a cut.
+  bool divide_at_loss()
+  {
+    const auto empty_area = [](const Divided_part& part) { return part.box - area(chart_of(part.mesh, part.uv)); };
+    const auto is_fuller = [&](const Divided_part& a, const Divided_part& b) { return empty_area(a) < empty_area(b); };
+    const auto part = std::max_element(m_parts.begin(), m_parts.end(), is_fuller);
+    if (m_losses == m_options.most_losses || part == m_parts.end())
+      return false;
+    ++m_losses;
+    find_cut(*part, m_options.least_part_at_loss);
+    return part->start != no_index && divide(*part);
+  }
+
   bool divide(Divided_part& part)
   {
+    const std::vector<Index> cut =
+        path_in_plane(part.mesh, part.uv, outer_border(part.mesh, part.uv), part.start, part.goal);
     std::vector<Divided_part> sides;
-    for (Chart_part& side : sides_of(part, part.cut))
+    for (Chart_part& side : sides_of(part, cut))
       static_cast<Chart_part&>(sides.emplace_back()) = std::move(side);
     if (sides.size() == 1) {
       part.gain = 0;
       return false;
     }
     ++m_divisions;
-    for (const Index h : part.cut)
+    for (const Index h : cut)
       if (!part.mesh.is_border(h))
         m_seam.push_back(part.halfedge_of_atlas(h));
     for (Divided_part& side : sides) {
@@ -172,7 +196,7 @@ private:
   const Division_options& m_options;
   std::vector<Divided_part> m_parts;
   double m_area = 0, m_cost_of_length = m_options.cost_of_length, m_greatest_length = m_options.greatest_length;
-  std::size_t m_changes = 0;
+  std::size_t m_changes = 0, m_losses = 0;
   std::vector<Index> m_seam;
   std::size_t m_divisions = 0;
 };

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -16,41 +17,50 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The vertices of the border that encloses the greatest area in the plane.
+// The halfedges of the border that encloses the greatest area in the plane.
 inline std::vector<Index> outer_border(const Corner_mesh& mesh, const std::vector<Point_2>& uv)
 {
   std::vector<Index> result;
   double greatest_area = 0;
-  for (const std::vector<Index>& border : borders(mesh)) {
+  for (std::vector<Index>& border : borders(mesh)) {
     double area = 0;
     for (const Index h : border)
       area += 0.5 * cross(uv[mesh.source(h)] - uv[mesh.source(border[0])],
                           uv[mesh.target(h)] - uv[mesh.source(border[0])]);
     if (area > greatest_area) {
       greatest_area = area;
-      result.clear();
-      for (const Index h : border)
-        result.push_back(mesh.target(h));
+      result = std::move(border);
     }
   }
   return result;
 }
 
-// The halfedges of the path along edges from one vertex on a border to another that is shortest in the plane. Of the
-// edges that lead to other vertices on borders, a multiple counts. The search prefers what is near to the goal (A*).
-inline std::vector<Index> path_in_plane(const Corner_mesh& mesh, const std::vector<Point_2>& uv, Index start,
-                                        Index goal)
+// The halfedges of the path along edges from one vertex on the outer border to another for which least has to be cut in
+// the plane: edges at holes are cut already. Of the edges that lead to other vertices on the outer border, a multiple
+// counts. Without holes the search prefers what is near to the goal (A*).
+inline std::vector<Index> path_in_plane(const Corner_mesh& mesh, const std::vector<Point_2>& uv,
+                                        const std::vector<Index>& outer_border, Index start, Index goal)
 {
   constexpr double multiple_at_border = 3;
   const auto distance = [&](Index v, Index w) { return std::sqrt((uv[w] - uv[v]).squared_length()); };
-  std::vector<bool> is_on_border(mesh.number_of_vertices(), false);
+  std::vector<bool> is_on_border(mesh.number_of_vertices(), false), is_on_outer_border = is_on_border;
   std::vector<Index> leaving(mesh.number_of_vertices());          // a halfedge; the first one of those on a border
-  for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
+  std::size_t border_edges = 0;
+  for (Index h = 0; h < mesh.number_of_halfedges(); ++h) {
+    border_edges += mesh.is_border(h);
     if (!is_on_border[mesh.source(h)]) {
       leaving[mesh.source(h)] = h;
-      if (mesh.is_border(h))
-        is_on_border[mesh.source(h)] = true;
+      is_on_border[mesh.source(h)] = mesh.is_border(h);
     }
+  }
+  for (const Index h : outer_border)
+    is_on_outer_border[mesh.target(h)] = true;
+  const bool has_holes = outer_border.size() < border_edges;
+  const auto cost = [&](Index h, Index v, Index w) {
+    if (mesh.is_border(h) && !is_on_outer_border[v])
+      return 0.;
+    return distance(v, w) * (is_on_outer_border[w] && w != goal ? multiple_at_border : 1);
+  };
 
   typedef std::pair<double, Index>   Entry;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
@@ -59,11 +69,11 @@ inline std::vector<Index> path_in_plane(const Corner_mesh& mesh, const std::vect
   std::vector<bool> is_done(mesh.number_of_vertices(), false);
   const auto reach = [&](Index h, Index w) {
     const Index v = mesh.source(h) == w ? mesh.target(h) : mesh.source(h);
-    const double other = length[v] + distance(v, w) * (is_on_border[w] && w != goal ? multiple_at_border : 1);
+    const double other = length[v] + cost(h, v, w);
     if (other < length[w]) {
       length[w] = other;
       last_halfedge[w] = h;
-      queue.emplace(other + distance(w, goal), w);
+      queue.emplace(has_holes ? other : other + distance(w, goal), w);
     }
   };
   length[start] = 0;
