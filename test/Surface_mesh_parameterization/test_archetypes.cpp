@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_progress.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -29,6 +30,7 @@
 #include <functional>
 #include <limits>
 #include <set>
+#include <string>
 
 namespace test_archetypes {
 
@@ -243,6 +245,53 @@ TEST(Archetypes, fix_vertices_nowhere)
                 Hierarchical_parameterizer_3<Bad_border_method>(Bad_border_method(log, ERROR_NO_1_TO_1_MAPPING))),
             ERROR_NO_1_TO_1_MAPPING);
   EXPECT_EQ(log.borders, 2);
+}
+
+// Leaves a map of another number of places on some level, or a first one.
+class Resizing_method : public Method_archetype
+{
+public:
+  Resizing_method(Log& log, int level, std::ptrdiff_t change)
+    : Method_archetype(log, OK), m_level(level), m_change(change)
+  { }
+
+  Error_code parameterize_coarsest(const Level& level, Level::Uv& uv)
+  {
+    const Error_code status = Method_archetype::parameterize_coarsest(level, uv);
+    resize_if(m_level < 0, uv);
+    return status;
+  }
+
+  Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary)
+  {
+    resize_if(int(level.index()) == m_level, uv);
+    return Method_archetype::refine(level, uv, summary);
+  }
+
+private:
+  void resize_if(bool condition, Level::Uv& uv) const
+  {
+    if (condition)
+      uv.resize(std::size_t(std::ptrdiff_t(uv.size()) + m_change));
+  }
+
+  int m_level;
+  std::ptrdiff_t m_change;
+};
+
+TEST(Archetypes, may_not_change_the_number_of_places)
+{
+  for (const int level : { -1, 0, 2 })
+    for (const std::ptrdiff_t change : { -1, 1 }) {
+      Log log;
+      Parameterization_summary s;
+      Mapped_mesh mapped(grid(16, 12, wavy));
+      EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Resizing_method>(
+                    Resizing_method(log, level, change), parameters::coarsest_size(12).summary(std::ref(s)))),
+                ERROR_WRONG_PARAMETER);
+      EXPECT_NE(error_message(s.error).find("number of places"), std::string::npos);
+      EXPECT_TRUE(mapped.is_untouched());
+    }
 }
 
 // Cannot lay out more than a few vertices.

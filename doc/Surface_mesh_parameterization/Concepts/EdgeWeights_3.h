@@ -35,6 +35,7 @@ public:
   /// \param is_closed whether the last and the first neighbor form a triangle with `v`, too. If not, `v` lies on a
   ///        border, which is that of a hole if the outer border is fixed
   /// \param weights receives a finite number for each neighbor, in the order of the ring. It may have any size at the
-  ///        call. If the sum of the weights is not positive, uniform weights replace them
+  ///        call. If the sum of the weights is not positive, or overflows, as next to degenerate triangles, uniform
+  ///        weights replace them
   void operator()(const Point_3& v, const std::vector<Point_3>& ring, bool is_closed, std::vector<double>& weights);
 };

@@ -95,7 +95,7 @@ public:
   /// makes the first map, that of the coarsest level.
   ///
   /// \param level the coarsest level, with about a hundred vertices, or the whole input in a flat run
-  /// \param uv receives a place for every vertex of the level, by rank
+  /// \param uv receives a place for every vertex of the level, by rank; another number of places is an error
   ///
   /// \return `OK` and a map, flip-free if the method is, or an error. After `ERROR_NO_1_TO_1_MAPPING` of a flip-free
   ///         method, nested iteration tries again with a coarser coarsest level
@@ -113,7 +113,8 @@ public:
   ///
   /// \param level the level. The vertices from `level.first_new_vertex()` on are new, and `level.is_finest()` tells
   ///        whether this is the last call
-  /// \param uv a map of the level. If the method is flip-free, the map is flip-free and must stay so
+  /// \param uv a map of the level, whose size must stay. If the method is flip-free, the map is flip-free and must
+  ///        stay so
   /// \param summary receives what was done. The caller fills in the numbers of vertices and faces and the time
   ///
   /// \return `OK`, or an error that ends the run. After `ERROR_NO_1_TO_1_MAPPING` from a map of the user's, nested

@@ -76,7 +76,7 @@ private:
 
   Edge_system(const Level& level, const Make_weight_function& make_weight_function);
 
-  // A row that has no mean is taken for one of uniform weights.
+  // A row whose sum is not positive or not finite is taken for one of uniform weights.
   void set_row(Index i, const std::vector<double>& row);
 
   double squared_residual(const Level::Uv& uv) const;

@@ -46,11 +46,11 @@ public:
   Loops loops() const override { return m_loops; }
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) override
   {
-    return m_method.parameterize_coarsest(level, uv);
+    return checked(m_method.parameterize_coarsest(level, uv), level, uv);
   }
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) override
   {
-    return m_method.refine(level, uv, summary);
+    return checked(m_method.refine(level, uv, summary), level, uv);
   }
   bool leave_room() override
   {
@@ -80,7 +80,7 @@ public:
                                   [[maybe_unused]] Level_summary& summary) override
   {
     if constexpr (is_detected<Refined_without_flips, Method>)
-      return m_method.refine_without_flips(level, uv, summary);
+      return checked(m_method.refine_without_flips(level, uv, summary), level, uv);
     return ERROR_NO_1_TO_1_MAPPING;
   }
 
@@ -101,7 +101,19 @@ public:
     }
   }
 
+  // Why the method has returned ERROR_WRONG_PARAMETER.
+  const char* cause() const { return m_cause; }
+
 private:
+  // What the method returns, unless its map is none of the level.
+  Error_code checked(Error_code status, const Level& level, const Level::Uv& uv)
+  {
+    if (status != OK || uv.size() == level.number_of_vertices())
+      return status;
+    m_cause = "the method has changed the number of places in the map of a level";
+    return ERROR_WRONG_PARAMETER;
+  }
+
   // The optional members of the concept.
   template <class M>
   using Room_left = decltype(std::declval<M&>().leave_room());
@@ -116,6 +128,7 @@ private:
 
   Method& m_method;
   Loops m_loops;
+  const char* m_cause = "the method refuses one of its options";
 };
 
 // The user's map of a component's surface, in its units. Vertices of the surface that the mesh does not have get
@@ -217,7 +230,7 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
     if (status != OK)
       summary.error.cause = "the map is too large for doubles";
   } else if (status == ERROR_WRONG_PARAMETER)
-    summary.error.cause = "the method refuses one of its options";
+    summary.error.cause = engine_method.cause();
   else if (summary.error.place == Parameterization_error::VERTEX)
     summary.error.index = position_in(vertices(mesh), component.vertices_of_component()[summary.error.index]);
   return status;
