@@ -128,21 +128,29 @@ struct Squares
   }
 
   bool are_one_to_one() const { return internal::are_charts_one_to_one(edges, chart_of, uv); }
+  bool are_apart() const { return internal::are_charts_apart(edges, chart_of, uv); }
 };
 
 TEST(Atlas_quality, borders_tell_whether_charts_overlap)
 {
   const Squares frame = Squares().add(0, 0, 0, 9).add(0, 3, 3, 3, true);
-  EXPECT_TRUE(frame.are_one_to_one());
-  EXPECT_TRUE(Squares(frame).add(1, 4, 4, 1).are_one_to_one());       // in the hole
-  EXPECT_TRUE(Squares(frame).add(1, 10, 4, 1).are_one_to_one());      // beside
-  EXPECT_TRUE(Squares(frame).add(1, -20, -20, 90).add(1, -1, -1, 12, true).are_one_to_one());      // around
-  EXPECT_FALSE(Squares(frame).add(1, 1, 1, 1).are_one_to_one());      // on the frame
-  EXPECT_FALSE(Squares(frame).add(1, 7, 4, 1).are_one_to_one());
-  EXPECT_FALSE(Squares(frame).add(1, 2, 2, 3).are_one_to_one());      // across
-  EXPECT_FALSE(Squares(frame).add(1, 9, 0, 1).are_one_to_one());      // touching
-  EXPECT_FALSE(Squares(frame).add(1, -1, -1, 12).are_one_to_one());   // over all
-  EXPECT_FALSE(Squares(frame).add(0, 10, 4, 1).are_one_to_one());     // of the same chart
+  for (const Squares& s : { frame, Squares(frame).add(1, 4, 4, 1),                    // in the hole
+                            Squares(frame).add(1, 10, 4, 1),                          // beside
+                            Squares(frame).add(1, -20, -20, 90).add(1, -1, -1, 12, true) }) {      // around
+    EXPECT_TRUE(s.are_one_to_one());
+    EXPECT_TRUE(s.are_apart());
+  }
+  for (const Squares& s : { Squares(frame).add(1, 1, 1, 1), Squares(frame).add(1, 7, 4, 1),       // on the frame
+                            Squares(frame).add(1, 2, 2, 3),                           // across
+                            Squares(frame).add(1, 9, 0, 1),                           // touching
+                            Squares(frame).add(1, -1, -1, 12) }) {                    // over all
+    EXPECT_FALSE(s.are_one_to_one());
+    EXPECT_FALSE(s.are_apart());
+  }
+  for (const Squares& s : { Squares(frame).add(0, 10, 4, 1), Squares(frame).add(0, 2, 2, 3) }) {      // of one chart
+    EXPECT_FALSE(s.are_one_to_one());
+    EXPECT_TRUE(s.are_apart());
+  }
 }
 
 TEST(Atlas_quality, of_charts_that_lie_one_in_the_other_the_other_way_round)

@@ -76,7 +76,7 @@ Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_
     summary.components.push_back({ c.faces, c.genus, c.borders, c.branches, c.distortion });
   for (std::size_t i = 0; i < filled.size(); ++i) {
     summary.components[i].faces -= filled[i].faces;
-    summary.components[i].borders += filled[i].holes;
+    summary.components[i].borders = filled[i].borders;
   }
   for (Index h = 0; h < result.is_seam.size(); ++h)
     if (corners.is_border(h) && old_opposite[h] != no_index && !result.is_at_hole[h]) {

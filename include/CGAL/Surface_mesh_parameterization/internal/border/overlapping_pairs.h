@@ -34,6 +34,10 @@ bool are_borders_one_to_one(const std::vector<Border_edge>& edges, const std::ve
 bool are_charts_one_to_one(const std::vector<Border_edge>& edges, const std::vector<Index>& chart_of,
                            const std::vector<Point_2>& uv);
 
+// Whether no two charts overlap, each of which may overlap itself.
+bool are_charts_apart(const std::vector<Border_edge>& edges, const std::vector<Index>& chart_of,
+                      const std::vector<Point_2>& uv);
+
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
 #ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE

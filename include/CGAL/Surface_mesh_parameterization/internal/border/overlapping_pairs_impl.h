@@ -175,6 +175,48 @@ private:
   Compressed_lists<Border_edge> m_strips;
 };
 
+// Whether of charts whose borders do not meet one lies in another. A vertex on the border of each chart tells.
+inline bool is_one_in_another(const std::vector<Border_edge>& edges, const std::vector<Index>& chart_of,
+                              const std::vector<Index>& vertex_of, const std::vector<Point_2>& uv)
+{
+  std::vector<std::vector<Border_edge>> edges_of(vertex_of.size());
+  std::vector<Bbox_2> boxes(vertex_of.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    edges_of[chart_of[i]].push_back(edges[i]);
+    boxes[chart_of[i]] += uv[edges[i].source].bbox();
+  }
+  std::vector<std::optional<Winding_numbers>> winding_numbers(vertex_of.size());
+  const auto is_in = [&](std::size_t i, std::size_t j) {
+    const Point_2& p = uv[vertex_of[i]];
+    if (!do_overlap(p.bbox(), boxes[j]))
+      return false;
+    if (!winding_numbers[j])
+      winding_numbers[j].emplace(edges_of[j], uv);
+    return (*winding_numbers[j])(p) != 0;
+  };
+  bool result = false;
+  for_each_pair_of_boxes(boxes, [&](std::size_t i, std::size_t j) { result = result || is_in(i, j) || is_in(j, i); });
+  return result;
+}
+
+inline std::size_t number_of_charts(const std::vector<Index>& chart_of)
+{
+  return chart_of.empty() ? 0 : 1 + std::size_t(*std::max_element(chart_of.begin(), chart_of.end()));
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool are_charts_apart(const std::vector<Border_edge>& edges, const std::vector<Index>& chart_of,
+                      const std::vector<Point_2>& uv)
+{
+  bool do_meet = false;
+  for_each_crossing(edges, uv,
+                    [&](std::size_t i, std::size_t j) { do_meet = do_meet || chart_of[i] != chart_of[j]; });
+  std::vector<Index> vertex_of(number_of_charts(chart_of));
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    vertex_of[chart_of[i]] = edges[i].source;
+  return !do_meet && !is_one_in_another(edges, chart_of, vertex_of, uv);
+}
+
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool are_charts_one_to_one(const std::vector<Border_edge>& edges, const std::vector<Index>& chart_of,
                            const std::vector<Point_2>& uv)
@@ -182,37 +224,15 @@ bool are_charts_one_to_one(const std::vector<Border_edge>& edges, const std::vec
   std::vector<Border_curve> curves;
   if (edges.empty() || !follow_curves(edges, uv, curves) || has_crossings(edges, uv))
     return false;
-
-  const std::size_t number_of_charts = 1 + *std::max_element(chart_of.begin(), chart_of.end());
-  std::vector<Index> outermost(number_of_charts, no_index);      // a vertex on the curve that turns left
+  std::vector<Index> outermost(number_of_charts(chart_of), no_index);      // a vertex on the curve that turns left
   for (const Border_curve& c : curves)
     if (Index& v = outermost[chart_of[c.first_edge]]; c.turns_left) {
       if (v != no_index)
         return false;
       v = c.least;
     }
-  std::vector<std::vector<Border_edge>> edges_of(number_of_charts);
-  std::vector<Bbox_2> boxes(number_of_charts);
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    edges_of[chart_of[i]].push_back(edges[i]);
-    boxes[chart_of[i]] += uv[edges[i].source].bbox();
-  }
-
-  // The borders do not meet: a chart that overlaps another one lies in it as a whole, or the other way round.
-  if (std::find(outermost.begin(), outermost.end(), no_index) != outermost.end())
-    return false;
-  std::vector<std::optional<Winding_numbers>> winding_numbers(number_of_charts);
-  const auto is_in = [&](std::size_t i, std::size_t j) {
-    const Point_2& p = uv[outermost[i]];
-    if (!do_overlap(p.bbox(), boxes[j]))
-      return false;
-    if (!winding_numbers[j])
-      winding_numbers[j].emplace(edges_of[j], uv);
-    return (*winding_numbers[j])(p) != 0;
-  };
-  bool result = true;
-  for_each_pair_of_boxes(boxes, [&](std::size_t i, std::size_t j) { result = result && !is_in(i, j) && !is_in(j, i); });
-  return result;
+  return std::find(outermost.begin(), outermost.end(), no_index) == outermost.end() &&
+         !is_one_in_another(edges, chart_of, outermost, uv);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

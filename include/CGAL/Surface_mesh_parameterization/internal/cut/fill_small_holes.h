@@ -13,16 +13,17 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// What was closed of a component.
+// Of a component.
 struct Filled_holes
 {
-  std::size_t holes = 0, faces = 0;      // the latter are virtual
+  std::size_t borders = 0;      // before
+  std::size_t faces = 0;        // virtual ones
 };
 
 // Closes small holes: borders whose halfedges are all among the given ones, and that are no longer than `hole_bound`
 // times the square root of the component's area. The longest border of a component is none. The sides of cracks are
 // joined, see merge_sides(); round holes, and what is open of cracks then, get virtual faces around a virtual vertex in
-// the middle of each, which come last. Returns what was closed of each component, in the order of
+// the middle of each, which come last. Returns what was done with each component, in the order of
 // connected_components().
 std::vector<Filled_holes> fill_small_holes(Corner_mesh& mesh, const std::vector<bool>& is_at_hole, double hole_bound);
 

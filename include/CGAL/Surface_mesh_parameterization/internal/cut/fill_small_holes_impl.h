@@ -165,20 +165,16 @@ std::vector<Filled_holes> fill_small_holes(Corner_mesh& mesh, const std::vector<
 {
   const Small_holes small_holes(mesh, is_at_hole, hole_bound);
   std::vector<Filled_holes> result(small_holes.number_of_components());
+  for (const Border_halfedges& border : borders(mesh))
+    ++result[small_holes.component_of(border)].borders;
   std::vector<Border_halfedges> holes = small_holes.find(mesh);
-  for (const Border_halfedges& hole : holes)
-    ++result[small_holes.component_of(hole)].holes;
   if (join_sides(holes, mesh))
     holes = small_holes.find(mesh);
-  for (const Border_halfedges& hole : holes) {
-    Filled_holes& filled = result[small_holes.component_of(hole)];
-    const std::vector<Point_3> places = places_along(mesh, hole);
-    if (is_crack(places) || is_round(places)) {
+  for (const Border_halfedges& hole : holes)
+    if (const std::vector<Point_3> places = places_along(mesh, hole); is_crack(places) || is_round(places)) {
       fill(hole, mesh);
-      filled.faces += hole.size();
-    } else
-      --filled.holes;
-  }
+      result[small_holes.component_of(hole)].faces += hole.size();
+    }
   return result;
 }
 

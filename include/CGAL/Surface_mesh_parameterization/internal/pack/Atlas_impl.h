@@ -212,7 +212,7 @@ inline bool are_apart(const Atlas& atlas, const std::vector<bool>& is_wanted, do
           }
       ++number_of_charts;
     }
-  return are_charts_one_to_one(edges, chart_of_edge, atlas.uv);
+  return are_charts_apart(edges, chart_of_edge, atlas.uv);
 }
 
 // Packs charts, each at its rounded places. `strayed` are those that had to be changed so much for this that they may
