@@ -38,7 +38,7 @@ struct Harmonic_edge_weights_3
   {
     weights.assign(ring.size(), 0.);
     for (std::size_t i = 0; i + (is_closed ? 0 : 1) < ring.size(); ++i) {
-      const std::size_t j = i + 1 == ring.size() ? 0 : i + 1;
+      const std::size_t j = internal::next_in_cycle(i, ring.size());
       const internal::Rest_corner corner = internal::rest_corner(v, ring[i], ring[j]);
       weights[i] += 0.5 * corner.cotangent_at_b();
       weights[j] += 0.5 * corner.cotangent_at_a();

@@ -77,7 +77,7 @@ private:
     }
   }
 
-  std::size_t next(std::size_t i) const { return i + 1 == m_flat_ring.size() ? 0 : i + 1; }
+  std::size_t next(std::size_t i) const { return internal::next_in_cycle(i, m_flat_ring.size()); }
 
   std::vector<internal::Vector_2> m_flat_ring;    // scratch
 };

@@ -53,6 +53,8 @@ inline std::vector<Point_2> scaled(std::vector<Point_2> points, double factor)
   return points;
 }
 
+inline std::size_t next_in_cycle(std::size_t i, std::size_t size) { return i + 1 == size ? 0 : i + 1; }
+
 inline void replace_corner(Index_triangle& t, Index from, Index to)
 {
   for (Index& corner : t)

@@ -45,7 +45,7 @@ inline bool is_round(const std::vector<Point_3>& hole)
   double sum_of_areas = 0;
   Vector_3 sum_of_normals(0, 0, 0);
   for (std::size_t i = 0; i < hole.size(); ++i) {
-    const Point_3 &p = hole[i], &q = hole[i + 1 == hole.size() ? 0 : i + 1];
+    const Point_3 &p = hole[i], &q = hole[next_in_cycle(i, hole.size())];
     const Vector_3 normal = 0.5 * CGAL::cross_product((p - middle) / length, (q - middle) / length);
     const double area = std::sqrt(normal.squared_length());
     if (!(area >= least_area))
@@ -69,7 +69,7 @@ inline void fill(const Border_halfedges& border, Corner_mesh& mesh)
     mesh.vertex.insert(mesh.vertex.end(), { mesh.source(h), middle, mesh.target(h) });
     mesh.opposite[h] = new_h;
     mesh.opposite.insert(mesh.opposite.end(), { h, first + 3 * (i == 0 ? n - 1 : i - 1) + 2,
-                                                first + 3 * (i + 1 == n ? 0 : i + 1) + 1 });
+                                                first + 3 * Index(next_in_cycle(i, n)) + 1 });
   }
 }
 

@@ -39,7 +39,7 @@ inline double shrinkage(const Level& level, const Level::Uv& uv, Index v)
   const Level::Ring ring = level.one_ring(v);
   double area = 0, image_area = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+    const Index a = ring[i], b = ring[next_in_cycle(i, ring.size())];
     area += doubled_area(level.point(v), level.point(a), level.point(b));
     image_area += doubled_area(uv[v], uv[a], uv[b]);
   }

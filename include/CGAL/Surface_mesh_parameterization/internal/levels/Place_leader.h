@@ -178,7 +178,7 @@ private:
     const Level::Ring ring = m_level.one_ring(v);
     const double way = std::sqrt((place(v) - m_uv[v]).squared_length());
     for (std::size_t i = 0; i < m_level.number_of_triangles(v); ++i) {
-      const Point_2 &a = m_uv[ring[i]], &b = m_uv[ring[i + 1 == ring.size() ? 0 : i + 1]];
+      const Point_2 &a = m_uv[ring[i]], &b = m_uv[ring[next_in_cycle(i, ring.size())]];
       const double height = cross(b - a, m_uv[v] - a) / std::sqrt((b - a).squared_length());
       if (!(way < part * height))
         return false;

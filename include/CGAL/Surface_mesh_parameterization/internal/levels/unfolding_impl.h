@@ -82,7 +82,7 @@ inline double angle_sum(const Level& level, Index v)
   double sum = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vector_3 to_a = level.point(ring[i]) - level.point(v),
-                   to_b = level.point(ring[i + 1 == ring.size() ? 0 : i + 1]) - level.point(v);
+                   to_b = level.point(ring[next_in_cycle(i, ring.size())]) - level.point(v);
     sum += std::atan2(std::sqrt(CGAL::cross_product(to_a, to_b).squared_length()), to_a * to_b);
   }
   return sum;

@@ -97,7 +97,7 @@ inline bool is_border_mirrored(const Triangulated_surface_3& surface)
       polygon.push_back(*place[border[i]]);
       at.push_back(length);
     }
-    const Index next = border[i + 1 == border.size() ? 0 : i + 1];
+    const Index next = border[next_in_cycle(i, border.size())];
     length += std::sqrt((surface.points[next] - surface.points[border[i]]).squared_length());
   }
   for (std::size_t i = 0; i < at.size(); ++i)

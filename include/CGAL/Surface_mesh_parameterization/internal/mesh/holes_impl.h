@@ -33,7 +33,7 @@ double perimeter(const std::vector<Point_3>& polygon)
 {
   double result = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector_3 edge = polygon[i + 1 == polygon.size() ? 0 : i + 1] - polygon[i];
+    const Vector_3 edge = polygon[next_in_cycle(i, polygon.size())] - polygon[i];
     result += std::hypot(edge.x(), edge.y(), edge.z());
   }
   return result;
@@ -76,7 +76,7 @@ void fill_hole(const Border& hole, const One_rings& rings, Triangulated_surface_
   const Index middle = Index(points.size());
   Hole_3 hole_in_space{ places_of(hole, [&](Index v) { return points[v]; }), {} };
   for (std::size_t i = 0; i < hole.size(); ++i) {
-    const Index v = hole[i], next = hole[i + 1 == hole.size() ? 0 : i + 1];
+    const Index v = hole[i], next = hole[next_in_cycle(i, hole.size())];
     surface.triangles.push_back({ next, v, middle });
     hole_in_space.triangles.push_back({ points[v], points[next], points[rings[v][1]] });
   }

@@ -107,7 +107,7 @@ private:
       const Rest_corners corners = level().rest_corners(v);
       Block_vector sum(0, 0);
       for (std::size_t i = 0; i < level().rings().number_of_triangles(v); ++i) {
-        const Index a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+        const Index a = ring[i], b = ring[next_in_cycle(i, ring.size())];
         const Rest_corner c = corners[i];
         const auto gradient_at = [&, e = triangle_energy(c)](double s) {
           const Block_vector da = s * (direction[a] - direction[v]), db = s * (direction[b] - direction[v]);
@@ -130,7 +130,7 @@ private:
     Block diagonal = Block::zero();
     gradient = Block_vector(0, 0);
     for (std::size_t i = 0; i < level().rings().number_of_triangles(v); ++i) {
-      const std::size_t j = i + 1 == ring.size() ? 0 : i + 1;
+      const std::size_t j = next_in_cycle(i, ring.size());
       const Rest_corner c = corners[i];
       const Corner_hessian h = corner_hessian(triangle_energy(c), c, weight(c), uv[ring[i]] - uv[v],
                                               uv[ring[j]] - uv[v], indefinite_part);

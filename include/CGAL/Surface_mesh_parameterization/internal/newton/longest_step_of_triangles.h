@@ -5,10 +5,10 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LONGEST_STEP_OF_TRIANGLES_H
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/time_on_one_line.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -25,15 +25,9 @@ inline double longest_step_of_triangles(const Level& level, const Level::Uv& uv,
     level.rings().for_each_triangle_of_least_vertex(v, [&](Index a, Index b, std::size_t) {
       const Vector_2 p = uv[a] - uv[v], q = uv[b] - uv[v];
       const Block_vector d = direction[a] - direction[v], e = direction[b] - direction[v];
-      const Vector_2 dp(d.x, d.y), dq(e.x, e.y);
-      const double c0 = cross(p, q), c1 = cross(p, dq) + cross(dp, q), c2 = cross(dp, dq);
-      // The least positive root of c0 + c1 t + c2 t^2, c0 > 0, in the form whose terms do not cancel.
-      const double discriminant = c1 * c1 - 4 * c0 * c2;
-      if (discriminant < 0 || (c1 >= 0 && c2 >= 0))
-        return;
-      const double s = std::sqrt(discriminant), root = c1 > 0 ? (s + c1) / (-2 * c2) : 2 * c0 / (s - c1);
-      if (root > 0)
-        least = (std::min)(least, root);
+      for (const double t : times_on_one_line(p, Vector_2(d.x, d.y), q, Vector_2(e.x, e.y)))
+        if (t > 0)
+          least = (std::min)(least, t);
     });
     return least;
   });

@@ -83,7 +83,7 @@ inline bool is_chord(const std::vector<Point_2>& polygon, std::size_t begin, std
   const auto is_left = [](const Point_2& p, const Point_2& q, const Point_2& r) { return cross(q - p, r - p) > 0; };
   bool is_middle_inside = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const std::size_t j = i + 1 == polygon.size() ? 0 : i + 1;
+    const std::size_t j = next_in_cycle(i, polygon.size());
     const Point_2 &p = polygon[i], &q = polygon[j];
     if ((p.y() > middle.y()) != (q.y() > middle.y()) && is_left(p, q, middle) == (q.y() > p.y()))
       is_middle_inside = !is_middle_inside;
@@ -112,7 +112,7 @@ inline Chord best_chord(const std::vector<Point_2>& polygon, double side_of_squa
   for (std::size_t i = 0; i < n; ++i) {
     projections.push_back(Extents::projections(polygon[i]));
     doubled_areas.push_back(doubled_areas.back() +
-                            cross(polygon[i] - polygon[0], polygon[i + 1 == n ? 0 : i + 1] - polygon[0]));
+                            cross(polygon[i] - polygon[0], polygon[next_in_cycle(i, n)] - polygon[0]));
   }
   // Of the vertices from the first to the second one, over the last one if need be.
   std::vector<double> boxes(n * n);

@@ -53,7 +53,7 @@ public:
   {
     const Ring ring = (*this)[v];
     for (std::size_t i = 0; i < number_of_triangles(v); ++i)
-      f(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1], i);
+      f(ring[i], ring[next_in_cycle(i, ring.size())], i);
   }
 
   // The same for those of which v is the least vertex: so a loop over the vertices meets every triangle once.

@@ -40,7 +40,7 @@ public:
     m_clipped.clear();
     for (std::size_t i = 0; i < m_polygon.size(); ++i) {
       const Vector_2& p = m_polygon[i];
-      const Vector_2& q = m_polygon[i + 1 == m_polygon.size() ? 0 : i + 1];
+      const Vector_2& q = m_polygon[next_in_cycle(i, m_polygon.size())];
       const double side_p = side(p), side_q = side(q);
       if (side_p >= 0)
         m_clipped.push_back(p);
@@ -90,7 +90,7 @@ inline Point_2 kernel_centroid(const One_rings& rings, const std::vector<Point_2
     half_width = (std::max)({ half_width, std::abs(uv[w].x() - origin.x()), std::abs(uv[w].y() - origin.y()) });
   kernel.reset(origin, half_width);
   for (std::size_t i = 0; i < rings.number_of_triangles(v); ++i)
-    kernel.clip(uv[ring[i]], uv[ring[i + 1 == ring.size() ? 0 : i + 1]]);
+    kernel.clip(uv[ring[i]], uv[ring[next_in_cycle(i, ring.size())]]);
   return kernel.is_empty() ? origin : kernel.centroid();
 }
 

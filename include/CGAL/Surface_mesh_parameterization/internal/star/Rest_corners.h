@@ -25,7 +25,7 @@ public:
 
   Rest_corner operator[](std::size_t i) const
   {
-    return rest_corner(m_points[m_vertex], m_points[m_ring[i]], m_points[m_ring[i + 1 == m_ring.size() ? 0 : i + 1]]);
+    return rest_corner(m_points[m_vertex], m_points[m_ring[i]], m_points[m_ring[next_in_cycle(i, m_ring.size())]]);
   }
 
 private:

@@ -28,7 +28,7 @@ inline void discrete_exponential_map(const Point_3& v, const std::vector<Point_3
   flat_ring.resize(size);
   double total = 0;
   for (std::size_t i = 0; i < size; ++i) {
-    const Vector_3 from = ring[i] - v, to = ring[i + 1 == size ? 0 : i + 1] - v;
+    const Vector_3 from = ring[i] - v, to = ring[next_in_cycle(i, size)] - v;
     const double angle = std::atan2(std::sqrt(CGAL::cross_product(from, to).squared_length()), from * to);
     flat_ring[i] = Vector_2(std::sqrt(from.squared_length()), angle);   // polar, for now
     if (i < number_of_angles)

@@ -28,7 +28,7 @@ inline bool is_star_positive(const One_rings& rings, const std::vector<Point_2>&
   const One_rings::Ring ring = rings[v];
   const std::size_t triangles = rings.number_of_triangles(v), size = ring.size();
   for (std::size_t i = 0; i < triangles; ++i)
-    if (!is_left_turn(uv[v], uv[ring[i]], uv[ring[i + 1 == size ? 0 : i + 1]]))
+    if (!is_left_turn(uv[v], uv[ring[i]], uv[ring[next_in_cycle(i, size)]]))
       return false;
   return true;
 }
