@@ -28,8 +28,7 @@ inline std::string error_message(const Parameterization_error& error)
     case ERROR_NO_TOPOLOGICAL_DISC:
       message = is_at_vertex ? "several fans of triangles meet at a vertex"
                              : "the surface is closed or has a handle: cut it open first, by leaving out a face or by "
-                               "a seam along a path of edges; a handle "
-                               "needs two loops";
+                               "a seam along a path of edges; a handle needs two loops";
       break;
     case ERROR_NO_TOPOLOGICAL_BALL: message = "the surface is no sphere"; break;
     case ERROR_BORDER_TOO_SHORT: message = "the border has no length"; break;

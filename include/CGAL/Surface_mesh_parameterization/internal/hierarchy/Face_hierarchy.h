@@ -60,8 +60,8 @@ private:
       if (v < coarsest_vertices)
         return 0;
       const Index split = v - coarsest_vertices, w0 = vertices.splits[split].parent[0];
-      const int corners_at_w0 =
-          (t[0] == w0) + (t[1] == w0) + (t[2] == w0);      // with one branch: which corner it is cannot be foreseen
+      // With one branch: which corner it is cannot be foreseen.
+      const int corners_at_w0 = (t[0] == w0) + (t[1] == w0) + (t[2] == w0);
       if (corners_at_w0 > 0)
         return split + 1;
       replace_corner(t, v, w0);

@@ -35,8 +35,8 @@ public:
   struct Row
   {
     std::array<Index, row_size> columns;     // one with the weight 0 may come twice
-    std::array<float, row_size>
-        weights;      // single precision: they are transposed as they are, so the cycle stays symmetric
+    // In single precision: they are transposed as they are, so the cycle stays symmetric.
+    std::array<float, row_size> weights;
   };
 
   // The rows in which each coarse vertex occurs, its own first.

@@ -101,9 +101,8 @@ private:
   {
     const std::size_t first = result.size();
     const Ring ring = (*this)[w];
-    Index i = ring.is_closed && is_removed[ring[0]]
-                  ? 1
-                  : 0;      // a closed ring may start anywhere, so it does at a neighbor that stays
+    // A closed ring may start anywhere, so it does at a neighbor that stays.
+    Index i = ring.is_closed && is_removed[ring[0]] ? 1 : 0;
     for (Index k = 0; k < ring.size; ++k, i = ring.following(i))
       if (number[ring[i]] == number[w])
         append_fan(w, ring[i], number, result);

@@ -30,10 +30,9 @@ struct Block_multigrid_options
   std::size_t groups_per_grid = 5;        // collapse groups from one grid to the next
   std::size_t coarsest_size = 1000;       // a grid of so many vertices is solved directly
   int sweeps = 2;                         // of the smoother, before and after the coarse grids
-  bool has_k_cycles = false;              // two steps of conjugate gradients on each coarse grid, see
-                                          // take_second_step()
-  double shift =
-      1e-10;      // of the coarsest matrix, that is singular: the energies do not change when the plane is moved
+  bool has_k_cycles = false;              // two steps of conjugate gradients on each coarse grid: take_second_step()
+  double shift = 1e-10;                   // of the coarsest matrix, which is singular: energies do not change when the
+                                          // plane is moved
 };
 
 // Cycles for a block matrix on a level, as preconditioner of conjugate gradients: Galerkin operators over every few

@@ -113,8 +113,8 @@ private:
   Index m_first_bad_vertex = no_index;
 
   std::vector<Directed_edge> m_edges;       // scratch of build()
-  std::vector<Index> m_next_edge;           // in every part of the triangles, of every vertex; at the end those of the
-                                            // last part end its edges
+  // In every part of the triangles, of every vertex; at the end those of the last part end its edges.
+  std::vector<Index> m_next_edge;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

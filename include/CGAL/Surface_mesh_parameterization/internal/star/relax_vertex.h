@@ -64,9 +64,8 @@ double relax_vertex(const Star<Energy>& star, const One_rings& rings, Index v, d
     const auto energy = star.filtered_energy(trial);
     const double decrease = d.value - energy.value;
     if (!(decrease > -sufficient_decrease * step * slope)) {
-      if (!std::isfinite(energy.value))
-        step =
-            (std::min)(step, 2 * part_of_longest_step * star.longest_step(start, direction));      // outside the kernel
+      if (!std::isfinite(energy.value))      // outside the kernel
+        step = (std::min)(step, 2 * part_of_longest_step * star.longest_step(start, direction));
       continue;
     }
     const bool had_room = !rings.is_border(v) || has_room(rings, uv, v);
