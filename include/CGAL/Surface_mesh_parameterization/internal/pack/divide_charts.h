@@ -48,8 +48,8 @@ struct Division
 // say, or as well as they did in any try.
 //
 // A cut is nearly straight in the plane, from one vertex of a chart's outer border to another, and chosen so that the
-// boxes around both sides are small and fit in the square, and the cut is short. The map stays, but each part is scaled
-// to its area in space.
+// boxes around both sides are small and fit in the square, and the cut is short; where none makes boxes smaller, one
+// through the part with the emptiest box. The map stays, but each part is scaled to its area in space.
 Division divide_charts(Atlas& atlas, const std::vector<bool>& has_map, const Pack_options& pack_options,
                        const Division_options& options);
 
