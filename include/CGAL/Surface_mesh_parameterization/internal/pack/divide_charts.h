@@ -28,8 +28,8 @@ struct Division_options
   // When no cut gains more than it costs, both become less, so often and by these factors.
   std::size_t most_changes = 4;
   double change_of_cost = 0.5, change_of_length = 0.9;
-  // Then, so often, a part is cut although its boxes become no smaller, not until further cuts, as of a frame's sides;
-  // so much of it is on each side.
+  // Then, so often, a part is cut although that makes boxes no smaller, since further cuts may, as of a frame. So much
+  // of it is left on each side.
   std::size_t most_losses = 8;
   double least_part_at_loss = 0.3;
   // What charts cover of the boxes around them before they are packed, as a part of `least_used_part`, and no more.
