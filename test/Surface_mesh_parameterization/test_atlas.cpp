@@ -134,10 +134,33 @@ TEST(Atlas, is_the_same_at_all_scales)
         const Atlas_summary other_summary = atlas_parameterization(other.mesh, other.uv, np);
         ASSERT_TRUE(other_summary.is_ok());
         EXPECT_EQ(other_summary.chart_of_face, summary.chart_of_face);
+        EXPECT_EQ(other_summary.used_part, summary.used_part);
         EXPECT_EQ(other_summary.cut.seam_length, std::ldexp(summary.cut.seam_length, exponent));
         EXPECT_EQ(other.corners(), times_power_of_two(surface.corners(), is_square ? 0 : exponent));
       }
     }
+}
+
+// A component on a line, or at one place, is as large in the atlas as in space, and takes no room from others.
+TEST(Atlas, has_components_without_area)
+{
+  const auto used_part = [](double length, double scale) {
+    Flat_mesh line = grid(6, 6, flat);
+    for (Kernel::Point_3& p : line.points)
+      p = Kernel::Point_3(length * p.x(), 0, 0);
+    Surface surface(with_component(grid(8, 8, wavy), line, 1, 9));
+    for (const auto v : surface.mesh.vertices())
+      surface.mesh.point(v) = CGAL::ORIGIN + scale * (surface.mesh.point(v) - CGAL::ORIGIN);
+    const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv);
+    EXPECT_TRUE(summary.is_ok());
+    EXPECT_EQ(summary.charts.size(), 2u);
+    expect_one_to_one(surface);
+    return summary.used_part;
+  };
+  for (const double scale : { 1., 100., 0.001 }) {
+    EXPECT_GT(used_part(0.01, scale), 0.8);
+    EXPECT_GT(used_part(0, scale), 0.8);
+  }
 }
 
 TEST(Atlas, goes_along_the_seams_of_the_user)

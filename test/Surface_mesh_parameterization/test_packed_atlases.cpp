@@ -129,14 +129,14 @@ TEST(Packing, parts_borders_that_rounding_lets_meet)
   ASSERT_EQ(overlaps(apart), 0u);
   ASSERT_GT(overlaps(meeting), 0u);
   internal::Flat_chart parted = meeting;
-  EXPECT_TRUE(internal::part_borders(parted, apart.points, nullptr));
+  EXPECT_TRUE(internal::part_borders(parted, apart.points, internal::Rounding()));
   EXPECT_EQ(overlaps(parted), 0u);
   EXPECT_TRUE(internal::is_positive(parted));
   for (std::size_t i = 0; i < parted.points.size(); ++i)
     EXPECT_LT((parted.points[i] - meeting.points[i]).squared_length(), 1e-15);
   // Borders that met before are not rounding's.
   internal::Flat_chart left = meeting;
-  EXPECT_TRUE(internal::part_borders(left, meeting.points, nullptr));
+  EXPECT_TRUE(internal::part_borders(left, meeting.points, internal::Rounding()));
   EXPECT_EQ(left.points, meeting.points);
 }
 

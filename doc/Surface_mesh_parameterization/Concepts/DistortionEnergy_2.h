@@ -8,8 +8,8 @@
 /// singular values `s1 >= s2 > 0` of the map. Its arguments are two invariants that are polynomials in the coordinates:
 /// the squared Frobenius norm `f = s1^2 + s2^2` and the determinant `d = s1 s2`. There are two kinds of energies. One
 /// kind is defined for positive `d` and goes to infinity as `d` goes to 0 with `f` fixed: it keeps triangles positive.
-/// The other kind is defined for every `d`, and maps may have flips: `Distortion_parameterizer_3` does not take it, only
-/// the package's `As_rigid_as_possible_parameterizer_3` has one.
+/// The other kind is defined for every `d`, and maps may have flips: `Distortion_parameterizer_3` does not take it, and
+/// `As_rigid_as_possible_parameterizer_3` has one of its own.
 ///
 /// Models are classes, not `final`, that are `DefaultConstructible`, `CopyConstructible` and `Assignable`. An energy
 /// with parameters of its own is passed to the constructor of `Distortion_parameterizer_3` as an object; the functions

@@ -9,9 +9,11 @@
 /// Visitors are copied, so let a visitor hold references to what it collects.
 ///
 /// A run that is stopped leaves the user's property maps untouched, calls the visitor no more, and returns
-/// `ERROR_STOPPED`. Of an atlas with `CGAL::Parallel_tag`, charts that are laid out when another one's is stopped go on
-/// to their ends, with their visitors. With `fill_holes` the levels have virtual vertices, too: their `input_vertex()` is not less than
-/// the number of vertices of the component.
+/// `ERROR_STOPPED`. In an atlas with `CGAL::Parallel_tag` this is so for the chart whose visitor has stopped it: others
+/// that are laid out at that time are finished, and their visitors are called.
+///
+/// With `fill_holes` the levels have virtual vertices, too: their `input_vertex()` is not less than the number of
+/// vertices of the component.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Hierarchy_visitor_3`
 class HierarchyVisitor_3

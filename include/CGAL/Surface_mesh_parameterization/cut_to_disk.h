@@ -110,7 +110,8 @@ Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_
 /// limb, by the shortest path of edges to what is cut already. Branches that gain little are given up; where no others
 /// are found, the map of least energy tells what is shrunk most. This is decided on a coarse level of the component's
 /// hierarchy. If the component has several borders, these are joined first where that is enough, or takes the shorter
-/// seam. Edges that have the same two vertices are seams in any case.
+/// seam. Edges that have the same two vertices are seams in any case, and so are those of a triangle that has a vertex
+/// twice.
 ///
 /// Components that are disks already, with or without holes, are cut the same way where they would exceed a greater
 /// bound; unless the caller gives a bound, this is looked for only if their border is shorter than half of a circle of

@@ -59,9 +59,10 @@ void write_corners(const TriangleMesh& mesh, const Atlas& atlas, const std::vect
     for (const Index f : atlas.charts[i])
       is_written[f] = is_wanted[i];
   for_each_corner(mesh, [&](auto h, Index i) {
-    const Point_2& p = atlas.uv[atlas.mesh.vertex[i]];
-    if (is_written[i / 3])
-      put(uvmap, h, User_point_2(p.x(), p.y()));
+    if (!is_written[i / 3])
+      return;
+    const Point_2 p = times_power_of_two(atlas.uv[atlas.mesh.vertex[i]], -atlas.scale_exponent);
+    put(uvmap, h, User_point_2(p.x(), p.y()));
   });
 }
 

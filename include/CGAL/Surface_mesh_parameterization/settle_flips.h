@@ -52,8 +52,8 @@ void settle_flips_of_component(Mesh_component<TriangleMesh>& component, VertexUV
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// finds the flips of a map from any parameterizer, by exact predicates, and treats them as `policy` says. A map that is
-/// mirrored as a whole has none.
+/// finds the flips of a map from any parameterizer, by exact predicates, and treats them as `policy` says. A map that
+/// is mirrored as a whole has none.
 ///
 /// A repair gives new places to the vertices of small patches around the flips. Where that is not enough, it goes to
 /// the finest level of a hierarchy on which the map has no flip, and inserts the vertices again from there, each at its

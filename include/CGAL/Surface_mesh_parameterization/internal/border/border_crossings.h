@@ -29,6 +29,10 @@ void for_each_crossing(const std::vector<Border_edge>& edges, const std::vector<
 
 bool has_crossings(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv);
 
+// The same among the pairs that count.
+bool has_crossings(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv,
+                   Function_ref<bool(std::size_t, std::size_t)> counts);
+
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
 #ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE

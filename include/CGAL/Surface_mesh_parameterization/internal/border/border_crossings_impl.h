@@ -37,15 +37,20 @@ inline bool do_cross(const Border_edge& e, const Border_edge& f, const std::vect
   return do_segments_meet(uv[e.source], uv[e.target], uv[f.source], uv[f.target]);
 }
 
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void for_each_crossing(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv,
-                       Function_ref<void(std::size_t, std::size_t)> f)
+inline std::vector<Bbox_2> boxes_of(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv)
 {
   std::vector<Bbox_2> boxes;
   boxes.reserve(edges.size());
   for (const Border_edge& e : edges)
     boxes.push_back(uv[e.source].bbox() + uv[e.target].bbox());
-  for_each_pair_of_boxes(boxes, [&](std::size_t i, std::size_t j) {
+  return boxes;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void for_each_crossing(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv,
+                       Function_ref<void(std::size_t, std::size_t)> f)
+{
+  for_each_pair_of_boxes(boxes_of(edges, uv), [&](std::size_t i, std::size_t j) {
     if (do_cross(edges[i], edges[j], uv))
       f(i, j);
   });
@@ -54,10 +59,20 @@ void for_each_crossing(const std::vector<Border_edge>& edges, const std::vector<
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool has_crossings(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv)
 {
+  return has_crossings(edges, uv, [](std::size_t, std::size_t) { return true; });
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool has_crossings(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv,
+                   Function_ref<bool(std::size_t, std::size_t)> counts)
+{
   // CGAL's search ends early only by an exception; a map that overlaps may have very many crossings.
   struct Found { };
   try {
-    for_each_crossing(edges, uv, [](std::size_t, std::size_t) { throw Found(); });
+    for_each_pair_of_boxes(boxes_of(edges, uv), [&](std::size_t i, std::size_t j) {
+      if (counts(i, j) && do_cross(edges[i], edges[j], uv))
+        throw Found();
+    });
   } catch (const Found&) {
     return true;
   }

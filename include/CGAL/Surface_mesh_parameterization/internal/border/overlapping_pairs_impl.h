@@ -208,13 +208,12 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool are_charts_apart(const std::vector<Border_edge>& edges, const std::vector<Index>& chart_of,
                       const std::vector<Point_2>& uv)
 {
-  bool do_meet = false;
-  for_each_crossing(edges, uv,
-                    [&](std::size_t i, std::size_t j) { do_meet = do_meet || chart_of[i] != chart_of[j]; });
+  if (has_crossings(edges, uv, [&](std::size_t i, std::size_t j) { return chart_of[i] != chart_of[j]; }))
+    return false;
   std::vector<Index> vertex_of(number_of_charts(chart_of));
   for (std::size_t i = 0; i < edges.size(); ++i)
     vertex_of[chart_of[i]] = edges[i].source;
-  return !do_meet && !is_one_in_another(edges, chart_of, vertex_of, uv);
+  return !is_one_in_another(edges, chart_of, vertex_of, uv);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -12,7 +12,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The two times t at which the vectors p + t dp and q + t dq lie on one line; infinite or no numbers if there are fewer.
+// The two times t at which the vectors p + t dp and q + t dq lie on one line; infinite or no numbers if there are not
+// two.
 inline std::array<double, 2> times_on_one_line(const Vector_2& p, const Vector_2& dp, const Vector_2& q,
                                                const Vector_2& dq)
 {

@@ -8,18 +8,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
-// Scaling by powers of two, which does not round.
+// Scaling by powers of two, which does not round unless doubles underflow.
 
 namespace CGAL::Surface_mesh_parameterization::internal {
+
+// Half of the longest side of a box.
+template <class Bbox>
+double half_width_of(const Bbox& box)
+{
+  double result = 0;
+  for (int i = 0; i < box.dimension(); ++i)
+    result = (std::max)(result, 0.5 * box.max(i) - 0.5 * box.min(i));
+  return result;
+}
 
 // The exponent of the power that scales a box to a half width from 1 to 2; 0 for a point.
 template <class Bbox>
 int scale_exponent_of(const Bbox& box)
 {
-  double half_width = 0;
-  for (int i = 0; i < box.dimension(); ++i)
-    half_width = (std::max)(half_width, 0.5 * box.max(i) - 0.5 * box.min(i));
+  const double half_width = half_width_of(box);
   return half_width > 0 ? -std::ilogb(half_width) : 0;
 }
 
@@ -31,6 +41,25 @@ inline Point_2 times_power_of_two(const Point_2& p, int exponent)
 inline Point_3 times_power_of_two(const Point_3& p, int exponent)
 {
   return Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent));
+}
+
+// Scales points to about size 1, unless they are so far away that their coordinates would overflow. Returns the
+// exponent.
+template <class Point>
+int normalize(std::vector<Point>& points)
+{
+  decltype(points.front().bbox()) box;
+  for (const Point& p : points)
+    box += p.bbox();
+  double greatest = 0;
+  for (int i = 0; i < box.dimension(); ++i)
+    greatest = (std::max)({ greatest, std::abs(box.min(i)), std::abs(box.max(i)) });
+  int exponent = scale_exponent_of(box);
+  if (greatest > 0)
+    exponent = (std::min)(exponent, std::numeric_limits<double>::max_exponent - 2 - std::ilogb(greatest));
+  for (Point& p : points)
+    p = times_power_of_two(p, exponent);
+  return exponent;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -8,7 +8,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -20,12 +19,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void normalize(Corner_mesh& mesh)
 {
-  CGAL::Bbox_3 box;
-  for (const Point_3& p : mesh.points)
-    box += p.bbox();
-  mesh.scale_exponent = scale_exponent_of(box);
-  for (Point_3& p : mesh.points)
-    p = times_power_of_two(p, mesh.scale_exponent);
+  mesh.scale_exponent = normalize(mesh.points);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

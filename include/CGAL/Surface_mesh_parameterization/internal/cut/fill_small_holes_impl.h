@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_FILL_SMALL_HOLES_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_FILL_SMALL_HOLES_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/fill_small_holes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/cracks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/holes.h>

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>

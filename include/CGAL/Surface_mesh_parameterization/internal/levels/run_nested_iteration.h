@@ -102,16 +102,18 @@ public:
   }
 
   // Why the method has returned ERROR_WRONG_PARAMETER.
-  const char* cause() const { return m_cause; }
+  const char* cause() const
+  {
+    return m_has_resized_map ? "the method has changed the number of places in the map of a level"
+                             : "the method refuses one of its options";
+  }
 
 private:
   // What the method returns, unless its map is none of the level.
   Error_code checked(Error_code status, const Level& level, const Level::Uv& uv)
   {
-    if (status != OK || uv.size() == level.number_of_vertices())
-      return status;
-    m_cause = "the method has changed the number of places in the map of a level";
-    return ERROR_WRONG_PARAMETER;
+    m_has_resized_map = status == OK && uv.size() != level.number_of_vertices();
+    return m_has_resized_map ? ERROR_WRONG_PARAMETER : status;
   }
 
   // The optional members of the concept.
@@ -128,7 +130,7 @@ private:
 
   Method& m_method;
   Loops m_loops;
-  const char* m_cause = "the method refuses one of its options";
+  bool m_has_resized_map = false;
 };
 
 // The user's map of a component's surface, in its units. Vertices of the surface that the mesh does not have get

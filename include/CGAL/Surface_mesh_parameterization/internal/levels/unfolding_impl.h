@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_UNFOLDING_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_UNFOLDING_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/unfolding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 

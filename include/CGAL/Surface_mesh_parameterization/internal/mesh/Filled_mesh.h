@@ -103,9 +103,9 @@ private:
     };
     Hole_3 hole;
     for (const halfedge_descriptor g : halfedges_around_face(h, m_mesh)) {
-      const halfedge_descriptor o = opposite(g, m_mesh);
+      const halfedge_descriptor o = opposite(g, m_mesh), n = next(o, m_mesh);
       hole.places.push_back(place(target(g, m_mesh)));
-      hole.triangles.push_back({ hole.places.back(), place(target(o, m_mesh)), place(target(next(o, m_mesh), m_mesh)) });
+      hole.triangles.push_back({ hole.places.back(), place(target(o, m_mesh)), place(target(n, m_mesh)) });
     }
     const Point_3 middle = middle_of_hole(hole);
     Euler::fill_hole(h, m_mesh);

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/corner_hessian.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>

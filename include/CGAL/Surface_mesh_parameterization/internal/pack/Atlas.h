@@ -61,8 +61,11 @@ std::vector<Index> vertices_of(const Corner_mesh& mesh, const std::vector<Index>
 std::vector<std::size_t> chart_of_face(const Atlas& atlas);
 
 // Scales the map of a chart to the chart's area in space, or to within a factor of 2 of it where triangles would not
-// stay positive otherwise: scales by powers of two do not round.
-void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv);
+// stay positive otherwise: scales by powers of two do not round. Returns whether the areas tell a scale.
+bool scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv);
+
+// The same of a chart that has no area: its map becomes as long as the chart is in space, but does not vanish.
+void scale_to_size_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv);
 
 // The map of a chart: the places of vertices_of().
 std::vector<Point_2> map_of(const Atlas& atlas, const std::vector<Index>& faces);
@@ -82,7 +85,7 @@ void split_charts(const std::vector<Point_2>& corners, Atlas& atlas);
 
 // Moves border vertices of a chart a little into it, where rounding has made borders meet that do not in its shape.
 // Returns whether that is done, or they met before.
-bool part_borders(Flat_chart& chart, const std::vector<Point_2>& shape, Round_coordinate round);
+bool part_borders(Flat_chart& chart, const std::vector<Point_2>& shape, const Rounding& round);
 
 // Packs those charts of an atlas that are wanted. Coordinates are rounded by `round` if that is not null. A chart
 // without flips stays so: where rounding makes a flip, vertices move, or the chart is scaled up, but not so far

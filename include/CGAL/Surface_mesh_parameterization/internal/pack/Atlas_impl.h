@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/turn_chart.h>
@@ -15,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/move_inward.h>
 
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Origin.h>
 #include <CGAL/number_utils.h>
 
@@ -49,7 +51,7 @@ std::vector<std::size_t> chart_of_face(const Atlas& atlas)
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
+bool scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
 {
   double area_in_space = 0, area_in_plane = 0;
   for (Index h = 0; h < chart.number_of_halfedges(); h += 3) {
@@ -59,12 +61,24 @@ void scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
   }
   const double scale = std::sqrt(area_in_space / area_in_plane);
   if (!(std::isfinite(scale) && scale > 0))
-    return;
+    return false;
   const std::vector<Index_triangle> triangles = triangles_of(chart);
   Flat_chart flat{ scaled(uv, scale), triangles };
   if (!is_positive(flat) && is_positive({ uv, triangles }))
     flat.points = scaled(std::move(uv), std::exp2(std::round(std::log2(scale))));
   uv = std::move(flat.points);
+  return true;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void scale_to_size_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
+{
+  constexpr double least_size = 1e-6;
+  CGAL::Bbox_3 box;
+  for (const Point_3& p : chart.points)
+    box += p.bbox();
+  if (const double size = half_width_of(box_of(uv)); size > 0)
+    uv = scaled(std::move(uv), (std::max)(least_size, half_width_of(box)) / size);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -113,11 +127,10 @@ bool is_positive(const Flat_chart& chart)
   });
 }
 
-inline void round_all(std::vector<Point_2>& points, Round_coordinate round)
+inline void round_all(std::vector<Point_2>& points, const Rounding& round)
 {
-  if (round)
-    for (Point_2& p : points)
-      p = Point_2(round(p.x(), 0), round(p.y(), 0));
+  for (Point_2& p : points)
+    p = round(p);
 }
 
 inline bool is_near(const std::vector<Point_2>& points, const std::vector<Point_2>& others, double distance)
@@ -130,15 +143,15 @@ inline bool is_near(const std::vector<Point_2>& points, const std::vector<Point_
 
 // The next three functions round the places of a chart so that no triangle is flipped, and return whether they could.
 // This one moves vertices within their stars; if that fails, the chart stays as it was.
-inline bool round_places(Flat_chart& chart, Round_coordinate round)
+inline bool round_places(Flat_chart& chart, const Rounding& round)
 {
   const std::vector<Point_2> exact = chart.points;
   round_all(chart.points, round);
   if (is_positive(chart))
     return true;
   chart.points = exact;
-  if (round && is_positive(chart) &&
-      round_map(One_rings(chart.points.size(), chart.triangles), round, 0, chart.points) && is_positive(chart))
+  const One_rings rings(chart.points.size(), chart.triangles);
+  if (round && is_positive(chart) && round_map(rings, round.round, round.exponent, chart.points) && is_positive(chart))
     return true;
   chart.points = exact;
   return false;
@@ -146,7 +159,7 @@ inline bool round_places(Flat_chart& chart, Round_coordinate round)
 
 // Of a chart that is too small for the steps of its coordinates: its shape is scaled up around the middle of its place,
 // up to a size. If that fails, the chart stays as it was.
-inline bool round_places_enlarged(Flat_chart& chart, const std::vector<Point_2>& shape, Round_coordinate round,
+inline bool round_places_enlarged(Flat_chart& chart, const std::vector<Point_2>& shape, const Rounding& round,
                                   double most_size)
 {
   const auto middle_of = [](const Bbox_2& box) {
@@ -166,14 +179,14 @@ inline bool round_places_enlarged(Flat_chart& chart, const std::vector<Point_2>&
 }
 
 // By a repair of the flips.
-inline bool round_places_repaired(Flat_chart& chart, const Corner_mesh& mesh, Round_coordinate round)
+inline bool round_places_repaired(Flat_chart& chart, const Corner_mesh& mesh, const Rounding& round)
 {
   std::size_t unused_number = 0;
   return repair_map(surface_of(mesh), false, chart.points, unused_number) == OK && round_places(chart, round);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool part_borders(Flat_chart& chart, const std::vector<Point_2>& shape, Round_coordinate round)
+bool part_borders(Flat_chart& chart, const std::vector<Point_2>& shape, const Rounding& round)
 {
   constexpr double first_part_of_way = 1e-9, greatest_part_of_way = 0.1;
   const One_rings rings(chart.points.size(), chart.triangles);
@@ -218,7 +231,7 @@ inline bool are_apart(const Atlas& atlas, const std::vector<bool>& is_wanted, do
 // Packs charts, each at its rounded places. `strayed` are those that had to be changed so much for this that they may
 // meet others or leave the square.
 inline Packing place_charts(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_options& options,
-                            Round_coordinate round, std::vector<std::size_t>& strayed)
+                            Round_coordinate round_coordinate, std::vector<std::size_t>& strayed)
 {
   std::vector<Flat_chart> charts;
   std::vector<Index> scratch(atlas.mesh.number_of_vertices(), no_index);
@@ -234,8 +247,10 @@ inline Packing place_charts(Atlas& atlas, std::vector<bool>& is_wanted, const Pa
   Packing packing = pack_charts(charts, options);
   if (packing.side == 0)
     return packing;
-  const double scale = options.fills_unit_square ? 1 / packing.side : std::ldexp(1., -atlas.scale_exponent);
-  atlas.scale_exponent = 0;
+  const double scale = options.fills_unit_square ? 1 / packing.side : 1;
+  if (options.fills_unit_square)
+    atlas.scale_exponent = 0;
+  const Rounding round{ round_coordinate, atlas.scale_exponent };
   packing.side *= scale;
   packing.distance *= scale;
 

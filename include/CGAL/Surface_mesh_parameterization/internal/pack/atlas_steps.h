@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -171,22 +172,16 @@ inline void divide_charts(Atlas& atlas, std::vector<bool>& has_map, const Pack_o
   }
 }
 
-// How much of the area that packed charts cover in the plane is that of the surface: not of virtual faces, nor of charts
-// that have lost their maps.
-inline double part_of_surface(const Atlas& atlas, const std::vector<bool>& is_packed, const std::vector<bool>& has_map)
+// The area that charts with a map cover in the plane, without virtual faces.
+inline double area_of_surface(const Atlas& atlas, const std::vector<bool>& has_map)
 {
-  if (!atlas.has_virtual_faces() && is_packed == has_map)
-    return 1;
-  double all = 0, of_surface = 0;
+  double sum = 0;
   for (std::size_t i = 0; i < atlas.charts.size(); ++i)
     for (const Index f : atlas.charts[i])
-      if (is_packed[i]) {
-        const double area = doubled_area(atlas.uv[atlas.mesh.vertex[3 * f]], atlas.uv[atlas.mesh.vertex[3 * f + 1]],
-                                         atlas.uv[atlas.mesh.vertex[3 * f + 2]]);
-        all += area;
-        of_surface += has_map[i] && f < atlas.number_of_faces() ? area : 0;
-      }
-  return all > 0 ? of_surface / all : 1;
+      if (has_map[i] && f < atlas.number_of_faces())
+        sum += 0.5 * std::abs(doubled_area(atlas.uv[atlas.mesh.vertex[3 * f]], atlas.uv[atlas.mesh.vertex[3 * f + 1]],
+                                           atlas.uv[atlas.mesh.vertex[3 * f + 2]]));
+  return sum;
 }
 
 // Packs the charts that have a map. Those that have none afterwards, as rounding left no room for it, are told.
@@ -195,9 +190,10 @@ inline void pack(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& o
 {
   const std::vector<bool> had_map = has_map;
   const Packing packing = pack_atlas(atlas, has_map, options, round);
-  result.used_part = packing.used_part * part_of_surface(atlas, had_map, has_map);
   if (packing.side == 0)
     has_map.assign(has_map.size(), false);
+  else
+    result.used_part = area_of_surface(atlas, has_map) / (packing.side * packing.side);
   for (std::size_t i = 0; i < has_map.size(); ++i)
     if (had_map[i] && !has_map[i]) {
       Parameterization_error& error = result.charts[i].summary.error;

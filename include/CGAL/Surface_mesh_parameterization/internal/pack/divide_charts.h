@@ -28,10 +28,10 @@ struct Division_options
   // When no cut gains more than it costs, both become less, so often and by these factors.
   std::size_t most_changes = 4;
   double change_of_cost = 0.5, change_of_length = 0.9;
-  // Then, so often, a part is cut although that makes boxes no smaller, since further cuts may, as of a frame. So much
-  // of it is left on each side.
+  // Then, so often, a part is cut although that makes boxes no smaller, since further cuts may, as of a frame. Of what
+  // the part's outer border encloses so much is left on each side, and what is used has to grow by so much for a cut.
   std::size_t most_losses = 8;
-  double least_part_at_loss = 0.3;
+  double least_part_at_loss = 0.3, least_growth_at_loss = 0.01;
   // What charts cover of the boxes around them before they are packed, as a part of `least_used_part`, and no more.
   double least_part_of_boxes = 0.9, greatest_part_of_boxes = 0.7;
 };

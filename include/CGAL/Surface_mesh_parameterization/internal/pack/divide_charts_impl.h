@@ -57,10 +57,12 @@ public:
     for (Divided_part& part : m_parts)
       find_cut(part);
     std::vector<Divided_part> best_parts = m_parts;
-    std::size_t best_size_of_seam = 0;
+    std::size_t best_size_of_seam = 0, divisions = 0;
     for (std::size_t packings = 1; packings < m_options.most_packings && divide_until_boxes_are_full(); ++packings) {
       const double other = find_used_part();
-      if (other > used_part) {
+      const double least_growth = m_losses > 0 ? m_options.least_growth_at_loss * double(m_divisions - divisions) : 0;
+      if (other > (1 + least_growth) * used_part) {
+        divisions = m_divisions;
         used_part = other;
         best_parts = m_parts;
         best_size_of_seam = m_seam.size();
@@ -94,13 +96,13 @@ private:
   // Where a part is to be cut.
   void find_cut(Divided_part& part) const
   {
-    find_cut(part, m_options.least_part_of_chart);
+    find_cut(part, m_options.least_part_of_chart * area(chart_of(part.mesh, part.uv)));
     if (!(part.gain > m_options.least_gain * m_area))
       part.gain = 0;
   }
 
-  // The same that leaves so much of the part on each side, whatever that gains.
-  void find_cut(Divided_part& part, double least_part) const
+  // The same that leaves such an area of what the outer border encloses on each side, whatever that gains.
+  void find_cut(Divided_part& part, double least_area) const
   {
     const std::vector<Index> border = outer_border(part.mesh, part.uv);
     std::vector<Index> places;
@@ -110,7 +112,6 @@ private:
       polygon.push_back(part.uv[places.back()]);
     }
     const double side_of_square = m_greatest_length * std::sqrt(m_area / m_options.least_used_part);
-    const double least_area = least_part * area(chart_of(part.mesh, part.uv));
     const Chord chord = best_chord(polygon, side_of_square, least_area, m_cost_of_length * std::sqrt(m_area));
     part.box = area_of_box(part.uv, side_of_square);
     part.gain = part.box - chord.cost;
@@ -155,17 +156,30 @@ private:
     }
   }
 
-  // Cuts the part whose box is emptiest. Returns whether there is a cut.
+  // Cuts the part whose box is emptiest, of those that can be cut. Returns whether there is one.
   bool divide_at_loss()
   {
-    const auto empty_area = [](const Divided_part& part) { return part.box - area(chart_of(part.mesh, part.uv)); };
-    const auto is_fuller = [&](const Divided_part& a, const Divided_part& b) { return empty_area(a) < empty_area(b); };
-    const auto part = std::max_element(m_parts.begin(), m_parts.end(), is_fuller);
-    if (m_losses == m_options.most_losses || part == m_parts.end())
+    if (m_losses == m_options.most_losses)
       return false;
     ++m_losses;
-    find_cut(*part, m_options.least_part_at_loss);
-    return part->start != no_index && divide(*part);
+    std::vector<std::pair<double, std::size_t>> parts;      // empty area and number
+    for (std::size_t i = 0; i < m_parts.size(); ++i)
+      parts.emplace_back(m_parts[i].box - area(chart_of(m_parts[i].mesh, m_parts[i].uv)), i);
+    std::sort(parts.rbegin(), parts.rend());
+    return std::any_of(parts.begin(), parts.end(), [&](const auto& p) {
+      Divided_part& part = m_parts[p.second];
+      find_cut(part, m_options.least_part_at_loss * enclosed_area(part));
+      return part.start != no_index && divide(part);
+    });
+  }
+
+  static double enclosed_area(const Divided_part& part)
+  {
+    double doubled = 0;
+    const Point_2& first = part.uv[0];
+    for (const Index h : outer_border(part.mesh, part.uv))
+      doubled += cross(part.uv[part.mesh.source(h)] - first, part.uv[part.mesh.target(h)] - first);
+    return 0.5 * doubled;
   }
 
   bool divide(Divided_part& part)

@@ -121,7 +121,8 @@ private:
       if (summary.is_ok()) {
         part.uv.assign(uvmap.begin(), uvmap.end());
         normalize(part.uv);
-        scale_to_area_in_space(part.mesh, part.uv);
+        if (!scale_to_area_in_space(part.mesh, part.uv))
+          scale_to_size_in_space(part.mesh, part.uv);
       } else if (summary.error.code == ERROR_STOPPED)
         m_is_stopped = true;
     }

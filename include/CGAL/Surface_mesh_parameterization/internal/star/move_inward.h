@@ -13,17 +13,16 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Moves a border vertex this part of the way to the middle of its neighbors, if its star is valid there. Coordinates
-// are rounded by `round` if that is not null.
+// Moves a border vertex this part of the way to the middle of its neighbors, rounded, if its star is valid there.
 inline void move_inward(const One_rings& rings, Index v, double part_of_way, std::vector<Point_2>& uv,
-                        Round_coordinate round = nullptr)
+                        const Rounding& round = Rounding())
 {
   const Point_2 start = uv[v];
   Vector_2 sum(0, 0);
   for (const Index w : rings[v])
     sum = sum + (uv[w] - start);
   const Point_2 end = start + part_of_way / double(rings[v].size()) * sum;
-  uv[v] = round ? Point_2(round(end.x(), 0), round(end.y(), 0)) : end;
+  uv[v] = round(end);
   if (!is_star_valid(rings, uv, v))
     uv[v] = start;
 }

@@ -28,6 +28,19 @@ constexpr Round_coordinate rounding_to()
     return nullptr;
 }
 
+// The same of points, with the exponent of their unit. By default nothing is rounded.
+struct Rounding
+{
+  Round_coordinate round = nullptr;
+  int exponent = 0;
+
+  explicit operator bool() const { return round != nullptr; }
+  Point_2 operator()(const Point_2& p) const
+  {
+    return round ? Point_2(round(p.x(), exponent), round(p.y(), exponent)) : p;
+  }
+};
+
 // Rounds the coordinates of a valid map, or of the mirror image of one. A vertex whose star would not be valid any more
 // goes to the middle of the kernel of its star, rounded. Returns whether the result is valid, or its mirror image. If
 // `round` is null, there is nothing to do.
