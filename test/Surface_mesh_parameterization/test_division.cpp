@@ -131,33 +131,46 @@ TEST(Best_chord, may_not_exist)
   EXPECT_FALSE(std::isfinite(internal::best_chord({ square[0], square[1], square[2] }, 9, 0, 0).cost));
 }
 
+// A mesh in the plane, which is its own map.
+struct Flat_corners
+{
+  internal::Corner_mesh mesh;
+  std::vector<Point_2> uv;
+
+  explicit Flat_corners(const Flat_mesh& m)
+  {
+    const auto surface = make<Surface_mesh>(m);
+    const CGAL::Constant_property_map<Surface_mesh::Edge_index, bool> no_seam(false);
+    EXPECT_EQ(internal::read_corner_mesh(surface, no_seam, mesh).code, OK);
+    for (const Point_3& p : mesh.points)
+      uv.emplace_back(p.x(), p.y());
+  }
+
+  std::vector<Index> path(const Point_2& from, const Point_2& to) const
+  {
+    return internal::path_in_plane(mesh, uv, internal::outer_border(mesh, uv), vertex_at(from), vertex_at(to));
+  }
+  Index vertex_at(const Point_2& p) const { return Index(std::find(uv.begin(), uv.end(), p) - uv.begin()); }
+  double length_of(Index h) const { return length(uv[mesh.source(h)] - uv[mesh.target(h)]); }
+};
+
 // Over a square whose edges and diagonals lie along three directions, the shortest path is as long as in the plane.
 TEST(Path_in_plane, is_shortest_and_avoids_the_border)
 {
   constexpr Index n = 8;
-  const auto mesh = make<Surface_mesh>(grid(n, n, flat));
-  internal::Corner_mesh corners;
-  const CGAL::Constant_property_map<Surface_mesh::Edge_index, bool> no_seam(false);
-  ASSERT_EQ(internal::read_corner_mesh(mesh, no_seam, corners).code, OK);
-  std::vector<Point_2> uv;
-  for (const Point_3& p : corners.points)
-    uv.emplace_back(p.x(), p.y());
-  const std::vector<Index> border = internal::outer_border(corners, uv);
-  ASSERT_EQ(border.size(), std::size_t(4 * n));
-  const auto vertex_at = [&](double x, double y) {
-    return Index(std::find(uv.begin(), uv.end(), Point_2(x, y)) - uv.begin());
-  };
+  const Flat_corners corners(grid(n, n, flat));
+  ASSERT_EQ(internal::outer_border(corners.mesh, corners.uv).size(), std::size_t(4 * n));
   const auto expect_path = [&](const Point_2& from, const Point_2& to, double expected_length) {
-    const Index start = vertex_at(from.x(), from.y()), goal = vertex_at(to.x(), to.y());
     double sum = 0;
-    Index v = goal;
-    for (const Index h : internal::path_in_plane(corners, uv, border, start, goal)) {
-      sum += length(uv[corners.source(h)] - uv[corners.target(h)]);
-      EXPECT_TRUE(corners.source(h) == v || corners.target(h) == v);
-      EXPECT_FALSE(corners.is_border(h));
-      v = corners.source(h) == v ? corners.target(h) : corners.source(h);
+    Index v = corners.vertex_at(to);
+    for (const Index h : corners.path(from, to)) {
+      const Index source = corners.mesh.source(h), target = corners.mesh.target(h);
+      sum += corners.length_of(h);
+      EXPECT_TRUE(source == v || target == v);
+      EXPECT_FALSE(corners.mesh.is_border(h));
+      v = source == v ? target : source;
     }
-    EXPECT_EQ(v, start);
+    EXPECT_EQ(v, corners.vertex_at(from));
     EXPECT_NEAR(sum, expected_length, 1e-12);
   };
   expect_path(Point_2(0.25, 0), Point_2(0.25, 1), 1);
@@ -174,23 +187,15 @@ Flat_mesh frame(Index n, double width)
 TEST(Path_in_plane, takes_what_is_cut_already_for_nothing)
 {
   constexpr double width = 0.125;
-  const auto mesh = make<Surface_mesh>(frame(8, width));
-  internal::Corner_mesh corners;
-  const CGAL::Constant_property_map<Surface_mesh::Edge_index, bool> no_seam(false);
-  ASSERT_EQ(internal::read_corner_mesh(mesh, no_seam, corners).code, OK);
-  std::vector<Point_2> uv;
-  for (const Point_3& p : corners.points)
-    uv.emplace_back(p.x(), p.y());
-  const auto vertex_at = [&](const Point_2& p) { return Index(std::find(uv.begin(), uv.end(), p) - uv.begin()); };
+  Flat_corners corners(frame(8, width));
   double length_of_cut = 0;
-  for (const Index h : internal::path_in_plane(corners, uv, internal::outer_border(corners, uv),
-                                               vertex_at(Point_2(0, 0.5)), vertex_at(Point_2(1, 0.5)))) {
-    if (!corners.is_border(h))
-      length_of_cut += length(uv[corners.source(h)] - uv[corners.target(h)]);
-    corners.sever(h);
+  for (const Index h : corners.path(Point_2(0, 0.5), Point_2(1, 0.5))) {
+    if (!corners.mesh.is_border(h))
+      length_of_cut += corners.length_of(h);
+    corners.mesh.sever(h);
   }
   EXPECT_NEAR(length_of_cut, 2 * width, 1e-12);
-  EXPECT_EQ(internal::connected_components(corners).size(), 2u);
+  EXPECT_EQ(internal::connected_components(corners.mesh).size(), 2u);
 }
 
 struct Seams
