@@ -16,3 +16,4 @@
 #include <CGAL/Surface_mesh_parameterization/internal/pack/divide_charts_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/overlap_cut_impl.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts_impl.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/round_chart_impl.h>

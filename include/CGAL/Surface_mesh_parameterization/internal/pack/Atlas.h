@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/round_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 
 #include <cstddef>
@@ -73,19 +74,12 @@ std::vector<Point_2> map_of(const Atlas& atlas, const std::vector<Index>& faces)
 // The triangles of a chart in the plane.
 Flat_chart chart_of(const Corner_mesh& mesh, std::vector<Point_2> uv);
 
-// Whether all triangles of a chart are positive.
-bool is_positive(const Flat_chart& chart);
-
 // Makes the charts of an atlas from the places of its corners: they end where the two sides of an edge have different
 // places.
 void make_charts(const std::vector<Point_2>& corners, Atlas& atlas);
 
 // The same of a mesh that has been severed between the charts.
 void split_charts(const std::vector<Point_2>& corners, Atlas& atlas);
-
-// Moves border vertices of a chart a little into it, where rounding has made borders meet that do not in its shape.
-// Returns whether that is done, or they met before.
-bool part_borders(Flat_chart& chart, const std::vector<Point_2>& shape, const Rounding& round);
 
 // Packs those charts of an atlas that are wanted. Coordinates are rounded by `round` if that is not null. A chart
 // without flips stays so: where rounding makes a flip, vertices move, or the chart is scaled up, but not so far

@@ -4,26 +4,17 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_IMPL_H
 
-#include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
-#include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/turn_chart.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/move_inward.h>
 
-#include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Origin.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -119,91 +110,12 @@ void split_charts(const std::vector<Point_2>& corners, Atlas& atlas)
     atlas.uv[mesh.vertex[h]] = corners[h];
 }
 
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool is_positive(const Flat_chart& chart)
-{
-  return std::all_of(chart.triangles.begin(), chart.triangles.end(), [&](const Index_triangle& t) {
-    return is_left_turn(chart.points[t[0]], chart.points[t[1]], chart.points[t[2]]);
-  });
-}
-
-inline void round_all(std::vector<Point_2>& points, const Rounding& round)
-{
-  for (Point_2& p : points)
-    p = round(p);
-}
-
 inline bool is_near(const std::vector<Point_2>& points, const std::vector<Point_2>& others, double distance)
 {
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!((points[i] - others[i]).squared_length() <= distance * distance))
       return false;
   return true;
-}
-
-// The next three functions round the places of a chart so that no triangle is flipped, and return whether they could.
-// This one moves vertices within their stars; if that fails, the chart stays as it was.
-inline bool round_places(Flat_chart& chart, const Rounding& round)
-{
-  const std::vector<Point_2> exact = chart.points;
-  round_all(chart.points, round);
-  if (is_positive(chart))
-    return true;
-  chart.points = exact;
-  const One_rings rings(chart.points.size(), chart.triangles);
-  if (round && is_positive(chart) && round_map(rings, round.round, round.exponent, chart.points) && is_positive(chart))
-    return true;
-  chart.points = exact;
-  return false;
-}
-
-// Of a chart that is too small for the steps of its coordinates: its shape is scaled up around the middle of its place,
-// up to a size. If that fails, the chart stays as it was.
-inline bool round_places_enlarged(Flat_chart& chart, const std::vector<Point_2>& shape, const Rounding& round,
-                                  double most_size)
-{
-  const auto middle_of = [](const Bbox_2& box) {
-    return Vector_2(0.5 * (box.xmin() + box.xmax()), 0.5 * (box.ymin() + box.ymax()));
-  };
-  const std::vector<Point_2> exact = chart.points;
-  const Bbox_2 box = box_of(shape);
-  const Vector_2 middle = middle_of(box_of(chart.points));
-  for (double factor = 1; factor * (width(box) + height(box)) < most_size; factor *= 4) {
-    for (std::size_t i = 0; i < shape.size(); ++i)
-      chart.points[i] = CGAL::ORIGIN + (middle + factor * (shape[i] - CGAL::ORIGIN - middle_of(box)));
-    if (round_places(chart, round))
-      return true;
-  }
-  chart.points = exact;
-  return false;
-}
-
-// By a repair of the flips.
-inline bool round_places_repaired(Flat_chart& chart, const Corner_mesh& mesh, const Rounding& round)
-{
-  std::size_t unused_number = 0;
-  return repair_map(surface_of(mesh), false, chart.points, unused_number) == OK && round_places(chart, round);
-}
-
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool part_borders(Flat_chart& chart, const std::vector<Point_2>& shape, const Rounding& round)
-{
-  constexpr double first_part_of_way = 1e-9, greatest_part_of_way = 0.1;
-  const One_rings rings(chart.points.size(), chart.triangles);
-  const std::vector<Border_edge> edges = border_edges(rings);
-  if (!has_crossings(edges, chart.points) || has_crossings(edges, shape))
-    return true;
-  for (double part = first_part_of_way; part <= greatest_part_of_way; part *= 10) {
-    std::set<Index> meeting;
-    for_each_crossing(edges, chart.points, [&](std::size_t i, std::size_t j) {
-      meeting.insert({ edges[i].source, edges[i].target, edges[j].source, edges[j].target });
-    });
-    if (meeting.empty())
-      return true;
-    for (const Index v : meeting)
-      move_inward(rings, v, part, chart.points, round);
-  }
-  return !has_crossings(edges, chart.points);
 }
 
 // Whether the wanted charts lie in a square, and do not overlap.
@@ -264,14 +176,14 @@ inline Packing place_charts(Atlas& atlas, std::vector<bool>& is_wanted, const Pa
     if (was_positive[i]) {
       const std::vector<Point_2> shape = map_of(atlas, faces);
       is_wanted[number] =
-          (round_places(chart, round) ||
-           round_places_enlarged(chart, scaled(shape, scale), round, most_distance) ||
-           round_places_repaired(chart, component_of(atlas.mesh, faces, scratch), round)) &&
+          round_chart(chart, scaled(shape, scale), most_distance, round,
+                      [&] { return surface_of(component_of(atlas.mesh, faces, scratch)); }) &&
           part_borders(chart, shape, round);
       if (is_wanted[number] && !is_near(chart.points, exact, most_distance))
         strayed.push_back(number);
     } else
-      round_all(chart.points, round);
+      for (Point_2& p : chart.points)
+        p = round(p);
     const std::vector<Index> vertices = vertices_of(atlas.mesh, faces);
     for (std::size_t j = 0; j < vertices.size(); ++j)
       atlas.uv[vertices[j]] = chart.points[j];
