@@ -46,7 +46,8 @@ void sever_double_edges(Corner_mesh& mesh)
   for (Index h = 0; h < mesh.number_of_halfedges(); ++h)
     if (mesh.source(h) == mesh.target(h))
       doubles.insert(doubles.end(), { h, Corner_mesh::next(h), Corner_mesh::previous(h) });
-  sever(mesh, doubles);
+  if (!doubles.empty())
+    sever(mesh, doubles);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
