@@ -1,11 +1,12 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Loops, the matrix that others fill, and text.
+// Loops, the matrix that others fill, distances, and text.
 
 #include "dense_matrices.h"
 #include "test_meshes.h"
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Distance_queue.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
@@ -17,11 +18,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <iomanip>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -32,6 +35,7 @@ using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
 using namespace test_systems;
 using internal::Loops;
+using internal::no_index;
 
 // The blocks are computed at once, and the result of each one counts.
 TEST(Loops, least_and_sum_see_every_index)
@@ -139,6 +143,84 @@ TEST(Sparse_matrix, rows_stay_as_they_are_while_somebody_holds_them)
   copy.set_coef(0, 0, -1);
   EXPECT_EQ(matrix.get_coef(0, 0), 14);
   EXPECT_EQ(copy.get_coef(0, 0), -1);
+}
+
+// Random points in the unit square, those nearer than `reach` joined by an edge.
+struct Random_graph
+{
+  std::vector<Point_2> points;
+  std::vector<std::vector<Index>> neighbors;
+
+  Random_graph(std::size_t n, double reach, Random& random) : neighbors(n)
+  {
+    for (Index v = 0; v < n; ++v) {
+      points.emplace_back(random(0, 1), random(0, 1));
+      for (Index w = 0; w < v; ++w)
+        if (length(v, w) < reach) {
+          neighbors[v].push_back(w);
+          neighbors[w].push_back(v);
+        }
+    }
+  }
+
+  double length(Index v, Index w) const { return std::sqrt((points[w] - points[v]).squared_length()); }
+};
+
+// Reaches all from what is in the queue, up to a goal if there is one. Returns how many nodes were taken out.
+std::size_t reach_all(const Random_graph& graph, Index goal, internal::Distance_queue& queue)
+{
+  std::size_t taken = 0;
+  double last = 0;
+  for (Index v; (v = queue.take_nearest()) != no_index && v != goal; ++taken) {
+    if (goal == no_index) {
+      EXPECT_LE(last, queue.distance(v)) << "the nearest comes first";
+      last = queue.distance(v);
+    }
+    for (const Index w : graph.neighbors[v])
+      queue.reach(w, queue.distance(v) + graph.length(v, w), goal == no_index ? 0 : graph.length(w, goal));
+  }
+  return taken;
+}
+
+// Nothing is nearer than by a neighbor, and all but sources are as near as by one of them: there is one such distance.
+TEST(Distance_queue, distances_are_those_of_shortest_paths)
+{
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Random random(seed);
+    const Random_graph graph(300, 0.1, random);
+    internal::Distance_queue queue(300);
+    std::set<Index> sources;
+    for (int i = 0; i < 4; ++i) {       // a source more each time
+      const Index source = Index(random.below(300));
+      sources.insert(source);
+      queue.reach(source, 0);
+      reach_all(graph, no_index, queue);
+      for (Index v = 0; v < 300; ++v) {
+        double least = (std::numeric_limits<double>::infinity)();
+        for (const Index w : graph.neighbors[v])
+          least = (std::min)(least, queue.distance(w) + graph.length(v, w));
+        ASSERT_EQ(queue.distance(v), sources.count(v) ? 0 : least) << "node " << v << ", seed " << seed;
+      }
+      for (Index v = 0; v < 300; ++v)
+        EXPECT_LE(queue.distance(v), queue.distance(queue.farthest()));
+    }
+  }
+}
+
+TEST(Distance_queue, way_to_a_goal_is_as_short_and_found_sooner)
+{
+  std::size_t taken = 0, taken_with_goal = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Random random(seed);
+    const Random_graph graph(300, 0.15, random);
+    internal::Distance_queue queue(300), queue_with_goal(300);
+    queue.reach(0, 0);
+    queue_with_goal.reach(0, 0);
+    taken += reach_all(graph, no_index, queue);
+    taken_with_goal += reach_all(graph, 1, queue_with_goal);
+    EXPECT_DOUBLE_EQ(queue_with_goal.distance(1), queue.distance(1)) << "seed " << seed;
+  }
+  EXPECT_LT(taken_with_goal, taken / 2);
 }
 
 } // namespace test_core

@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_SHORTEST_PATHS_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Distance_queue.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
@@ -30,7 +31,7 @@ public:
   void add_sources(const std::vector<Index>& places);
 
   // From the nearest source, along edges.
-  double distance(Index place) const { return m_distance[place]; }
+  double distance(Index place) const { return m_queue.distance(place); }
 
   // The halfedge by which the shortest path enters the place; `no_index` at a source.
   Index last_halfedge(Index place) const { return m_last_halfedge[place]; }
@@ -39,15 +40,15 @@ public:
   std::vector<Index> path_to(Index place) const;
 
   // The farthest place, the least one of several.
-  Index farthest() const;
+  Index farthest() const { return m_queue.farthest(); }
 
 private:
   const Corner_mesh& m_mesh;
   std::vector<Index> m_place;                       // by vertex
   std::vector<bool> m_is_border;                    // by place
   Compressed_lists<Index> m_leaving;                // the halfedges that leave each place
-  std::vector<double> m_distance;
-  std::vector<Index> m_last_halfedge;
+  Distance_queue m_queue;                           // of places
+  std::vector<Index> m_last_halfedge;               // by place
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -6,11 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Shortest_paths.h>
 
-#include <algorithm>
-#include <functional>
-#include <limits>
-#include <queue>
-#include <utility>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -33,36 +29,23 @@ Shortest_paths::Shortest_paths(const Corner_mesh& mesh)
     for (Index h = 0; h < m_mesh.number_of_halfedges(); ++h)
       add(m_place[m_mesh.source(h)], h);
   });
-  m_distance.assign(m_is_border.size(), (std::numeric_limits<double>::infinity)());
+  m_queue = Distance_queue(m_is_border.size());
   m_last_halfedge.assign(m_is_border.size(), no_index);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Shortest_paths::add_sources(const std::vector<Index>& places)
 {
-  typedef std::pair<double, Index>   Entry;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   for (const Index place : places) {
-    m_distance[place] = 0;
+    m_queue.reach(place, 0);
     m_last_halfedge[place] = no_index;
-    queue.emplace(0, place);
   }
-  // Dijkstra's algorithm; an entry is out of date if the place has come nearer since.
-  while (!queue.empty()) {
-    const auto [distance, place] = queue.top();
-    queue.pop();
-    if (distance > m_distance[place])
-      continue;
+  for (Index place; (place = m_queue.take_nearest()) != no_index;)
     for (const Index h : m_leaving[place]) {
       const Index neighbor = m_place[m_mesh.target(h)];
-      const double other_distance = distance + length(m_mesh, h);
-      if (other_distance < m_distance[neighbor]) {
-        m_distance[neighbor] = other_distance;
+      if (m_queue.reach(neighbor, m_queue.distance(place) + length(m_mesh, h)))
         m_last_halfedge[neighbor] = h;
-        queue.emplace(other_distance, neighbor);
-      }
     }
-  }
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -72,12 +55,6 @@ std::vector<Index> Shortest_paths::path_to(Index place) const
   for (Index h = m_last_halfedge[place]; h != no_index; h = m_last_halfedge[m_place[m_mesh.source(h)]])
     path.push_back(h);
   return path;
-}
-
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Index Shortest_paths::farthest() const
-{
-  return Index(std::max_element(m_distance.begin(), m_distance.end()) - m_distance.begin());
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

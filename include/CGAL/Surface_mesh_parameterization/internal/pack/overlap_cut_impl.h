@@ -7,19 +7,20 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/covered_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Distance_queue.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Minimum_cut.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/overlap_cut.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <iterator>
-#include <limits>
 #include <numeric>
-#include <queue>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -63,16 +64,11 @@ private:
   // their centroids.
   std::vector<bool> region_around(Index seed) const
   {
-    typedef std::pair<double, Index>   Entry;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    std::vector<double> distance(m_number_of_faces, (std::numeric_limits<double>::infinity)());
+    Distance_queue queue(m_number_of_faces);
     std::vector<bool> is_inside(m_number_of_faces, false), is_shut_out(m_number_of_faces, false);
-    distance[seed] = 0;
-    queue.emplace(0, seed);
-    while (!queue.empty()) {
-      const auto [d, f] = queue.top();
-      queue.pop();
-      if (is_inside[f] || is_shut_out[f])
+    queue.reach(seed, 0);
+    for (Index f; (f = queue.take_nearest()) != no_index;) {
+      if (is_shut_out[f])
         continue;
       is_inside[f] = true;
       for (const Index rival : m_rivals[f])
@@ -80,11 +76,7 @@ private:
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
         if (!m_chart.is_border(h)) {
           const Index g = m_chart.opposite[h] / 3;
-          const double other = d + std::sqrt((m_centroids[g] - m_centroids[f]).squared_length());
-          if (other < distance[g]) {
-            distance[g] = other;
-            queue.emplace(other, g);
-          }
+          queue.reach(g, queue.distance(f) + std::sqrt((m_centroids[g] - m_centroids[f]).squared_length()));
         }
     }
     return is_inside;
@@ -141,53 +133,87 @@ private:
     return cut.sides();
   }
 
+  // A connected part of one side.
+  struct Piece
+  {
+    double area = 0;
+    std::vector<Index> faces, neighbors;      // the latter may have been joined to other pieces since
+
+    void append(Piece& other)
+    {
+      area += other.area;
+      append(faces, other.faces);
+      append(neighbors, other.neighbors);
+    }
+
+  private:
+    static void append(std::vector<Index>& list, std::vector<Index>& other)
+    {
+      if (list.size() < other.size())
+        list.swap(other);
+      list.insert(list.end(), other.begin(), other.end());
+    }
+  };
+
   // Gives small pieces of either side to the other one, the smallest first, as long as they are little in all and two
   // pieces remain.
   void join_small_pieces(std::vector<bool>& is_inside) const
   {
     constexpr double greatest_part = 0.02, greatest_part_in_all = 0.05;       // of the area
     const double area = std::accumulate(m_areas.begin(), m_areas.end(), 0.);
-    double joined_area = 0;
     std::vector<Piece> pieces = pieces_of(is_inside);
-    for (;;) {
-      const Piece smallest = *std::min_element(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
-        return p.area < q.area;
-      });
-      joined_area += smallest.area;
-      if (smallest.area > greatest_part * area || joined_area > greatest_part_in_all * area)
+    boost::disjoint_sets_with_storage<> joined(pieces.size());
+    std::set<std::pair<double, Index>> by_area;
+    for (Index i = 0; i < pieces.size(); ++i)
+      by_area.emplace(pieces[i].area, i);
+    for (double joined_area = 0;;) {
+      const Index smallest = by_area.begin()->second;
+      Piece piece = std::move(pieces[smallest]);
+      joined_area += piece.area;
+      if (piece.area > greatest_part * area || joined_area > greatest_part_in_all * area)
         return;
-      change_sides(smallest, is_inside);
-      pieces = pieces_of(is_inside);
-      if (pieces.size() == 1) {
-        change_sides(smallest, is_inside);
+      std::set<Index> neighbors;
+      for (const Index neighbor : piece.neighbors)
+        if (const Index i = Index(joined.find_set(neighbor)); i != smallest)
+          neighbors.insert(i);
+      if (neighbors.size() + 1 == by_area.size())
         return;
+      for (const Index f : piece.faces)
+        is_inside[f] = !is_inside[f];
+      // With its neighbors, which are all on the side where it is now, it is one piece.
+      by_area.erase(by_area.begin());
+      piece.neighbors.clear();
+      for (const Index i : neighbors) {
+        by_area.erase({ pieces[i].area, i });
+        piece.append(pieces[i]);
+        joined.union_set(smallest, i);
       }
+      const Index i = Index(joined.find_set(smallest));
+      by_area.emplace(piece.area, i);
+      pieces[i] = std::move(piece);
     }
-  }
-
-  struct Piece
-  {
-    std::vector<Index> faces;
-    double area;
-  };
-
-  static void change_sides(const Piece& piece, std::vector<bool>& is_inside)
-  {
-    for (const Index f : piece.faces)
-      is_inside[f] = !is_inside[f];
   }
 
   std::vector<Piece> pieces_of(const std::vector<bool>& is_inside) const
   {
+    const std::vector<Index> edges = edges_between(is_inside);
     Corner_mesh severed = m_chart;
-    for (const Index h : edges_between(is_inside))
+    for (const Index h : edges)
       severed.sever(h);
     std::vector<Piece> result;
+    std::vector<Index> piece_of_face(m_number_of_faces);
     for (std::vector<Index>& faces : connected_components(severed)) {
-      double area = 0;
-      for (const Index f : faces)
-        area += m_areas[f];
-      result.push_back({ std::move(faces), area });
+      Piece& piece = result.emplace_back();
+      for (const Index f : faces) {
+        piece_of_face[f] = Index(result.size() - 1);
+        piece.area += m_areas[f];
+      }
+      piece.faces = std::move(faces);
+    }
+    for (const Index h : edges) {
+      const Index i = piece_of_face[h / 3], j = piece_of_face[m_chart.opposite[h] / 3];
+      result[i].neighbors.push_back(j);
+      result[j].neighbors.push_back(i);
     }
     return result;
   }

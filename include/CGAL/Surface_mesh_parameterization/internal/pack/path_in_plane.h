@@ -4,14 +4,12 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PATH_IN_PLANE_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PATH_IN_PLANE_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Distance_queue.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -62,28 +60,15 @@ inline std::vector<Index> path_in_plane(const Corner_mesh& mesh, const std::vect
     return distance(v, w) * (is_on_outer_border[w] && w != goal ? multiple_at_border : 1);
   };
 
-  typedef std::pair<double, Index>   Entry;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  std::vector<double> length(mesh.number_of_vertices(), (std::numeric_limits<double>::infinity)());
+  Distance_queue queue(mesh.number_of_vertices());
   std::vector<Index> last_halfedge(mesh.number_of_vertices(), no_index);
-  std::vector<bool> is_done(mesh.number_of_vertices(), false);
   const auto reach = [&](Index h, Index w) {
     const Index v = mesh.source(h) == w ? mesh.target(h) : mesh.source(h);
-    const double other = length[v] + cost(h, v, w);
-    if (other < length[w]) {
-      length[w] = other;
+    if (queue.reach(w, queue.distance(v) + cost(h, v, w), has_holes ? 0 : distance(w, goal)))
       last_halfedge[w] = h;
-      queue.emplace(has_holes ? other : other + distance(w, goal), w);
-    }
   };
-  length[start] = 0;
-  queue.emplace(0, start);
-  while (!queue.empty() && !is_done[goal]) {
-    const Index v = queue.top().second;
-    queue.pop();
-    if (is_done[v])
-      continue;
-    is_done[v] = true;
+  queue.reach(start, 0);
+  for (Index v; (v = queue.take_nearest()) != no_index && v != goal;) {
     // Counter-clockwise around the vertex, from the border if it is on one.
     Index h = leaving[v];
     do {
