@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -72,6 +74,13 @@ template <class Method>
 Hierarchical_parameterizer_3<Method> hierarchical(const Method& method)
 {
   return Hierarchical_parameterizer_3<Method>(method, parameters::coarsest_size(20).flip_policy(Flip_policy::KEEP));
+}
+
+template <class Method>
+Hierarchical_parameterizer_3<Method> hierarchical(const Method& method, Parameterization_summary& summary)
+{
+  return Hierarchical_parameterizer_3<Method>(
+      method, parameters::coarsest_size(20).flip_policy(Flip_policy::KEEP).summary(std::ref(summary)));
 }
 
 // Leaves the border where it is.

@@ -255,6 +255,13 @@ TEST(Short_calls_of_iterative_authalic, take_a_number_of_iterations)
   without.expect_equal(expected, tolerance);
   EXPECT_EQ(parameterizer.parameterize(mesh, without.uvmap, 2), OK);
   expect_iterations(2);
+
+  // CGAL's own would read what is not there.
+  Wrapped_map<Surface_mesh> none(mesh);
+  EXPECT_EQ(parameterizer.parameterize(mesh, none.uvmap, 0), ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(none.parameterize(parameterizer, bhd, 0u), ERROR_WRONG_PARAMETER);
+  EXPECT_STREQ(summary.error.cause, "the number of iterations is 0");
+  EXPECT_TRUE(none.is_untouched());
 }
 
 } // namespace test_calls_of_CGAL

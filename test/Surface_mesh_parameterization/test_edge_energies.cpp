@@ -194,12 +194,69 @@ TYPED_TEST(Edge_energy_parameterizer, does_not_depend_on_units)
 {
   Flat_mesh m = grid(16, 12, wavy);
   Surface_mesh mesh = make<Surface_mesh>(m);
-  const std::vector<Kernel::Point_2> expected = map_of(mesh, hierarchical(method_of_tolerance<TypeParam>(1e-11)));
-  for (const double scale : { 1e-100, 0.3, 1e100 }) {
-    for (const auto v : vertices(mesh))
-      mesh.point(v) = Kernel::Point_3(scale * m.points[v].x(), scale * m.points[v].y(), scale * m.points[v].z());
-    EXPECT_LT(distance(map_of(mesh, hierarchical(method_of_tolerance<TypeParam>(1e-11))), expected), 1e-8);
+  typedef Edge_energy_parameterizer_3<Surface_mesh, TypeParam, Circular_border_uniform_parameterizer_3<Surface_mesh>>
+      Method;       // whose border needs no lengths
+  Parameterization_summary summary;
+  const auto method = hierarchical(Method({}, TypeParam(), parameters::tolerance(1e-11)), summary);
+  const std::vector<Kernel::Point_2> expected = map_of(mesh, method);
+  const double energy = summary.energy;
+  for (const int exponent : { -900, -515, -300, -2, 300, 538, 900 }) {
+    for (const auto v : vertices(mesh)) {
+      const Point_3& p = m.points[v];
+      mesh.point(v) = Kernel::Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
+                                      std::ldexp(p.z(), exponent));
+    }
+    EXPECT_EQ(map_of(mesh, method), expected) << exponent;
+    EXPECT_TRUE(summary.converged) << exponent;
+    EXPECT_EQ(summary.energy, energy) << exponent;
   }
+}
+
+// ---- weights that are hard to solve with ----
+
+template <bool is_said_to_be_symmetric>
+struct Weights_of_both_signs
+{
+  static constexpr bool is_symmetric = is_said_to_be_symmetric, is_positive = false;
+
+  void operator()(const Point_3& p, const std::vector<Point_3>& ring, bool, std::vector<double>& weights) const
+  {
+    weights.clear();
+    for (const Point_3& q : ring)
+      weights.push_back(std::sin(1e4 * (p.x() + q.x())) > 0 ? 1 : -1);
+  }
+};
+
+// Uniform weights take the place of rows whose sums are not positive: the matrix is not symmetric then.
+TEST(Edge_energy, replaced_rows_are_part_of_the_matrix)
+{
+  for (const Flat_mesh& m : { grid(16, 12, wavy), delaunay_patch(400, 1, wavy) }) {
+    Surface_mesh mesh = make<Surface_mesh>(m);
+    const std::vector<Kernel::Point_2> expected = map_of(mesh, keeping_flips<Method<Weights_of_both_signs<false>>>());
+    EXPECT_LT(distance(map_of(mesh, keeping_flips<Method<Weights_of_both_signs<true>>>()), expected), 1e-7);
+  }
+}
+
+struct Weights_times
+{
+  static constexpr bool is_symmetric = true, is_positive = true;
+  double factor = 1;
+
+  void operator()(const Point_3&, const std::vector<Point_3>& ring, bool, std::vector<double>& weights) const
+  {
+    weights.assign(ring.size(), factor);
+  }
+};
+
+TEST(Edge_energy, a_factor_of_all_weights_does_not_matter)
+{
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(400, 1, wavy));
+  const auto map_with = [&](double factor) {
+    return map_of(mesh, hierarchical(Method<Weights_times>({}, Weights_times{ factor }, parameters::tolerance(1e-11))));
+  };
+  const std::vector<Kernel::Point_2> expected = map_with(1);
+  for (const double factor : { 1e-310, 1e-200, 1e200, 1e306 })
+    EXPECT_LT(distance(map_with(factor), expected), 1e-8) << factor;
 }
 
 // ---- CGAL's methods for the same maps ----

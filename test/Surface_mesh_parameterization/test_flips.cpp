@@ -220,6 +220,28 @@ TEST(Settle_flips, moves_few_vertices_for_one_that_is_far_away_or_inside)
       }
 }
 
+TEST(Settle_flips, repairs_a_map_of_any_size_the_same_way)
+{
+  const auto repaired_at = [](int exponent) {
+    Spoiled_map m;
+    const auto scale = [&](int power) {
+      for (const auto v : vertices(m.mesh))
+        m.uvmap[v] = Kernel::Point_2(std::ldexp(m.uvmap[v].x(), power), std::ldexp(m.uvmap[v].y(), power));
+    };
+    m.uvmap[Mesh::Vertex_index(25 * 10 + 12)] = Kernel::Point_2(0.3, 0.2);
+    m.uvmap[Mesh::Vertex_index(25 * 14 + 3)] = Kernel::Point_2(0.7, 0.9);
+    scale(exponent);
+    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR, parameters::summary(std::ref(m.summary))), OK);
+    EXPECT_TRUE(m.is_locally_one_to_one());
+    EXPECT_LT(m.summary.moved_vertices, 60u);
+    scale(-exponent);
+    return m.uv();
+  };
+  const auto expected = repaired_at(0);
+  for (const int exponent : { -900, -500, -100, 1, 100, 500, 900 })
+    EXPECT_EQ(repaired_at(exponent), expected) << exponent;
+}
+
 TEST(Settle_flips, repairs_mirrored_maps_of_floats)
 {
   typedef CGAL::Simple_cartesian<float>::Point_2   Float_point;

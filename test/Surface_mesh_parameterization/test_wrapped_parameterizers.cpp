@@ -326,14 +326,17 @@ TEST(Wrapped_LSCM, has_no_flips_in_floats)
   }
 }
 
+// CGAL looks for them along two axes.
 TEST(Wrapped_LSCM, needs_two_places_for_its_vertices)
 {
-  Flat_mesh point = grid(4, 4, flat);
-  for (Point_3& p : point.points)
-    p = Point_3(1, 2, 3);
-  Mapped_mesh m(point);
-  EXPECT_EQ(m.parameterize(Hierarchical_parameterizer_3<LSCM_parameterizer_3<Surface_mesh>>()),
-            ERROR_BORDER_TOO_SHORT);
+  for (const double length : { 0., 1. }) {
+    Flat_mesh line = grid(4, 4, flat);
+    for (Point_3& p : line.points)
+      p = Point_3(1, length * p.y(), 3);
+    Mapped_mesh m(line);
+    EXPECT_EQ(m.parameterize(Hierarchical_parameterizer_3<LSCM_parameterizer_3<Surface_mesh>>()),
+              ERROR_BORDER_TOO_SHORT);
+  }
 }
 
 TEST(Wrapped_LSCM, of_a_large_surface_is_iterated_on_several_grids)

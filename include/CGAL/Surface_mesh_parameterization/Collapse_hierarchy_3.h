@@ -61,7 +61,7 @@ public:
   ///
   /// A vertex whose place in the plane is given stays on every level, unless it lies on the border between two others.
   ///
-  /// \param surface the surface; move it in to save memory
+  /// \param surface the surface; move it in to save memory. Precondition: its indices are those of its points
   /// \param np
   /// - `random_seed`: the seed of the random choice of vertices; default 0
   /// - `coarsest_size`: collapse groups are made until a level has at most that many vertices, or until no vertex can

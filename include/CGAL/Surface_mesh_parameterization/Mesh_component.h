@@ -24,7 +24,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -185,7 +184,7 @@ private:
     for (vertex_descriptor v : m_vertices) {
       const auto& p = get(point_map, v);
       const internal::Point_3 q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-      if (!std::isfinite(q.x()) || !std::isfinite(q.y()) || !std::isfinite(q.z()))
+      if (!internal::is_finite(q))
         return fail(ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, internal::position_in(vertices(mesh), v),
                     "a coordinate is not a finite number");
       m_surface.points.push_back(q);

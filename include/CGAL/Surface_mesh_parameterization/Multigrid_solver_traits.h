@@ -42,7 +42,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// residual does not become small enough, or if the matrix does not couple neighbors in the mesh, so that its unknowns
 /// must have another order, a sparse LU factorization takes over. Of nearly singular matrices, rounding may leave a
 /// residual above the tolerance, which `summary()` tells. If that is above 1e-3, relatively, or if there is no
-/// factorization, the functions return `false` and leave the solution unchanged.
+/// factorization, the functions return `false` and leave the solution unchanged. They do the same with a matrix that
+/// has not the same number of rows for each vertex in the system.
 ///
 /// An object knows the hierarchy and the vertex of each unknown:
 /// \code
@@ -107,7 +108,8 @@ public:
   /// \param bhd a halfedge on the outer border of `mesh`
   /// \param vimap a readable property map from vertices to integers: the order of the vertices in the linear system.
   ///        With k unknowns at each vertex, the vertex with the i-th smallest index, from 0, has the unknowns from k i
-  ///        to k i + k - 1. A vertex with a negative index is not in the system
+  ///        to k i + k - 1. A vertex with a negative index is not in the system: of a system for some of the vertices,
+  ///        such as those that `Polygon_mesh_processing::fair()` moves, all others need one
   /// \param np
   /// - `tolerance`: greatest relative residual, rows scaled to unit diagonal; default 1e-10. Less than
   ///   1e-15 counts as that

@@ -81,7 +81,7 @@ private:
 
   void append(std::size_t i, std::size_t j, double value, bool replaces)
   {
-    CGAL_precondition(i < m_rows->number_of_rows() && j < m_columns);
+    CGAL_precondition(has(i, j));
     if (m_waiting.size() == m_waiting.capacity())
       make_room();
     m_waiting.push_back({ Index(i), Index(j), replaces, value });
@@ -91,8 +91,11 @@ private:
   // For one more entry that waits. Merges those that wait if they are many.
   void make_room();
 
+  bool has(std::size_t i, std::size_t j) const { return i < m_rows->number_of_rows() && j < m_columns; }
+
   std::size_t position(std::size_t i, std::size_t j) const
   {
+    CGAL_precondition(has(i, j));
     const auto begin = m_rows->columns.begin() + m_rows->first[i], end = m_rows->columns.begin() + m_rows->first[i + 1];
     const auto found = std::lower_bound(begin, end, Index(j));
     return found != end && *found == Index(j) ? found - m_rows->columns.begin() : not_found;

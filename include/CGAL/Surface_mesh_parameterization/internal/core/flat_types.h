@@ -38,6 +38,7 @@ inline double doubled_area(const Point_3& a, const Point_3& b, const Point_3& c)
 }
 
 inline bool is_finite(const Point_2& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
+inline bool is_finite(const Point_3& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); }
 
 inline void mirror(Point_2& p) { p = Point_2(-p.x(), p.y()); }
 inline void mirror(std::vector<Point_2>& points)

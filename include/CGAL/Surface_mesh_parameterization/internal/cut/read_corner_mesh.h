@@ -16,7 +16,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -69,7 +68,7 @@ Parameterization_error read_corner_mesh(const TriangleMesh& mesh, EdgeSeamMap is
     put(halfedge_index_of, h, i);
   });
   for (const Index v : corners.vertex)
-    if (const Point_3& p = corners.points[v]; !std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z()))
+    if (!is_finite(corners.points[v]))
       return { ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, v, "a coordinate is not a finite number" };
   for_each_corner(mesh, [&](auto h, Index) {
     const auto o = opposite(h, mesh);

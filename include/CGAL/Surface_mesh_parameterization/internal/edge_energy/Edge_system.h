@@ -10,6 +10,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 
+#include <CGAL/Bbox_2.h>
+
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -61,10 +63,14 @@ public:
     return Vector_2(x, y);
   }
 
+  // Whether rows of uniform weights took the place of others, so that the matrix need not be symmetric even if the
+  // weights are.
+  bool has_replaced_rows() const { return m_has_replaced_rows; }
+
   // Puts every vertex that is not fixed into the middle of the others.
   void put_in_one_point(Level::Uv& uv) const;
 
-  // The norm of all residuals, relative to those of that map.
+  // The norm of all residuals, relative to those of that map. No number if the map has places that are not finite.
   double relative_residual(const Level::Uv& uv) const;
 
   // 1/2 sum c_ij |p_i - p_j|^2 over the edges, in the user's units in the plane; c_ij is the mean of both directions.
@@ -76,14 +82,24 @@ private:
 
   Edge_system(const Level& level, const Make_weight_function& make_weight_function);
 
-  // A row whose sum is not positive or not finite is taken for one of uniform weights.
-  void set_row(Index i, const std::vector<double>& row);
+  void set_rows(const Make_weight_function& make_weight_function);
+
+  // A row whose sum is not positive or not finite is taken for one of uniform weights. Returns whether it was not.
+  bool set_row(Index i, const std::vector<double>& row);
+
+  // So that the greatest is about 1.
+  void scale_row_sums();
+
+  Bbox_2 box_of_fixed_places() const;
 
   double squared_residual(const Level::Uv& uv) const;
 
   const Level& m_level;
-  std::vector<double> m_weights;      // of every slot of the rings, scaled
-  std::vector<double> m_row_sums;     // before they were scaled
+  std::vector<double> m_weights;      // of every slot of the rings, scaled, so that the sum of a row is 1
+  std::vector<double> m_row_sums;     // before that, times a power of two
+  int m_exponent_of_sums = 0;         // of that power
+  bool m_has_replaced_rows = false;
+  double m_unit;                      // a power of two: the fixed places, divided by it, have about size 1
   double m_squared_residual_in_one_point;
 };
 

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -70,8 +71,9 @@ Error_code solve_directly(const Edge_system& system, Level::Uv& uv)
   const Sparse_rows<double> matrix = system.matrix(vertices);
   std::unique_ptr<Direct_solver> solver;
   if constexpr (is_symmetric)
-    solver = factorize_symmetric_rows(matrix);
-  else
+    if (!system.has_replaced_rows())
+      solver = factorize_symmetric_rows(matrix);
+  if (!solver)
     solver = factorize_rows(matrix);
   if (!solver)
     return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
@@ -134,6 +136,8 @@ Error_code solve_by_multigrid(const Edge_system& system, double tolerance, std::
     return ERROR_STOPPED;
   if (summary.converged)
     return OK;
+  if (!std::isfinite(residual))
+    return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
 
   Iterations_on_level listener(level, summary);
   Run_progress progress(level.is_watched() ? &listener : nullptr);

@@ -9,6 +9,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_builder.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/pinned_vertices.h>
 
+#include <CGAL/assertions.h>
+
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -34,6 +36,18 @@ void append_row(Matrix& matrix, Index v, std::vector<Entry>& row)
   }
 }
 
+// Whether all indices are those of points.
+inline bool are_indices_valid(const Triangulated_surface_3& surface)
+{
+  const auto is_valid = [&](Index v) { return v < surface.points.size(); };
+  const auto is_vertex_valid = [&](const auto& x) { return is_valid(x.vertex); };
+  return std::all_of(surface.triangles.begin(), surface.triangles.end(),
+                     [&](const Index_triangle& t) { return std::all_of(t.begin(), t.end(), is_valid); }) &&
+         std::all_of(surface.outer_border.begin(), surface.outer_border.end(), is_valid) &&
+         std::all_of(surface.fixed_vertices.begin(), surface.fixed_vertices.end(), is_vertex_valid) &&
+         std::all_of(surface.springs.begin(), surface.springs.end(), is_vertex_valid);
+}
+
 } // namespace internal
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -47,6 +61,7 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Collapse_hierarchy_3::build(Triangulated_surface_3 surface, const internal::Hierarchy_options& options,
                                  const internal::Loops& loops)
 {
+  CGAL_precondition_msg(internal::are_indices_valid(surface), "an index of the surface is none of a point");
   const std::vector<bool> is_pinned = internal::pinned_vertices(surface, options.is_constrained);
   m_vertices = internal::Hierarchy_builder(surface.points, is_pinned, surface.triangles, loops).build(options, loops);
   m_faces = internal::Face_hierarchy(m_vertices, std::move(surface.triangles));

@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/vertex_order.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Map_repair.h>
@@ -14,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -115,12 +117,34 @@ inline Error_code repair_by_hierarchies(const Triangulated_surface_3& surface, s
   return repair_by_hierarchy(surface, options, uv);
 }
 
+// The exponent of the power of two that makes edges of a map about 1 long: the median, which vertices that are far away
+// do not change; of one edge of each triangle.
+inline int scale_exponent_of_edges(const std::vector<Index_triangle>& triangles, const std::vector<Point_2>& uv)
+{
+  std::vector<double> lengths;
+  for (const Index_triangle& t : triangles) {
+    const Vector_2 edge = uv[t[1]] - uv[t[0]];
+    const double length = (std::max)(std::abs(edge.x()), std::abs(edge.y()));
+    if (std::isfinite(length))
+      lengths.push_back(length);
+  }
+  if (lengths.empty())
+    return 0;
+  const auto median = lengths.begin() + std::ptrdiff_t(lengths.size() / 2);
+  std::nth_element(lengths.begin(), median, lengths.end());
+  return *median > 0 ? -std::ilogb(*median) : 0;
+}
+
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code repair_map(const Triangulated_surface_3& surface, bool may_give_up, std::vector<Point_2>& uv,
                       std::size_t& moved_vertices)
 {
   constexpr double part_given_up = 0.005;       // with so many vertices in large folds, the hierarchy moves nearly all
+  const int exponent = scale_exponent_of_edges(surface.triangles, uv);
   std::vector<Point_2> map = uv;
+  for (Point_2& p : map)
+    p = times_power_of_two(p, exponent);
+  const std::vector<Point_2> start = map;
   if (const std::size_t bad_vertices = repair_patches(surface, map); bad_vertices > 0) {
     if (may_give_up && double(bad_vertices) > part_given_up * double(uv.size()))
       return ERROR_NO_1_TO_1_MAPPING;
@@ -128,8 +152,10 @@ Error_code repair_map(const Triangulated_surface_3& surface, bool may_give_up, s
       return status;
   }
   for (Index v = 0; v < uv.size(); ++v)
-    moved_vertices += map[v] != uv[v];
-  uv.swap(map);
+    if (map[v] != start[v]) {
+      ++moved_vertices;
+      uv[v] = times_power_of_two(map[v], -exponent);
+    }
   return OK;
 }
 

@@ -77,6 +77,9 @@ private:
   Error_code parameterize_mesh(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap,
                                VertexParameterizedMap vpmap, Others&&... others)
   {
+    if constexpr (Use::takes_iterations)
+      if (is_first_zero(others...))
+        return this->fail(ERROR_WRONG_PARAMETER, "the number of iterations is 0");
     std::shared_ptr<Filled_mesh<Triangle_mesh>> filled;
     if (this->options().fills_holes && !this->options().fault) {
       if (this->optional_steps().fill_holes)
@@ -88,6 +91,10 @@ private:
                                 vpmap, std::forward<Others>(others)...);
   }
 
+  static bool is_first_zero() { return false; }
+  template <class First, class... Rest>
+  static bool is_first_zero(const First& first, const Rest&...) { return first == 0; }
+
   // Runs on a mesh, which may be a copy of that of the property maps.
   template <class VertexUVMap, class VertexParameterizedMap, class... Others>
   Error_code parameterize_surface(const Triangle_mesh& mesh, halfedge_descriptor bhd,
@@ -97,7 +104,8 @@ private:
     typedef typename boost::property_traits<VertexUVMap>::value_type    User_point_2;
     typedef typename Wrapped_run<Triangle_mesh>::Index_map              Index_map;
 
-    Wrapped_run<Triangle_mesh> run(mesh, bhd, this->options());
+    constexpr int least_dimension = Use::is_complex ? 2 : 1;      // CGAL's border of LSCM is two vertices of a box
+    Wrapped_run<Triangle_mesh> run(mesh, bhd, this->options(), least_dimension);
     if (run.error() != OK)
       return run.error();
     std::vector<vertex_descriptor> vertices = run.vertices();

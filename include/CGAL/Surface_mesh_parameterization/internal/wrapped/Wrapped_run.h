@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/flat_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/solve_and_copy.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -48,8 +49,10 @@ public:
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor   halfedge_descriptor;
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int>>::const_type     Index_map;
 
-  // Reads the component of `bhd`. Whether the run can go on is told by error().
-  Wrapped_run(const TriangleMesh& mesh, halfedge_descriptor bhd, const Wrapped_options& options)
+  // Reads the component of `bhd`, whose box must have at least so many sides with a length. Whether the run can go on
+  // is told by error().
+  Wrapped_run(const TriangleMesh& mesh, halfedge_descriptor bhd, const Wrapped_options& options,
+              int least_dimension = 1)
     : m_options(options), m_progress(options.visitor.get()), m_index(get(CGAL::dynamic_vertex_property_t<int>(), mesh))
   {
     summary() = Parameterization_summary();
@@ -67,7 +70,7 @@ public:
       put(m_index, m_vertices[i], int(i));
     m_surface = std::move(component.surface());
     m_border_size = m_surface.outer_border.size();
-    if (is_one_point(m_surface.points))         // two of which LSCM cannot hold
+    if (dimension_of_box(m_surface.points) < least_dimension)
       summary().error.code = ERROR_BORDER_TOO_SHORT;
     m_progress.start_stage(0, 0, 1, m_vertices.size());
     summary().seconds_hierarchy = m_timer.time();
@@ -194,9 +197,13 @@ public:
   Parameterization_summary& summary() { return m_options.summary ? *m_options.summary : m_own_summary; }
 
 private:
-  static bool is_one_point(const std::vector<Point_3>& points)
+  // The number of sides that have a length.
+  static int dimension_of_box(const std::vector<Point_3>& points)
   {
-    return std::all_of(points.begin(), points.end(), [&](const Point_3& p) { return p == points.front(); });
+    CGAL::Bbox_3 box;
+    for (const Point_3& p : points)
+      box += p.bbox();
+    return int(box.xmax() > box.xmin()) + int(box.ymax() > box.ymin()) + int(box.zmax() > box.zmin());
   }
 
   template <class Point>
