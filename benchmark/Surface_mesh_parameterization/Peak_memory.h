@@ -12,7 +12,7 @@
 #include <malloc.h>
 #endif
 
-// The growth of the process's peak memory from the construction of this object on; Linux only.
+// The process's peak memory, in bytes, from the construction of this object on; Linux only.
 class Peak_memory
 {
 public:
@@ -22,17 +22,10 @@ public:
     malloc_trim(0);   // or else the growth hides in what has been freed before
 #endif
     std::ofstream("/proc/self/clear_refs") << 5;   // the peak is now the present size
-    m_start = peak_bytes();
+    m_start = peak();
   }
 
-  std::optional<double> growth() const
-  {
-    const std::optional<double> peak = peak_bytes();
-    return peak && m_start ? std::optional<double>(*peak - *m_start) : std::nullopt;
-  }
-
-private:
-  static std::optional<double> peak_bytes()
+  std::optional<double> peak() const
   {
     std::ifstream status("/proc/self/status");
     std::string word;
@@ -43,6 +36,13 @@ private:
     return std::nullopt;
   }
 
+  std::optional<double> growth() const
+  {
+    const std::optional<double> bytes = peak();
+    return bytes && m_start ? std::optional<double>(*bytes - *m_start) : std::nullopt;
+  }
+
+private:
   std::optional<double> m_start;
 };
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
+
 // Atlases of closed surfaces: with handles, and of many components.
 
 #include "../../test/Surface_mesh_parameterization/closed_meshes.h"
@@ -109,7 +109,7 @@ void measure_atlas(const std::string& name, Mesh mesh, bool is_mips, const Atlas
   const SMP::Atlas_summary summary = SMP::atlas_parameterization<Method>(
       mesh, uv, SMP::parameters::least_used_part(bounds.least_used_part).overlap_bound(bounds.overlap));
   const double bytes = memory.growth().value_or(0);
-  check(summary.error.code);
+  check(summary.error);
   std::size_t handles = 0;
   for (const SMP::Cut_summary::Component& component : summary.cut.components)
     handles += component.genus;
@@ -158,8 +158,10 @@ void run(int argc, char* argv[])
             "atlases [MESH.off ...] [--components N]... [--handles N]... [--parts] [--least-used-part P] "
             "[--overlap-bound P]");
   const auto files = values["mesh"].as<std::vector<std::string>>();
+  const std::vector<std::size_t> numbers_of_handles = counts_of(values, "handles", 0, 1000),
+                                 numbers_of_components = counts_of(values, "components", 10, 1000000);
+  const Atlas_bounds bounds = { part_of(values, "least-used-part"), part_of(values, "overlap-bound") };
 
-  const Atlas_bounds bounds = { values["least-used-part"].as<double>(), values["overlap-bound"].as<double>() };
   const auto measure = [&](const std::string& name, const Mesh& mesh) {
     measure_atlas<SMP::Symmetric_Dirichlet_parameterizer_3>(name, mesh, false, bounds);
     measure_atlas<SMP::MIPS_parameterizer_3>(name + ", MIPS", mesh, true, bounds);
@@ -178,13 +180,10 @@ void run(int argc, char* argv[])
   const bool makes_all = files.empty() && !values["parts"].as<bool>();
   const auto is_wanted = [&](const char* option) { return makes_all || !values[option].defaulted(); };
   if (is_wanted("handles"))
-    for (const int n : values["handles"].as<std::vector<int>>()) {
-      const std::size_t handles = checked_count("handles", n, 0, 1000);
+    for (const std::size_t handles : numbers_of_handles)
       measure("plate, " + std::to_string(handles) + " handles", plate(handles, 10));
-    }
   if (is_wanted("components"))
-    for (const int n : values["components"].as<std::vector<int>>()) {
-      const std::size_t number = checked_count("components", n, 10, 1000000);
+    for (const std::size_t number : numbers_of_components) {
       measure("sizes within 1:3", many_components(number, std::log(3.)));
       measure("sizes within 1:100", many_components(number, std::log(100.)));
       measure("8 plates and small ones", mixed_components(number));

@@ -8,7 +8,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -18,9 +20,11 @@
 #include <CGAL/Surface_mesh/IO/OFF.h>
 #include <CGAL/subdivision_method_3.h>
 
+#include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
@@ -95,6 +99,48 @@ inline std::size_t count_of(const po::variables_map& values, const std::string& 
   return checked_count(option, values[option].as<int>(), least, most);
 }
 
+inline std::vector<std::size_t> counts_of(const po::variables_map& values, const std::string& option, int least,
+                                          int most)
+{
+  std::vector<std::size_t> counts;
+  for (const int value : values[option].as<std::vector<int>>())
+    counts.push_back(checked_count(option, value, least, most));
+  return counts;
+}
+
+inline double positive_number_of(const po::variables_map& values, const std::string& option)
+{
+  const double value = values[option].as<double>();
+  if (!(value > 0 && std::isfinite(value)))
+    throw Usage_error("--" + option + " must be positive and finite");
+  return value;
+}
+
+// A part of a whole.
+inline double part_of(const po::variables_map& values, const std::string& option)
+{
+  const double value = values[option].as<double>();
+  if (!(value >= 0 && value <= 1))
+    throw Usage_error("--" + option + " must lie between 0 and 1");
+  return value;
+}
+
+inline bool contains(const std::vector<std::string>& names, const std::string& name)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// The names that an option was given; all that it knows if it was given none.
+inline std::vector<std::string> names_of(const po::variables_map& values, const std::string& option,
+                                         const std::vector<std::string>& known)
+{
+  const std::vector<std::string> names = values[option].as<std::vector<std::string>>();
+  for (const std::string& name : names)
+    if (!contains(known, name))
+      throw Usage_error("--" + option + " must be one of " + boost::algorithm::join(known, ", "));
+  return names.empty() ? known : names;
+}
+
 inline Mesh read_mesh(const std::string& file_name)
 {
   Mesh mesh;
@@ -115,6 +161,25 @@ inline void subdivide(Mesh& mesh, std::size_t times)
   CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(unsigned(times)));
 }
 
+inline Mesh::Halfedge_index outer_border(const Mesh& mesh)
+{
+  const Mesh::Halfedge_index border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+  if (border == Mesh::null_halfedge())
+    throw std::runtime_error("the mesh has no border");
+  return border;
+}
+
+inline void check(const SMP::Parameterization_error& error)
+{
+  if (error.code != SMP::OK)
+    throw std::runtime_error(SMP::error_message(error));
+}
+
+inline void check(SMP::Error_code code)
+{
+  check(SMP::Parameterization_error{ code });
+}
+
 // A mesh and what to call it in a table.
 struct Named_mesh
 {
@@ -122,7 +187,7 @@ struct Named_mesh
   Mesh mesh;
 };
 
-// The meshes of a command line; the built-in face if there is none.
+// The meshes of a command line; the built-in face if there is none. Throws if parameterizers do not take one of them.
 inline std::vector<Named_mesh> meshes_of(const po::variables_map& values)
 {
   std::vector<Named_mesh> meshes;
@@ -130,6 +195,8 @@ inline std::vector<Named_mesh> meshes_of(const po::variables_map& values)
     meshes.push_back({ file, read_mesh(file) });
   if (meshes.empty())
     meshes.push_back({ "built-in face", built_in_face() });
+  for (const Named_mesh& input : meshes)
+    check(SMP::Mesh_component<Mesh>(input.mesh, outer_border(input.mesh)).error());
   return meshes;
 }
 
@@ -141,23 +208,9 @@ inline Named_mesh only_mesh(const po::variables_map& values)
   return meshes_of(values).front();
 }
 
-inline Mesh::Halfedge_index outer_border(const Mesh& mesh)
-{
-  const Mesh::Halfedge_index border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
-  if (border == Mesh::null_halfedge())
-    throw std::runtime_error("the mesh has no border");
-  return border;
-}
-
 inline Uv_map add_uv_map(Mesh& mesh)
 {
   return mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
-}
-
-inline void check(SMP::Error_code code)
-{
-  if (code != SMP::OK)
-    throw std::runtime_error("the parameterization failed with Error_code " + std::to_string(int(code)));
 }
 
 template <class Parameterizer>

@@ -3,44 +3,69 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws what time_to_energy printed, seconds over triangles, or energy_over_time, energies over seconds. Both axes are
 logarithmic.
-
-Usage: draw_curves.py RUN.csv ... > curves.svg
 """
 import csv
 import math
 import sys
 
 WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 760, 480, 70, 270, 30, 50
+TIME_COLUMNS = {"method", "run", "threads", "triangles", "seconds", "unit_seconds"}
+ENERGY_COLUMNS = {"method", "run", "seconds", "relative_excess"}
+USAGE = "usage: draw_curves.py RUN.csv ... > curves.svg"
 COLORS = ["#1b6ca8", "#c8553d", "#588157", "#8e5572", "#bc8a2f", "#4a4e69", "#2a9d8f", "#9a031e"]
 
 
 def read_curves(files):
     """Maps the name of a curve to its points, and returns the names of both axes, too."""
     curves = {}
-    axes = None
+    axes = set()
     for file in files:
-        with open(file, newline="") as rows:
-            for row in csv.DictReader(rows):
-                add = add_energy if "relative_excess" in row else add_time
-                axes = add(curves, row)
-    return curves, axes
+        try:
+            axes.add(add_file(curves, file))
+        except OSError as error:
+            sys.exit(f"error: {file}: {error.strerror}")
+        except (ValueError, csv.Error) as error:
+            sys.exit(f"error: {file}: {error}")
+    if len(axes) > 1:
+        sys.exit("error: one picture cannot show runs of both time_to_energy and energy_over_time")
+    return curves, axes.pop()
+
+
+def add_file(curves, file):
+    with open(file, newline="") as lines:
+        rows = csv.DictReader(lines, restval="")
+        columns = set(rows.fieldnames or [])
+        if columns >= TIME_COLUMNS:
+            add, axes = add_time, ("triangles", "seconds")
+        elif columns >= ENERGY_COLUMNS:
+            add, axes = add_energy, ("seconds", "energy above the optimum / excess of the optimum")
+        else:
+            raise ValueError("lacks the columns of time_to_energy and of energy_over_time")
+        for row in rows:
+            add(curves, row)
+    return axes
 
 
 def add_time(curves, row):
     if row["seconds"]:
         threads = "" if row["threads"] == "1" else f", {row['threads']} threads"
         name = f"{row['method']}, {row['run']}{threads}"
-        triangles = float(row["triangles"])
-        curves.setdefault(name, {})[triangles] = float(row["seconds"])
-        curves.setdefault("one direct factorization (the unit)", {})[triangles] = float(row["unit_seconds"])
-    return "triangles", "seconds"
+        triangles = positive(row["triangles"])
+        curves.setdefault(name, {})[triangles] = positive(row["seconds"])
+        curves.setdefault("one direct factorization (the unit)", {})[triangles] = positive(row["unit_seconds"])
 
 
 def add_energy(curves, row):
     if float(row["relative_excess"]) > 0:
         name = f"{row['method']}, {row['run']}"
-        curves.setdefault(name, {})[float(row["seconds"])] = float(row["relative_excess"])
-    return "seconds", "energy above the optimum / excess of the optimum"
+        curves.setdefault(name, {})[positive(row["seconds"])] = positive(row["relative_excess"])
+
+
+def positive(text):
+    value = float(text)
+    if not 0 < value < math.inf:
+        raise ValueError(f"{text} has no place on a logarithmic axis")
+    return value
 
 
 def powers_of_ten(low, high):
@@ -91,11 +116,15 @@ def draw(curves, x_name, y_name):
 
 
 def main():
-    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
-        sys.exit(__doc__.strip())
-    curves, axes = read_curves(sys.argv[1:])
+    files = sys.argv[1:]
+    if files in (["-h"], ["--help"]):
+        print(__doc__ + USAGE)
+        return
+    if not files or any(file.startswith("-") for file in files):
+        sys.exit(USAGE)
+    curves, axes = read_curves(files)
     if not curves:
-        sys.exit("no finished run in " + ", ".join(sys.argv[1:]))
+        sys.exit("error: no finished run in " + ", ".join(files))
     print("\n".join(draw(curves, *axes)))
 
 

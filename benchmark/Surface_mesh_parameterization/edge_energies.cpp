@@ -19,7 +19,6 @@
 #include <Eigen/SparseCore>
 
 #include <cmath>
-#include <limits>
 #include <type_traits>
 
 struct Limits
@@ -59,7 +58,7 @@ public:
 private:
   static SMP::Triangulated_surface_3 surface_with_border(const Mesh& mesh, SMP::Mesh_component<Mesh>& component)
   {
-    check(component.error().code);
+    check(component.error());
     Method method;
     check(SMP::internal::place_border(method, mesh, outer_border(mesh), component));
     return std::move(component.surface());
@@ -237,9 +236,7 @@ void run(int argc, char* argv[])
   const po::variables_map values =
       parse(argc, argv, options, "edge_energies [MESH.off] [--subdivide K] [--iterations N] [--tolerance T]");
   const std::size_t subdivisions = count_of(values, "subdivide", 0, 12);
-  const Limits limits = { values["tolerance"].as<double>(), count_of(values, "iterations", 1, 100000000) };
-  if (!(limits.tolerance > 0))
-    throw Usage_error("--tolerance must be positive");
+  const Limits limits = { positive_number_of(values, "tolerance"), count_of(values, "iterations", 1, 100000000) };
   Named_mesh input = only_mesh(values);
 
   std::cout << "weights,solver,triangles,vertices,iterations,residual,error,seconds" << std::endl;

@@ -189,9 +189,10 @@ private:
 void run(int argc, char* argv[])
 {
   const po::variables_map values = parse(argc, argv, po::options_description("Options"), "given_places [MESH.off ...]");
+  std::vector<Named_mesh> meshes = meshes_of(values);
   std::cout.precision(10);
   std::cout << "mesh,method,run,held,displaced,flips,status,steps,energy,seconds,distance" << std::endl;
-  for (Named_mesh& input : meshes_of(values)) {
+  for (Named_mesh& input : meshes) {
     Measurement<SMP::MIPS_parameterizer_3>(input, "mips").run();
     Measurement<SMP::Symmetric_Dirichlet_parameterizer_3>(input, "symmetric-dirichlet").run();
   }

@@ -55,7 +55,7 @@ Measurement measure(const std::string& file, std::size_t coarsest_size,
   const Peak_memory memory;
   std::optional<SMP::Mesh_component<Mesh>> component;
   m.component = seconds_of([&] { component.emplace(mesh, border); });
-  check(component->error().code);
+  check(component->error());
   m.hierarchy = seconds_of(
       [&] { hierarchy.emplace(std::move(component->surface()), CGAL::parameters::coarsest_size(coarsest_size)); });
   m.peak_growth = memory.growth();

@@ -177,7 +177,7 @@ Solution solve_by_multigrid(const Problem& problem)
   const Mesh::Halfedge_index border = outer_border(problem.mesh);
   std::optional<SMP::Mesh_component<Mesh>> component;
   solution.seconds_component = seconds_of([&] { component.emplace(problem.mesh, border); });
-  check(component->error().code);
+  check(component->error());
   std::shared_ptr<const SMP::internal::Hierarchy_interpolation> hierarchy;
   SMP::internal::Hierarchy_options options;
   options.has_unit_edges = problem.has_uniform_weights;
@@ -358,14 +358,9 @@ std::optional<double> megabytes(const Peak_memory& memory)
 
 struct Choice
 {
-  std::vector<std::string> methods, solvers;      // none: all
+  std::vector<std::string> methods, solvers;
   double tolerance;
   std::size_t most_arap_triangles;
-
-  static bool contains(const std::vector<std::string>& names, const std::string& name)
-  {
-    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-  }
 };
 
 std::string row_name(const Named_mesh& input, const std::string& method, const std::string& solver)
@@ -376,13 +371,13 @@ std::string row_name(const Named_mesh& input, const std::string& method, const s
 template <template <class, class, class> class Parameterizer>
 void compare_solvers(Named_mesh& input, const std::string& method, bool is_symmetric, const Choice& choice)
 {
-  if (!Choice::contains(choice.methods, method))
+  if (!contains(choice.methods, method))
     return;
   // Breadth first, as Hierarchical_parameterizer_3 numbers them; the order matters little to the other solvers, which
   // have their own.
   const Index_map index = input.mesh.add_property_map<Mesh::Vertex_index, int>("v:index_in_system").first;
   const SMP::Mesh_component<Mesh> component(input.mesh, outer_border(input.mesh));
-  check(component.error().code);
+  check(component.error());
   for (std::size_t i = 0; i < component.vertices_of_component().size(); ++i)
     index[component.vertices_of_component()[i]] = int(i);
 
@@ -393,7 +388,7 @@ void compare_solvers(Named_mesh& input, const std::string& method, bool is_symme
   assemble<Parameterizer>(input.mesh, index, problem.system);
   assemble<Parameterizer>(input.mesh, index, problem.multigrid_system);
   for (const Named_solver& solver : all_solvers()) {
-    if (!Choice::contains(choice.solvers, solver.name) || (solver.needs_symmetry && !is_symmetric))
+    if (!contains(choice.solvers, solver.name) || (solver.needs_symmetry && !is_symmetric))
       continue;
     constexpr std::size_t fields = 9;
     print_row(row_name(input, method, solver.name), fields, [&] {
@@ -418,7 +413,7 @@ template <class Flat, class Hierarchical>
 void compare_whole_calls(Named_mesh& input, const std::string& method, const Choice& choice,
                          std::size_t most_flat_triangles)
 {
-  if (!Choice::contains(choice.methods, method))
+  if (!contains(choice.methods, method))
     return;
   const Mesh::Halfedge_index border = outer_border(input.mesh);
   const Uv_map uv = add_uv_map(input.mesh);
@@ -446,52 +441,41 @@ void compare_whole_calls(Named_mesh& input, const std::string& method, const Cho
   compare_whole_calls<Parameterizer, Parameterizer>(input, method, choice, (std::numeric_limits<std::size_t>::max)());
 }
 
-std::vector<std::string> names_of(const po::variables_map& values, const std::string& option,
-                                  const std::vector<std::string>& known)
-{
-  const std::vector<std::string> names = values[option].as<std::vector<std::string>>();
-  for (const std::string& name : names)
-    if (!Choice::contains(known, name))
-      throw Usage_error("--" + option + " " + name + " is unknown");
-  return names;
-}
-
 void run(int argc, char* argv[])
 {
   po::options_description options("Options");
-  options.add_options()("subdivide", po::value<int>()->default_value(3),
-                        "measure after 0, 1, ... so many Loop subdivisions")("finest", po::bool_switch(),
-                                                                             "measure after the last subdivision only")(
-      "method", po::value<std::vector<std::string>>()->default_value({}, "all"),
-      "barycentric, mean-value, conformal; with --whole also lscm, arap")(
-      "solver", po::value<std::vector<std::string>>()->default_value({}, "all"),
-      "a solver, as the table names it")("tolerance", po::value<double>()->default_value(1e-8),
-                                         "relative residual for the solvers that iterate, but for cgal-default")(
-      "whole", po::bool_switch(),
-      "compare whole calls, each with its own defaults")("arap-triangles", po::value<int>()->default_value(30000),
-                                                         "the most triangles for CGAL's ARAP, which takes minutes");
-  const po::variables_map values = parse(argc, argv, options,
-    "linear_solvers [MESH.off] [--subdivide K] [--finest] [--method M]... [--solver S]... [--tolerance T] [--whole] "
-    "[--arap-triangles N]");
-  const std::size_t subdivisions = count_of(values, "subdivide", 0, 12);
   std::vector<std::string> solver_names;
   for (const Named_solver& solver : all_solvers())
     solver_names.push_back(solver.name);
+  options.add_options()
+    ("subdivide", po::value<int>()->default_value(3), "measure after 0, 1, ... so many Loop subdivisions")
+    ("finest", po::bool_switch(), "measure after the last subdivision only")
+    ("method", po::value<std::vector<std::string>>()->default_value({}, "all"),
+     "barycentric, mean-value, conformal; with --whole also lscm, arap")
+    ("solver", po::value<std::vector<std::string>>()->default_value({}, "all"),
+     boost::algorithm::join(solver_names, ", ").c_str())
+    ("tolerance", po::value<double>()->default_value(1e-8),
+     "relative residual for the solvers that iterate, but for cgal-default")
+    ("whole", po::bool_switch(), "compare whole calls, each with its own defaults")
+    ("arap-triangles", po::value<int>()->default_value(30000),
+     "the most triangles for CGAL's ARAP, which takes minutes");
+  const po::variables_map values =
+      parse(argc, argv, options,
+            "linear_solvers [MESH.off] [--subdivide K] [--finest] [--method M]... [--solver S]... [--tolerance T] "
+            "[--whole] [--arap-triangles N]");
+  const std::size_t subdivisions = count_of(values, "subdivide", 0, 12);
   const bool is_whole = values["whole"].as<bool>();
   std::vector<std::string> methods = { "barycentric", "mean-value", "conformal" };
   if (is_whole)
     methods.insert(methods.end(), { "lscm", "arap" });
   const Choice choice = { names_of(values, "method", methods), names_of(values, "solver", solver_names),
-                          values["tolerance"].as<double>(),
+                          positive_number_of(values, "tolerance"),
                           count_of(values, "arap-triangles", 0, (std::numeric_limits<int>::max)()) };
-  if (!(choice.tolerance > 0))
-    throw Usage_error("--tolerance must be positive");
   Named_mesh input = only_mesh(values);
 
   std::cout << (is_whole ? "mesh,triangles,method,run,seconds,peak_megabytes,flips"
                          : "mesh,triangles,method,solver,seconds,seconds_assembly,seconds_component,seconds_hierarchy,"
-                           "seconds_setup,seconds_solve,iterations,"
-                           "residual,peak_megabytes")
+                           "seconds_setup,seconds_solve,iterations,residual,peak_megabytes")
             << std::endl;
   for (std::size_t k = 0; k <= subdivisions; ++k) {
     if (k > 0)

@@ -174,9 +174,9 @@ void run(int argc, char* argv[])
   if (names.empty() || names.size() > 2 || (axis != "x" && axis != "y" && axis != "z"))
     throw Usage_error("usage: " + usage);
   const View view = { axis[0] - 'x' };
+  const std::size_t chosen_steps = count_of(values, "steps", 0, 2000000000);
   Mesh mesh = names.size() == 2 ? read_mesh(names[1]) : built_in_face();
-  const std::size_t chosen_steps = count_of(values, "steps", 0, 2000000000),
-                    steps = chosen_steps > 0 ? chosen_steps : paper_steps(mesh);
+  const std::size_t steps = chosen_steps > 0 ? chosen_steps : paper_steps(mesh);
   const fs::path directory = names[0];
   fs::create_directories(directory);
 

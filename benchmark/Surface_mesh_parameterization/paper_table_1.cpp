@@ -35,7 +35,7 @@ double optimal_energy(Mesh& mesh)
 std::size_t number_of_levels(const Mesh& mesh, std::size_t coarsest_size, unsigned int seed)
 {
   SMP::Mesh_component<Mesh> component(mesh, outer_border(mesh));
-  check(component.error().code);
+  check(component.error());
   return SMP::Collapse_hierarchy_3(std::move(component.surface()),
                                    CGAL::parameters::coarsest_size(coarsest_size).random_seed(seed))
       .number_of_levels();
@@ -109,15 +109,14 @@ void print_table(Named_mesh input, std::size_t steps, std::size_t coarsest_size,
 void run(int argc, char* argv[])
 {
   po::options_description options("Options");
-  options.add_options()("steps", po::value<std::vector<int>>()->default_value({}, "672 per vertex"),
-                        "local steps in total; once per mesh, in their order")(
-      "coarsest-size", po::value<int>()->default_value(100),
-      "vertices of the coarsest level at most")("seeds", po::value<int>()->default_value(5), "runs to average");
+  options.add_options()
+    ("steps", po::value<std::vector<int>>()->default_value({}, "672 per vertex"),
+     "local steps in total; once per mesh, in their order")
+    ("coarsest-size", po::value<int>()->default_value(100), "vertices of the coarsest level at most")
+    ("seeds", po::value<int>()->default_value(5), "runs to average");
   const po::variables_map values =
       parse(argc, argv, options, "paper_table_1 [MESH.off ...] [--steps N]... [--coarsest-size N] [--seeds N]");
-  std::vector<std::size_t> steps;
-  for (const int value : values["steps"].as<std::vector<int>>())
-    steps.push_back(checked_count("steps", value, 1000, 2000000000));
+  const std::vector<std::size_t> steps = counts_of(values, "steps", 1000, 2000000000);
   const std::size_t coarsest_size = count_of(values, "coarsest-size", 3, 1000000),
                     number_of_seeds = count_of(values, "seeds", 1, 1000);
 

@@ -4,6 +4,7 @@
 // Seconds to a map within a thousandth of the optimum's excess energy, for a mesh and its Loop subdivisions, in units
 // of one sparse direct factorization on the same mesh. CSV on stdout.
 
+#include "Peak_memory.h"
 #include "benchmark_utilities.h"
 
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
@@ -13,8 +14,6 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
-
-#include <fstream>
 
 // The unit: analysis, factorization and two solutions of the cotangent Laplacian of the interior vertices by
 // Eigen::SimplicialLDLT.
@@ -53,21 +52,6 @@ double seconds_of_direct_solver(const Mesh& mesh)
   });
 }
 
-// Peak resident memory since the last reset, in bytes (Linux; 0 elsewhere).
-void reset_peak_memory() { std::ofstream("/proc/self/clear_refs") << "5"; }
-
-double peak_memory()
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
-    if (word == "VmHWM:") {
-      double kilobytes = 0;
-      status >> kilobytes;
-      return 1024 * kilobytes;
-    }
-  return 0;
-}
-
 struct Run
 {
   std::string method;
@@ -104,7 +88,7 @@ void measure(Mesh& mesh, const Run& run, double unit)
   constexpr double accuracy = 1e-3, greatest_tolerance = 0.1, ratio_of_tolerances = 0.3, tolerance_of_optimum = 1e-8;
   const double optimum = run_method<Method>(mesh, false, tolerance_of_optimum).energy;
   for (double tolerance = greatest_tolerance; tolerance > tolerance_of_optimum; tolerance *= ratio_of_tolerances) {
-    reset_peak_memory();
+    const Peak_memory memory;
     const SMP::Parameterization_summary summary = run_method<Method>(mesh, run.is_flat, tolerance);
     if (summary.energy - run.minimum > (1 + accuracy) * (optimum - run.minimum))
       continue;
@@ -113,7 +97,7 @@ void measure(Mesh& mesh, const Run& run, double unit)
     std::cout << summary.levels.back().iterations << ',' << summary.levels.back().cycles << ','
               << summary.energy - run.minimum << ',' << optimum - run.minimum << ',' << summary.seconds_hierarchy << ','
               << seconds << ',' << unit << ',' << seconds / unit << ','
-              << peak_memory() / double(mesh.number_of_vertices()) << std::endl;
+              << memory.peak().value_or(0) / double(mesh.number_of_vertices()) << std::endl;
     return;
   }
   print_name(mesh, run);

@@ -16,34 +16,28 @@
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 
 #include <CGAL/Default.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 
 #include <cmath>
-#include <utility>
 
-typedef CGAL::Polyhedron_3<Kernel>   Polyhedron;
+typedef CGAL::Polyhedron_3<Kernel>                                 Polyhedron;
 typedef Mesh::Property_map<Mesh::Edge_index, bool>                 Seam_edge_map;
 typedef Mesh::Property_map<Mesh::Vertex_index, bool>               Seam_vertex_map;
 typedef CGAL::Seam_mesh<Mesh, Seam_edge_map, Seam_vertex_map>      Seam_mesh;
 typedef CGAL::Face_filtered_graph<Mesh>                            Filtered_mesh;
-typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>        Cartesian_mesh;
+typedef CGAL::Surface_mesh<CGAL::Epick::Point_3>                   Epick_mesh;
 
 struct Choice
 {
-  std::vector<std::string> mesh_types, parameterizers;      // none: all
+  std::vector<std::string> mesh_types, parameterizers;
   std::size_t runs;
   SMP::Flip_policy flip_policy;
-
-  static bool contains(const std::vector<std::string>& names, const std::string& name)
-  {
-    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-  }
 };
 
 template <class TriangleMesh>
@@ -89,7 +83,7 @@ template <class Parameterizer>
 void compare(const Named_mesh& input, typename Parameterizer::Triangle_mesh& mesh, const std::string& mesh_type,
              const std::string& name, const std::string& border, const Choice& choice)
 {
-  if (!Choice::contains(choice.parameterizers, name))
+  if (!contains(choice.parameterizers, name))
     return;
   typedef typename Parameterizer::Triangle_mesh   Triangle_mesh;
   Map<Triangle_mesh> flat(mesh), hierarchical(mesh);
@@ -160,9 +154,9 @@ void compare_on_polyhedron(Named_mesh& input, const Choice& choice)
 }
 
 // A Surface_mesh, too, with the points of another kernel.
-void compare_on_cartesian_mesh(Named_mesh& input, const Choice& choice)
+void compare_on_epick_mesh(Named_mesh& input, const Choice& choice)
 {
-  compare_on_copy<Cartesian_mesh>(input, "Simple_cartesian", choice);
+  compare_on_copy<Epick_mesh>(input, "Surface_mesh_of_Epick", choice);
 }
 
 // A cut of one edge, from a border vertex to one that is not on a border.
@@ -181,12 +175,16 @@ void compare_on_seam_mesh(Named_mesh& input, const Choice& choice)
   compare_on(input, seam_mesh, "Seam_mesh", choice);
 }
 
-// All faces but one at the border.
+// All faces but one at the border whose third vertex is not there: without that face it is still a disc.
 void compare_on_filtered_graph(Named_mesh& input, const Choice& choice)
 {
-  Mesh::Halfedge_index h = outer_border(input.mesh);
-  while (input.mesh.is_border(input.mesh.target(input.mesh.next(input.mesh.opposite(h)))))
+  const Mesh::Halfedge_index first = outer_border(input.mesh);
+  Mesh::Halfedge_index h = first;
+  while (input.mesh.is_border(input.mesh.target(input.mesh.next(input.mesh.opposite(h))))) {
     h = input.mesh.next(h);
+    if (h == first)
+      return;
+  }
   std::vector<Mesh::Face_index> faces;
   for (const Mesh::Face_index f : input.mesh.faces())
     if (f != input.mesh.face(input.mesh.opposite(h)))
@@ -195,23 +193,40 @@ void compare_on_filtered_graph(Named_mesh& input, const Choice& choice)
   compare_on(input, filtered, "Face_filtered_graph", choice);
 }
 
+struct Comparison
+{
+  std::string mesh_type;
+  void (*compare)(Named_mesh& input, const Choice& choice);
+};
+
 void run(int argc, char* argv[])
 {
+  const Comparison comparisons[] = { { "Surface_mesh", compare_on_surface_mesh },
+                                     { "Surface_mesh_of_Epick", compare_on_epick_mesh },
+                                     { "Polyhedron_3", compare_on_polyhedron },
+                                     { "Seam_mesh", compare_on_seam_mesh },
+                                     { "Face_filtered_graph", compare_on_filtered_graph } };
+  std::vector<std::string> mesh_types;
+  for (const Comparison& comparison : comparisons)
+    mesh_types.push_back(comparison.mesh_type);
+  const std::vector<std::string> parameterizers = { "barycentric", "mean-value", "conformal", "authalic",
+                                                    "iterative-authalic", "lscm" };
+
   po::options_description options("Options");
   options.add_options()
     ("subdivide", po::value<int>()->default_value(0), "Loop subdivisions of the mesh")
     ("runs", po::value<int>()->default_value(3), "runs of each; seconds are their median")
     ("repair", po::bool_switch(), "repair flips, which is the default of the adaptor, but not of CGAL")
     ("mesh-type", po::value<std::vector<std::string>>()->default_value({}, "all"),
-     "Surface_mesh, Polyhedron_3, Simple_cartesian, Seam_mesh, Face_filtered_graph")
+     boost::algorithm::join(mesh_types, ", ").c_str())
     ("parameterizer", po::value<std::vector<std::string>>()->default_value({}, "all"),
-     "barycentric, mean-value, conformal, authalic, iterative-authalic, lscm");
+     boost::algorithm::join(parameterizers, ", ").c_str());
   const po::variables_map values =
       parse(argc, argv, options,
             "wrapped_parameterizers [MESH.off] [--subdivide K] [--runs N] [--repair] [--mesh-type T]... "
             "[--parameterizer P]...");
-  const Choice choice = { values["mesh-type"].as<std::vector<std::string>>(),
-                          values["parameterizer"].as<std::vector<std::string>>(), count_of(values, "runs", 1, 100),
+  const Choice choice = { names_of(values, "mesh-type", mesh_types), names_of(values, "parameterizer", parameterizers),
+                          count_of(values, "runs", 1, 100),
                           values["repair"].as<bool>() ? SMP::Flip_policy::REPAIR : SMP::Flip_policy::KEEP };
   Named_mesh input = only_mesh(values);
   subdivide(input.mesh, count_of(values, "subdivide", 0, 12));
@@ -219,13 +234,9 @@ void run(int argc, char* argv[])
   std::cout << "mesh,triangles,mesh_type,parameterizer,border,error_of_cgal,error,seconds_of_cgal,seconds,ratio,"
                "difference,flips,moved_vertices,iterations,direct_solutions"
             << std::endl;
-  const std::pair<const char*, void (*)(Named_mesh&, const Choice&)> comparisons[] = {
-    { "Surface_mesh", compare_on_surface_mesh }, { "Polyhedron_3", compare_on_polyhedron },
-    { "Simple_cartesian", compare_on_cartesian_mesh }, { "Seam_mesh", compare_on_seam_mesh },
-    { "Face_filtered_graph", compare_on_filtered_graph } };
-  for (const auto& [type, compare_on_type] : comparisons)
-    if (Choice::contains(choice.mesh_types, type))
-      compare_on_type(input, choice);
+  for (const Comparison& comparison : comparisons)
+    if (contains(choice.mesh_types, comparison.mesh_type))
+      comparison.compare(input, choice);
 }
 
 int main(int argc, char* argv[])
