@@ -9,8 +9,9 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Lays out triangle by triangle in its rest shape, each at one that lies there already. A developable surface, and one
-// without interior vertices, is unfolded so without distortion. The way to a vertex is as short as can be, in edges.
+// Lays out vertex by vertex, each by its distance from one that lies there already and the angles around that. A
+// developable surface, and one without interior vertices, is unfolded so without distortion. The way to a vertex is as
+// short as can be, in edges.
 //
 // Returns whether the map is valid. If it is not, `uv` has no meaning.
 bool unfold(const Level& level, Level::Uv& uv);

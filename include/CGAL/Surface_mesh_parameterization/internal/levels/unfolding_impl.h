@@ -10,64 +10,83 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The vertices that have a place, in the order in which they got it.
+// Of a triangle, at v.
+inline double corner_angle(const Level& level, Index v, Index a, Index b)
+{
+  const Vector_3 to_a = level.point(a) - level.point(v), to_b = level.point(b) - level.point(v);
+  return std::atan2(std::sqrt(CGAL::cross_product(to_a, to_b).squared_length()), to_a * to_b);
+}
+
+// Turns from vertex to vertex. Directions are handed on as angles: computed from places, they would have the rounding of
+// all places before, which grows from needle to needle.
 class Unfolding
 {
 public:
-  Unfolding(const Level& level, Level::Uv& uv) : m_level(level), m_uv(uv), m_has_place(level.number_of_vertices(), 0)
+  Unfolding(const Level& level, Level::Uv& uv)
+    : m_level(level), m_uv(uv), m_start(level.number_of_vertices(), no_index), m_direction(level.number_of_vertices())
   {
     m_uv.resize(level.number_of_vertices());
   }
 
   void run()
   {
-    const Index first = 0, second = m_level.one_ring(first).front();
-    place(first, Point_2(0, 0));
-    place(second, Point_2(std::sqrt(CGAL::squared_distance(m_level.point(first), m_level.point(second))), 0));
+    const Index first = 0;
+    place(first, Point_2(0, 0), m_level.one_ring(first).front(), 0);
     for (std::size_t i = 0; i < m_placed.size(); ++i)
       place_neighbors(m_placed[i]);
   }
 
 private:
-  void place(Index v, const Point_2& p)
+  void place(Index v, const Point_2& p, Index start, double direction)
   {
     m_uv[v] = p;
-    m_has_place[v] = 1;
+    m_start[v] = start;
+    m_direction[v] = direction;
     m_placed.push_back(v);
   }
 
-  // Of a vertex that has a place, as one of its neighbors has: turns around it, to the left, and at the border back.
+  // A neighbor w of v, unless it has a place.
+  void place_around(Index v, Index w, double direction)
+  {
+    if (m_start[w] != no_index)
+      return;
+    const double distance = std::sqrt(CGAL::squared_distance(m_level.point(v), m_level.point(w)));
+    place(w, m_uv[v] + distance * Vector_2(std::cos(direction), std::sin(direction)), v,
+          std::remainder(direction + CGAL_PI, 2 * CGAL_PI));
+  }
+
+  // Turns around v, to the left, and at the border back.
   void place_neighbors(Index v)
   {
     const Level::Ring ring = m_level.one_ring(v);
-    const std::size_t size = ring.size();
-    std::size_t start = 0;
-    while (!m_has_place[ring[start]])
-      ++start;
-    const std::size_t end = m_level.is_border(v) ? size : start + size;
-    for (std::size_t i = start; i + 1 < end; ++i)
-      if (const Index b = ring[(i + 1) % size]; !m_has_place[b])
-        place_apex(b, v, ring[i % size]);
-    for (std::size_t i = start; i > 0 && m_level.is_border(v); --i)
-      place_apex(ring[i - 1], ring[i], v);
-  }
-
-  // In the triangle (v, a, b).
-  void place_apex(Index v, Index a, Index b)
-  {
-    place(v, rest_corner(m_level.point(v), m_level.point(a), m_level.point(b)).similar_apex(m_uv[a], m_uv[b]));
+    const std::size_t size = ring.size(), start = std::find(ring.begin(), ring.end(), m_start[v]) - ring.begin(),
+                      end = m_level.is_border(v) ? size : start + size;
+    double direction = m_direction[v];
+    place_around(v, ring[start], direction);
+    for (std::size_t i = start; i + 1 < end; ++i) {
+      const Index a = ring[i % size], b = ring[(i + 1) % size];
+      direction += corner_angle(m_level, v, a, b);
+      place_around(v, b, direction);
+    }
+    direction = m_direction[v];
+    for (std::size_t i = start; i > 0 && m_level.is_border(v); --i) {
+      direction -= corner_angle(m_level, v, ring[i - 1], ring[i]);
+      place_around(v, ring[i - 1], direction);
+    }
   }
 
   const Level& m_level;
   Level::Uv& m_uv;
-  std::vector<unsigned char> m_has_place;
-  std::vector<Index> m_placed;
+  std::vector<Index> m_start;           // by vertex: the neighbor where the turn begins; none if it has no place
+  std::vector<double> m_direction;      // by vertex: to there
+  std::vector<Index> m_placed;          // in the order in which they got their places
 };
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -81,11 +100,8 @@ inline double angle_sum(const Level& level, Index v)
 {
   const Level::Ring ring = level.one_ring(v);
   double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vector_3 to_a = level.point(ring[i]) - level.point(v),
-                   to_b = level.point(ring[next_in_cycle(i, ring.size())]) - level.point(v);
-    sum += std::atan2(std::sqrt(CGAL::cross_product(to_a, to_b).squared_length()), to_a * to_b);
-  }
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    sum += corner_angle(level, v, ring[i], ring[next_in_cycle(i, ring.size())]);
   return sum;
 }
 

@@ -268,7 +268,8 @@ private:
   // no wonder.
   bool is_stuck(const Newton_method::Step& step, double least_decrease) const
   {
-    return step.length == 0 && !((std::max)(step.missed, step.predicted) <= m_current.little(least_decrease));
+    return step.length == 0 && !m_current.is_least() &&
+           !((std::max)(step.missed, step.predicted) <= m_current.little(least_decrease));
   }
 
   const Level_energy& m_energy;
