@@ -6,6 +6,7 @@
 #include "File_place.h"
 #include "Output_files.h"
 #include "check_files.h"
+#include "counted.h"
 #include "errors.h"
 #include "input.h"
 #include "lay_out.h"
@@ -52,9 +53,9 @@ void print_error(const std::string& name, const std::string& message)
 std::string atlas_text(const SMP::Atlas_summary& atlas)
 {
   char text[128];
-  std::snprintf(text, sizeof text, "%zu chart%s, seams of length %.6g, %.2f of the square used, ", atlas.charts.size(),
-                atlas.charts.size() == 1 ? "" : "s", atlas.cut.seam_length, atlas.used_part);
-  return text;
+  std::snprintf(text, sizeof text, ", seams of length %.6g, %.2f of the square used, ", atlas.cut.seam_length,
+                atlas.used_part);
+  return counted(atlas.charts.size(), "chart") + text;
 }
 
 std::string replaced_maps_text(const Run_record& run)
@@ -73,14 +74,11 @@ std::string repair_text(const SMP::Parameterization_summary& summary)
 {
   return summary.moved_vertices == 0 || summary.is_replaced
              ? ""
-             : std::to_string(summary.flips) + " flips repaired by moving " + std::to_string(summary.moved_vertices) +
-                   " vertices, ";
+             : counted(summary.flips, "flip") + " repaired by moving " +
+                   counted(summary.moved_vertices, "vertex", "vertices") + ", ";
 }
 
-std::string pairs_text(std::size_t n)
-{
-  return std::to_string(n) + (n == 1 ? " pair of triangles" : " pairs of triangles");
-}
+std::string pairs_text(std::size_t n) { return counted(n, "pair of triangles", "pairs of triangles"); }
 
 // Tells what the user may not expect of the map.
 void print_warnings(const Input& input, const Options& options, const Run_record& run)
@@ -110,19 +108,22 @@ void print_advice(const Input& input, const Options& options, const Run_record& 
   constexpr std::size_t many_borders = 20;
   if (run.atlas)
     return;
-  const bool takes_one_chart =
-      options.flat || !options.levels.empty() || !options.start.empty() || !options.hold.empty();
-  if (run.quality->overlaps > 0 && (options.cuts || takes_one_chart))
+  const std::string one_chart = option_of_one_chart(options);
+  if (run.quality->overlaps > 0 && (options.cuts || !one_chart.empty()))
     std::cerr << one_line(input.name) << ": the map lies over itself at " << pairs_text(run.quality->overlaps) << "; "
-              << (options.method->is_flip_free ? "--globally-injective keeps borders apart" : "--atlas divides it")
+              << (options.method->is_flip_free ? "--globally-injective keeps borders apart"
+                  : one_chart.empty()          ? "--atlas divides it"
+                                               : "--atlas, without " + one_chart + ", divides it")
               << '\n';
   if (!options.cuts)
     return;
-  if (run.quality->symmetric_dirichlet > great_distortion) {
+  if (run.quality->symmetric_dirichlet > great_distortion && run.quality->flips == 0) {
     std::ostringstream energy;
     energy << std::setprecision(3) << run.quality->symmetric_dirichlet;
     std::cerr << one_line(input.name) << ": the map is distorted far (symmetric Dirichlet " << energy.str()
-              << ", 4 without distortion); --atlas cuts the surface\n";
+              << ", 4 without distortion); "
+              << (options.method->has_free_border ? "--atlas cuts the surface\n"
+                                                  : "a method with a free border may distort it less\n");
   }
   if (input.number_of_borders > many_borders && !options.fills_holes)
     std::cerr << one_line(input.name) << ": has " << input.number_of_borders
@@ -135,9 +136,9 @@ void print_summary(const Input& input, const Options& options, const Run_record&
   if (input.number_of_components > 1 && !options.takes_all_components)
     std::cerr << name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
   if (input.collapsed_triangles > 0)
-    std::cerr << name << ": " << input.collapsed_triangles
-              << (input.collapsed_triangles == 1 ? " triangle that has a vertex twice was"
-                                                 : " triangles that have a vertex twice were")
+    std::cerr << name << ": "
+              << counted(input.collapsed_triangles, "triangle that has a vertex twice was",
+                         "triangles that have a vertex twice were")
               << " left out\n";
   if (input.number_of_pieces > 0)
     std::cerr << name << ": has " << input.number_of_pieces << " components whose borders "
@@ -146,17 +147,15 @@ void print_summary(const Input& input, const Options& options, const Run_record&
                       : "coincide with those of others; --stitch joins them\n");
   print_warnings(input, options, run);
   print_advice(input, options, run);
-  const std::string levels = run.summary.levels.empty() || run.atlas
-                                 ? ""
-                                 : std::to_string(run.summary.levels.size()) +
-                                       (run.summary.levels.size() == 1 ? " level, " : " levels, ");
+  const std::string levels =
+      run.summary.levels.empty() || run.atlas ? "" : counted(run.summary.levels.size(), "level") + ", ";
   std::fprintf(is_standard_output_taken(options) ? stderr : stdout,
-               "%s: %zu triangle%s, %s%s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %zu flips, "
-               "%zu overlapping pairs, %.3f s\n",
-               name.c_str(), input.faces.size(), input.faces.size() == 1 ? "" : "s",
+               "%s: %s, %s%s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %s, %s, %.3f s\n",
+               name.c_str(), counted(input.faces.size(), "triangle").c_str(),
                (run.atlas ? atlas_text(*run.atlas) : levels).c_str(), repair_text(run.summary).c_str(),
                run.summary.converged ? "converged" : "not converged", run.quality->mips, run.quality->mips_excess,
-               run.quality->symmetric_dirichlet, run.quality->flips, run.quality->overlaps, run.seconds_of_map());
+               run.quality->symmetric_dirichlet, counted(run.quality->flips, "flip").c_str(),
+               counted(run.quality->overlaps, "overlapping pair").c_str(), run.seconds_of_map());
 }
 
 // What is printed may be buffered: whether it arrives is known at the end only.
@@ -178,9 +177,10 @@ void write_files(const Options& options, const std::string& file, Input& input)
     write_picture(files, name_for_input(options.picture, file), input);
   files.commit();
   if (spoilt_triangles > 0 && !options.quiet)
-    std::cerr << one_line(input.name) << ": " << spoilt_triangles
-              << " triangles of the map have no area, or are turned over, in the floats of glTF; OBJ and PLY hold "
-                 "them\n";
+    std::cerr << one_line(input.name) << ": "
+              << counted(spoilt_triangles, "triangle of the map has no area, or is",
+                         "triangles of the map have no area, or are")
+              << " turned over, in the floats of glTF; OBJ and PLY hold doubles\n";
 }
 
 void make_folder(const std::string& name)

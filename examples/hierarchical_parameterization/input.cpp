@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -45,7 +46,7 @@ std::string read_content(std::istream& in, std::size_t expected_size = 0)
   char block[1 << 16];
   while (in.read(block, sizeof block), in.gcount() > 0)
     content.append(block, std::size_t(in.gcount()));
-  if (in.bad())
+  if (in.bad() || (&in == &std::cin && std::ferror(stdin)))
     throw Input_error{ "cannot be read" };
   if (content.empty())
     throw Input_error{ "is empty", SMP::ERROR_EMPTY_MESH };
@@ -176,7 +177,11 @@ Polygon_soup read_polygons(const std::string& file)
   if (file != "-")
     return read_soup(file, ::read_content(file));
   const std::string content = read_content(std::cin);
-  return read_soup(guess_suffix(content), content);
+  const std::string suffix = guess_suffix(content);
+  Polygon_soup soup = read_soup(suffix, content);
+  if (suffix == ".obj" && soup.points.empty())      // any text may be that
+    throw Input_error{ "is not OFF, OBJ, PLY or STL" };
+  return soup;
 }
 
 } // namespace

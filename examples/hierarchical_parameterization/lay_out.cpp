@@ -6,6 +6,7 @@
 #include "lay_out.h"
 
 #include "components.h"
+#include "counted.h"
 #include "errors.h"
 #include "held_vertices.h"
 #include "input.h"
@@ -29,7 +30,7 @@ namespace {
 // The advice is what the user has not tried.
 std::string flips_message(std::size_t flips, SMP::Flip_policy policy)
 {
-  return "the map has " + std::to_string(flips) + " triangles flipped" +
+  return "the map has " + counted(flips, "triangle") + " flipped" +
          (policy == SMP::Flip_policy::FAIL ? "; --flips repair or keep" : " that cannot be repaired; --flips keep");
 }
 
@@ -45,12 +46,12 @@ void check_quality(const SMP::Parameterization_quality& quality, bool may_flip, 
   if (quality.is_mirrored && !may_mirror)
     throw Method_error{ "the map is mirrored", SMP::ERROR_NO_1_TO_1_MAPPING };
   if (quality.flips > 0 && !may_flip)
-    throw Method_error{ "no map without flips was found: " + std::to_string(quality.flips) +
-                            " triangles are not positive",
+    throw Method_error{ "no map without flips was found: " +
+                            counted(quality.flips, "triangle is", "triangles are") + " not positive",
                         SMP::ERROR_NO_1_TO_1_MAPPING };
   if (quality.overlaps > 0 && !may_overlap)
-    throw Method_error{ "no map without overlaps was found: " + std::to_string(quality.overlaps) +
-                            " pairs of triangles overlap",
+    throw Method_error{ "no map without overlaps was found: " +
+                            counted(quality.overlaps, "pair of triangles overlaps", "pairs of triangles overlap"),
                         SMP::ERROR_NO_1_TO_1_MAPPING };
 }
 

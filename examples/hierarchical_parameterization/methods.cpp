@@ -27,6 +27,7 @@ Method distortion_method(std::string name, std::string description, Run_method* 
   result.triangle_weight = weight;
   result.is_flip_free = true;
   result.improves_map = true;
+  result.has_free_border = true;
   return result;
 }
 
@@ -46,6 +47,14 @@ Method linear_method_of_CGAL(std::string name, std::string description, Run_meth
   result.tolerance = 1e-10;
   result.has_levels = false;
   result.run_shipped = run_shipped;
+  return result;
+}
+
+Method lscm_method(std::string name, std::string description)
+{
+  Method result =
+      linear_method_of_CGAL(std::move(name), std::move(description), run_lscm, run_lscm_atlas, run_shipped_lscm);
+  result.has_free_border = true;
   return result;
 }
 
@@ -85,8 +94,7 @@ const std::vector<Method>& methods()
                           run_authalic_atlas, run_shipped_authalic),
     linear_method_of_CGAL("iterative-authalic", "CGAL's iterative authalic map, border on a circle",
                           run_iterative_authalic, run_iterative_authalic_atlas, run_shipped_iterative_authalic),
-    linear_method_of_CGAL("lscm", "CGAL's least squares conformal map, free border", run_lscm, run_lscm_atlas,
-                          run_shipped_lscm),
+    lscm_method("lscm", "CGAL's least squares conformal map, free border"),
     as_rigid_as_possible_method("arap", "as rigid as possible, free border")
   };
   return all;

@@ -71,6 +71,7 @@ struct Method
   bool is_flip_free = false;                  // whether flips are a failure
   bool has_levels = true;                     // whether every level is parameterized
   bool improves_map = false;                  // whether a run may start from a map, and hold vertices
+  bool has_free_border = false;               // else it lies on a circle
   Run_method* run_shipped = nullptr;          // with --flat, if that is not run()
 };
 

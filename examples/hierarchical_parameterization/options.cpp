@@ -71,9 +71,9 @@ po::options_description describe_options(Options& options, Words& words, Numbers
       "divide charts by short cuts until they cover this part of the unit square, from 0 to 1, or no cut helps; 0.7 is "
       "within reach of most surfaces; 0: none. The default is 0.25. Makes an atlas of one component, too");
   add("distortion-bound", po::value<double>(),
-      "cut surfaces until their mean symmetric Dirichlet energy, 4 without distortion, is within this bound, as far as "
-      "50 branches of the seam lead; inf: only what must be cut. The default is 4.5 for surfaces that must be cut or "
-      "exceed 8. Makes an atlas of one component, too");
+      "cut surfaces until there are maps of them whose mean symmetric Dirichlet energy, 4 without distortion, is within "
+      "this bound, as far as 50 branches of the seam lead; inf: only what must be cut. The default is 4.5 for surfaces "
+      "that must be cut or exceed 8. Makes an atlas of one component, too");
   add("overlap-bound", po::value<double>(),
       "divide charts whose map would lie over itself with more than this part of its triangles, from 0 to 1; 1: none. "
       "The default is 0.2. Makes an atlas of one component, too");
@@ -225,16 +225,6 @@ std::string option_of_atlas(const std::string& components, const std::string& cu
                                     : "";
 }
 
-// The option that takes one chart; empty if none does.
-std::string option_of_one_chart(const Options& options)
-{
-  return options.flat              ? "--flat"
-         : !options.levels.empty() ? "--levels"
-         : !options.start.empty()  ? "--start"
-         : !options.hold.empty()   ? "--hold"
-                                   : "";
-}
-
 // Fits the options of an atlas to one whose charts stay whole.
 void forbid_cuts(Options& options)
 {
@@ -282,6 +272,16 @@ void check_several_inputs(const Options& options)
                          "'maps/{/.}.obj'" };
 }
 
+// Names that stand for one file or folder, whatever the inputs are.
+void check_single_names(const Options& options)
+{
+  const std::pair<std::string, std::string> names[] = { { "--report", options.report }, { "--levels", options.levels },
+                                                        { "--start", options.start }, { "--hold", options.hold } };
+  for (const auto& [option, name] : names)
+    if (depends_on_input(name))
+      throw Usage_error{ option + ": {.} and {/.} are for --output and --picture" };
+}
+
 // What does not go together.
 void check_options(const Options& options)
 {
@@ -321,11 +321,21 @@ void check_options(const Options& options)
   if (!options.levels.empty() && !options.method->has_levels)
     throw Usage_error{ "--levels: " + options.method->name + " parameterizes the finest level only" };
   check_several_inputs(options);
+  check_single_names(options);
   if (std::find(options.inputs.begin(), options.inputs.end(), "") != options.inputs.end())
     throw Usage_error{ "the name of an input is empty" };
 }
 
 } // namespace
+
+std::string option_of_one_chart(const Options& options)
+{
+  return options.flat              ? "--flat"
+         : !options.levels.empty() ? "--levels"
+         : !options.start.empty()  ? "--start"
+         : !options.hold.empty()   ? "--hold"
+                                   : "";
+}
 
 bool read_options(int argc, char** argv, Options& options)
 {

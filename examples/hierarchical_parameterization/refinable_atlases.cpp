@@ -3,6 +3,7 @@
 //
 // Whole surfaces by the methods that are this package's.
 
+#include "lambda_of_area.h"
 #include "run_atlas.h"
 
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
@@ -56,7 +57,9 @@ SMP::Atlas_summary run_symmetric_dirichlet_atlas(const Atlas_mesh& atlas, const 
 
 SMP::Atlas_summary run_arap_atlas(const Atlas_mesh& atlas, const Method_options& options)
 {
-  return minimize<SMP::As_rigid_as_possible_parameterizer_3>(atlas, options);
+  return run_atlas<SMP::As_rigid_as_possible_parameterizer_3, Tag>(
+      atlas, options,
+      SMP::parameters::flip_policy(options.flip_policy).lambda(lambda_of_area(faces(atlas.mesh), atlas.mesh)));
 }
 
 SMP::Atlas_summary run_uniform_atlas(const Atlas_mesh& atlas, const Method_options& options)

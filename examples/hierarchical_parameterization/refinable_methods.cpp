@@ -5,6 +5,7 @@
 
 #include "Level_visitor.h"
 #include "input.h"
+#include "lambda_of_area.h"
 #include "methods.h"
 
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
@@ -98,7 +99,8 @@ SMP::Parameterization_summary run_arap(Input& input, const Method_options& optio
   SMP::Parameterization_summary summary;
   const SMP::As_rigid_as_possible_parameterizer_3<Mesh> method(
     CGAL::parameters::tolerance(options.tolerance).flip_policy(options.flip_policy).fill_holes(options.fills_holes)
-      .summary(std::ref(summary)).number_of_iterations(options.iterations));
+      .summary(std::ref(summary)).number_of_iterations(options.iterations)
+      .lambda(lambda_of_area(input.faces, input.mesh)));
   run_refinable(input, options, method, summary);
   return summary;
 }

@@ -58,6 +58,10 @@ for format in obj ply; do
 done
 printf '# a comment\n\nOFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' | "$program" - --quiet ||
   fail "a file that begins with a comment was not read from the standard input"
+printf nonsense | "$program" - 2>stderr && fail "nonsense from the standard input was taken for a mesh"
+grep -q 'is not OFF, OBJ, PLY or STL' stderr || fail "nonsense is called something else: $(cat stderr)"
+"$program" - <. 2>stderr && fail "a folder was read as standard input"
+grep -q 'cannot be read' stderr || fail "a folder as standard input is called something else: $(cat stderr)"
 "$program" --version | grep -q '^hierarchical_parameterization [0-9.]* with CGAL [0-9]' ||
   fail "--version tells no version"
 
@@ -98,6 +102,11 @@ done
 expect 0 --method arap --report report.json
 is_field status '"ok"' arap
 [ "$(grep -o '"energy_end"' report.json | wc -l)" -gt 5 ] || fail "arap did not run level by level"
+arap_energy=$(field symmetric_dirichlet)
+awk '$1 == "v" { printf "v %.17g %.17g %.17g\n", $2 * 1048576, $3 * 1048576, $4 * 1048576; next } { print }' face.obj \
+  >large_face.obj
+expect 0 large_face.obj --method arap --report report.json
+is_field symmetric_dirichlet "$arap_energy" "arap in another unit"
 expect 0 --method arap --flat --report report.json
 is_field status '"ok"' "arap --flat"
 expect 0 --method mean-value --iterations 0 --report report.json
@@ -105,6 +114,7 @@ is_field direct_solutions 2 "mean-value --iterations 0"
 
 make_tube 5 >tube.obj
 expect 3 tube.obj --method lscm --flips fail --report report.json
+grep -q -e 'the map has [0-9]* triangles flipped; --flips' stderr || fail "flips are not counted: $(cat stderr)"
 is_field status '"ERROR_NO_1_TO_1_MAPPING"' "lscm --flips fail"
 expect 0 tube.obj --method lscm --flips keep --report report.json
 [ "$(field flips)" -gt 0 ] || fail "lscm --flips keep has kept no flips"
@@ -183,6 +193,7 @@ expect 1 --method lscm --start map.obj
 expect 1 --flat --start map.obj
 expect 1 --levels levels --start map.obj
 for option in output picture report levels start hold; do expect 1 --$option ''; done
+for option in report levels start hold; do expect 1 --$option '{.}.x'; done
 for option in output picture report; do
   expect 3 nowhere.obj --$option levels
   grep -q folder stderr || fail "--$option levels: $(cat stderr)"

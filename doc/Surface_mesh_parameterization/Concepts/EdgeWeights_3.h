@@ -7,8 +7,7 @@
 /// The weights \f$ c_{ij} \f$ of an edge energy: how strongly each neighbor attracts a vertex. They depend on the shape
 /// of the one-ring of the vertex in space.
 ///
-/// Models are `CopyConstructible`. One thread at a time uses a copy, which may keep scratch
-/// space.
+/// Models are `CopyConstructible`. One thread at a time uses a copy, which may keep scratch space.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Uniform_edge_weights_3`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Chordal_edge_weights_3`

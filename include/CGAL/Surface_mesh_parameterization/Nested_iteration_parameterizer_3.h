@@ -94,10 +94,10 @@ public:
   ///   and wide as the surface's area asks for is scaled to that. Where the method finds no map from there, it starts
   ///   from none
   /// - `vertex_is_constrained_map`: of methods that have `holds_vertices`; a readable property map from vertices to
-  ///   `bool`: vertices that keep the places that `uvmap` holds, to the last bit; `uvmap` must be readable then.
-  ///   Default: none. They stay on every level, unless they lie on the border between two others. The map is not
-  ///   scaled. With the vertices of a border, which one of CGAL's border parameterizers may have placed, the border is
-  ///   fixed
+  ///   `bool`: vertices that keep the places that `uvmap` holds, to the last bit of doubles; `uvmap` must be readable
+  ///   then. Default: none. They stay on every level, unless they lie on the border between two others. The map is
+  ///   not scaled. With the vertices of a border, which one of CGAL's border parameterizers may have placed, the
+  ///   border is fixed
   /// - `position_weight_map`: of the same methods; a readable property map from vertices to numbers of at least 0:
   ///   the energy is increased by the sum of these weights times the squared distance between a vertex and its place
   ///   in `uvmap`, in the user's units. With `Triangle_weight::AREA` the energy is that of the surface, not the mean.

@@ -38,14 +38,16 @@ void settle_flips_of_component(Mesh_component<TriangleMesh>& component, VertexUV
   typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
 
   std::vector<Point_2> uv = read_map(component, 0, uvmap);
+  const std::vector<Point_2> before = uv;
   const One_rings rings(uv.size(), component.surface().triangles);
   summary.error.code = internal::settle_flips(
       { policy, &repair_map, false, Loops() }, rings, [&] { return std::move(component.surface()); }, uv, summary);
   if (summary.error.code == OK && summary.moved_vertices > 0 && !round_map(rings, rounding_to<User_point_2>(), 0, uv))
     summary.error.code = ERROR_NO_1_TO_1_MAPPING;
-  if (summary.error.code == OK && summary.moved_vertices > 0)
+  if (summary.error.code == OK)
     for (std::size_t i = 0; i < uv.size(); ++i)
-      put(uvmap, component.vertices_of_component()[i], User_point_2(uv[i].x(), uv[i].y()));
+      if (uv[i] != before[i])
+        put(uvmap, component.vertices_of_component()[i], User_point_2(uv[i].x(), uv[i].y()));
 }
 
 } // namespace internal
