@@ -6,7 +6,8 @@ source "$(dirname "${BASH_SOURCE[0]}")/../.cmake/prepare.sh"
 build=$root/.build/benchmarks
 install_missing "${build_packages[@]}" ccache
 configure "$build" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 \
-  -DHIERARCHICAL_PARAMETERIZATION_BUILD_BENCHMARKS=ON "${together[@]}"
+  -DHIERARCHICAL_PARAMETERIZATION_BUILD_BENCHMARKS=ON -DHIERARCHICAL_PARAMETERIZATION_BUILD_TESTS=OFF \
+  -DHIERARCHICAL_PARAMETERIZATION_BUILD_EXAMPLES=OFF "${together[@]}"
 cmake --build "$build" -j"$(nproc)"
 unlock
 for benchmark in "$build"/benchmark/Surface_mesh_parameterization/*; do
