@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Checks that the benchmarks compile without a warning, which no test tells. Nothing is built.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../.cmake/prepare.sh"
+
+install_missing "${build_packages[@]}" pkg-config
+unlock
+eigen=$(pkg-config --cflags-only-I eigen3)
+printf '%s\0' "$root"/benchmark/*/*.cpp |
+  xargs -0 -n 1 -P "$(nproc)" g++ -std=c++17 -fsyntax-only -Wall -Wextra -Werror -DCGAL_EIGEN3_ENABLED \
+    -DCGAL_HIERARCHICAL_PARAMETERIZATION_CORE -I "$root/include" "${eigen/-I/-isystem}"
