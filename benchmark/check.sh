@@ -5,7 +5,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../.cmake/prepare.sh"
 
 install_missing "${build_packages[@]}" pkg-config
 unlock
-eigen=$(pkg-config --cflags-only-I eigen3)
+eigen=$(pkg-config --variable=prefix eigen3)/include/eigen3
 printf '%s\0' "$root"/benchmark/*/*.cpp |
   xargs -0 -n 1 -P "$(nproc)" g++ -std=c++17 -fsyntax-only -Wall -Wextra -Werror -DCGAL_EIGEN3_ENABLED \
-    -DCGAL_HIERARCHICAL_PARAMETERIZATION_CORE -I "$root/include" "${eigen/-I/-isystem}"
+    -DCGAL_HIERARCHICAL_PARAMETERIZATION_CORE -I "$root/include" -isystem "$eigen"
