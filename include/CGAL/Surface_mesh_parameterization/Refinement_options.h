@@ -51,7 +51,7 @@ struct Refinement_options
   double tolerance = 1e-6;
 
   /// named parameter `number_of_iterations`: the most iterations on a level, from each start: Newton steps, or sweeps
-  /// (of as many visits as there are vertices)
+  /// (of as many visits as there are vertices); on the coarsest of several levels 2000 sweeps, if that is more
   std::size_t number_of_iterations = 200;
 
   /// named parameter `number_of_local_steps`: if it is not 0, every level gets exactly this number of random vertex

@@ -75,7 +75,7 @@ class Extremity_search
 {
 public:
   Extremity_search(Sample sample, const Cut_options& options)
-    : m_options(options), m_state{ std::move(sample), {}, {}, {}, {}, {}, 0 },
+    : m_options(options), m_state(std::move(sample)),
       m_first_length_of_borders(length_of_borders(m_state.sample.mesh))
   {
     m_state.is_tried.assign(m_state.sample.mesh.number_of_vertices(), false);
@@ -108,12 +108,14 @@ public:
 private:
   struct State
   {
+    explicit State(Sample sample) : sample(std::move(sample)) { }
+
     Sample sample;
     std::vector<bool> is_tried;           // by vertex: whether a branch from about there gained too little
     std::vector<double> shrinkage_by_Tutte, shrinkage;      // by vertex; by Tutte's map, and by `uv`
     std::vector<bool> is_next_to_border;  // by vertex
     std::vector<Point_2> uv;              // by vertex: a map of little distortion; none if it is not known
-    double distortion;
+    double distortion = (std::numeric_limits<double>::infinity)();
   };
 
   // Fills in what maps of the sample tell: Tutte's, and one of least distortion, which begins at the one that is there.
@@ -125,7 +127,6 @@ private:
     Level level(hierarchy);
     Level::Uv uv;
     state.shrinkage_by_Tutte.assign(n, -1);
-    state.distortion = (std::numeric_limits<double>::infinity)();
     if (compute_Tutte_embedding(level, uv) == ERROR_CANNOT_SOLVE_LINEAR_SYSTEM)
       return;
     state.shrinkage = state.shrinkage_by_Tutte = shrinkages(level, uv);
@@ -164,7 +165,7 @@ private:
   // The sample, cut from a vertex to the border.
   State with_branch(Index tip) const
   {
-    State result{ m_state.sample, {}, {}, {}, {}, {}, 0 };
+    State result(m_state.sample);
     Shortest_paths paths(m_state.sample.mesh);
     paths.add_sources(border_places(paths));
     const std::vector<Index> old_vertices = sever(result.sample.mesh, paths.path_to(paths.place(tip)));
