@@ -108,7 +108,7 @@ void print_advice(const Input& input, const Options& options, const Run_record& 
   constexpr std::size_t many_borders = 20;
   if (run.atlas)
     return;
-  const std::string one_chart = option_of_one_chart(options);
+  const std::string one_chart = options_of_one_chart(options);
   if (run.quality->overlaps > 0 && (options.cuts || !one_chart.empty()))
     std::cerr << one_line(input.name) << ": the map lies over itself at " << pairs_text(run.quality->overlaps) << "; "
               << (options.method->is_flip_free ? "--globally-injective keeps borders apart"
@@ -122,8 +122,9 @@ void print_advice(const Input& input, const Options& options, const Run_record& 
     energy << std::setprecision(3) << run.quality->symmetric_dirichlet;
     std::cerr << one_line(input.name) << ": the map is distorted far (symmetric Dirichlet " << energy.str()
               << ", 4 without distortion); "
-              << (options.method->has_free_border ? "--atlas cuts the surface\n"
-                                                  : "a method with a free border may distort it less\n");
+              << (options.method->has_free_border
+                      ? "--atlas cuts the surface\n"
+                      : "--atlas may cut the surface, a method with a free border may distort it less\n");
   }
   if (input.number_of_borders > many_borders && !options.fills_holes)
     std::cerr << one_line(input.name) << ": has " << input.number_of_borders

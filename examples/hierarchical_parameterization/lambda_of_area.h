@@ -11,13 +11,14 @@
 #include <limits>
 
 // The lambda of arap for some faces of a mesh: CGAL's default for a surface of area 1, times the area. So the map does
-// not depend on the unit of the lengths.
+// not depend on the unit of the lengths. Where areas, or their squares, are not within the range of doubles, all changes
+// of scale are forbidden.
 template <class FaceRange>
 double lambda_of_area(const FaceRange& faces, const Mesh& mesh)
 {
   constexpr double lambda_of_unit_area = 1000;
   const double lambda = lambda_of_unit_area * CGAL::Polygon_mesh_processing::area(faces, mesh);
-  return lambda > 0 ? lambda : std::numeric_limits<double>::infinity();     // of an underflow, too
+  return lambda > 0 ? lambda : std::numeric_limits<double>::infinity();
 }
 
 #endif // LAMBDA_OF_AREA_H

@@ -244,9 +244,9 @@ void read_part(const std::string& components, const std::string& cut, Options& o
     throw Usage_error{ "unknown components '" + components + "'; there are: all, largest" };
   if (!cut.empty() && cut != "auto" && cut != "none")
     throw Usage_error{ "unknown way to cut '" + cut + "'; there are: auto, none" };
-  const std::string atlas = option_of_atlas(components, cut, options), one_chart = option_of_one_chart(options);
+  const std::string atlas = option_of_atlas(components, cut, options), one_chart = options_of_one_chart(options);
   if (!one_chart.empty() && !atlas.empty())
-    throw Usage_error{ atlas + ": not with " + one_chart + ", which takes one chart" };
+    throw Usage_error{ atlas + ": not with " + one_chart + ", for which there is one chart" };
   options.takes_all_components = components.empty() ? one_chart.empty() : components == "all";
   options.cuts = cut.empty() ? one_chart.empty() : cut == "auto";
   options.makes_atlas = options.makes_atlas || options.least_used_part || options.distortion_bound ||
@@ -328,13 +328,17 @@ void check_options(const Options& options)
 
 } // namespace
 
-std::string option_of_one_chart(const Options& options)
+std::string options_of_one_chart(const Options& options)
 {
-  return options.flat              ? "--flat"
-         : !options.levels.empty() ? "--levels"
-         : !options.start.empty()  ? "--start"
-         : !options.hold.empty()   ? "--hold"
-                                   : "";
+  const std::pair<const char*, bool> all[] = { { "--flat", options.flat },
+                                               { "--levels", !options.levels.empty() },
+                                               { "--start", !options.start.empty() },
+                                               { "--hold", !options.hold.empty() } };
+  std::string result;
+  for (const auto& [option, is_given] : all)
+    if (is_given)
+      result += (result.empty() ? "" : " and ") + std::string(option);
+  return result;
 }
 
 bool read_options(int argc, char** argv, Options& options)

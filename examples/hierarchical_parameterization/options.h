@@ -25,7 +25,7 @@ struct Options : Method_options, Input_options
 // Returns whether there is something to do: not after --help and --version. Throws a Usage_error.
 bool read_options(int argc, char** argv, Options& options);
 
-// Of the options that take one chart, the first that is given; empty if none is.
-std::string option_of_one_chart(const Options& options);
+// Those that take one chart, of which the user has given some, as "--start and --hold"; else empty.
+std::string options_of_one_chart(const Options& options);
 
 #endif // OPTIONS_H

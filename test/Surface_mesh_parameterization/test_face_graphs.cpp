@@ -154,7 +154,7 @@ TEST_P(Map_of_floats, has_no_flips)
 
 TEST_P(Map_of_floats, is_an_error_where_floats_leave_no_room)
 {
-  EXPECT_EQ(run(narrow_ring(200, 1e-8)), ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(run(narrow_ring(200, 1e-10)), ERROR_NO_1_TO_1_MAPPING);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Map_of_floats, testing::Bool());

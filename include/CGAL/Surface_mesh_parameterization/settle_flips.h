@@ -63,7 +63,8 @@ void settle_flips_of_component(Mesh_component<TriangleMesh>& component, VertexUV
 ///
 /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
 /// \param bhd a halfedge on the outer border of the component that has the map
-/// \param uvmap a read-write property map from vertices to points of the plane; untouched on an error
+/// \param uvmap a read-write property map from vertices to points of the plane, of which doubles are judged; only
+/// vertices that are moved are written, and none on an error
 /// \param policy the treatment of flips
 /// \param np
 /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives the error, the number of flips and

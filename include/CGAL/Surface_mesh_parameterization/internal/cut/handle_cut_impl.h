@@ -5,10 +5,9 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_HANDLE_CUT_IMPL_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Shortest_paths.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/handle_cut.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -33,15 +32,11 @@ inline std::vector<Index> closing_edges(const Corner_mesh& mesh, const Shortest_
   std::sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first > b.first : a.second < b.second;
   });
-  boost::disjoint_sets_with_storage<> parts(mesh.number_of_faces());
+  Disjoint_sets parts(mesh.number_of_faces());
   std::vector<Index> result;
-  for (const auto& edge : edges) {
-    const std::size_t f = parts.find_set(edge.second / 3), g = parts.find_set(mesh.opposite[edge.second] / 3);
-    if (f != g)
-      parts.link(f, g);
-    else
-      result.push_back(edge.second);
-  }
+  for (const auto& [unused_length, h] : edges)
+    if (!parts.unite(h / 3, mesh.opposite[h] / 3))
+      result.push_back(h);
   return result;
 }
 

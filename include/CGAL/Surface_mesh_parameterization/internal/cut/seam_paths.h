@@ -4,11 +4,10 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_SEAM_PATHS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_SEAM_PATHS_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Shortest_paths.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -44,17 +43,15 @@ inline std::vector<Index> long_path(const Corner_mesh& mesh)
 inline void open_short_borders(Corner_mesh& mesh)
 {
   const std::vector<std::vector<Index>> all_borders = borders(mesh);
-  boost::disjoint_sets_with_storage<> joined(mesh.number_of_vertices());
+  Disjoint_sets joined(mesh.number_of_vertices());
   for (const std::vector<Index>& border : all_borders)
     for (const Index h : border)
-      joined.union_set(mesh.source(h), mesh.target(h));
+      joined.unite(mesh.source(h), mesh.target(h));
   std::vector<Index> seam;
   for (const std::vector<Index>& border : all_borders) {
     const Index h = Corner_mesh::next(border[0]);
-    if (border.size() != 2 || joined.find_set(mesh.source(h)) == joined.find_set(mesh.target(h)))
-      continue;
-    joined.union_set(mesh.source(h), mesh.target(h));
-    seam.push_back(h);
+    if (border.size() == 2 && joined.unite(mesh.source(h), mesh.target(h)))
+      seam.push_back(h);
   }
   sever(mesh, seam);
 }
@@ -100,14 +97,12 @@ inline void join_borders(Corner_mesh& mesh)
       crossings.emplace_back(paths.distance(v) + length(mesh, h) + paths.distance(w), h);
   }
   std::sort(crossings.begin(), crossings.end());
-  boost::disjoint_sets_with_storage<> parts(paths.number_of_places());
+  Disjoint_sets parts(paths.number_of_places());
   std::vector<Index> seam;
   for (const auto& [unused_length, h] : crossings) {
     const Index v = paths.place(mesh.source(h)), w = paths.place(mesh.target(h));
-    const std::size_t part_of_v = parts.find_set(sources[v]), part_of_w = parts.find_set(sources[w]);
-    if (part_of_v == part_of_w)
+    if (!parts.unite(sources[v], sources[w]))
       continue;
-    parts.link(part_of_v, part_of_w);
     seam.push_back(h);
     for (const Index end : { v, w }) {
       const std::vector<Index> path = paths.path_to(end);

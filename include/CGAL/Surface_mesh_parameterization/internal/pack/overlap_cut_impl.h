@@ -7,13 +7,12 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/covered_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Distance_queue.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Minimum_cut.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/overlap_cut.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -162,7 +161,7 @@ private:
     constexpr double greatest_part = 0.02, greatest_part_in_all = 0.05;       // of the area
     const double area = std::accumulate(m_areas.begin(), m_areas.end(), 0.);
     std::vector<Piece> pieces = pieces_of(is_inside);
-    boost::disjoint_sets_with_storage<> joined(pieces.size());
+    Disjoint_sets joined(pieces.size());
     std::set<std::pair<double, Index>> by_area;
     for (Index i = 0; i < pieces.size(); ++i)
       by_area.emplace(pieces[i].area, i);
@@ -174,7 +173,7 @@ private:
         return;
       std::set<Index> neighbors;
       for (const Index neighbor : piece.neighbors)
-        if (const Index i = Index(joined.find_set(neighbor)); i != smallest)
+        if (const Index i = joined.find(neighbor); i != smallest)
           neighbors.insert(i);
       if (neighbors.size() + 1 == by_area.size())
         return;
@@ -186,11 +185,10 @@ private:
       for (const Index i : neighbors) {
         by_area.erase({ pieces[i].area, i });
         piece.append(pieces[i]);
-        joined.union_set(smallest, i);
+        joined.unite(smallest, i);
       }
-      const Index i = Index(joined.find_set(smallest));
-      by_area.emplace(piece.area, i);
-      pieces[i] = std::move(piece);
+      by_area.emplace(piece.area, smallest);
+      pieces[smallest] = std::move(piece);
     }
   }
 
