@@ -11,8 +11,8 @@
 #include <limits>
 
 // The lambda of arap for some faces of a mesh: CGAL's default for a surface of area 1, times the area. So the map does
-// not depend on the unit of the lengths. Where areas, or their squares, are not within the range of doubles, all changes
-// of scale are forbidden.
+// not depend on the unit of the lengths. Where doubles cannot hold areas, or their squares, no change of scale is
+// allowed.
 template <class FaceRange>
 double lambda_of_area(const FaceRange& faces, const Mesh& mesh)
 {

@@ -71,9 +71,9 @@ po::options_description describe_options(Options& options, Words& words, Numbers
       "divide charts by short cuts until they cover this part of the unit square, from 0 to 1, or no cut helps; 0.7 is "
       "within reach of most surfaces; 0: none. The default is 0.25. Makes an atlas of one component, too");
   add("distortion-bound", po::value<double>(),
-      "cut surfaces until there are maps of them whose mean symmetric Dirichlet energy, 4 without distortion, is within "
-      "this bound, as far as 50 branches of the seam lead; inf: only what must be cut. The default is 4.5 for surfaces "
-      "that must be cut or exceed 8. Makes an atlas of one component, too");
+      "cut surfaces until there are maps of them whose mean symmetric Dirichlet energy, 4 without distortion, is "
+      "within this bound, as far as 50 branches of the seam lead; inf: only what must be cut. The default is 4.5 for "
+      "surfaces that must be cut or exceed 8. Makes an atlas of one component, too");
   add("overlap-bound", po::value<double>(),
       "divide charts whose map would lie over itself with more than this part of its triangles, from 0 to 1; 1: none. "
       "The default is 0.2. Makes an atlas of one component, too");

@@ -24,8 +24,8 @@ inline double corner_angle(const Level& level, Index v, Index a, Index b)
   return std::atan2(std::sqrt(CGAL::cross_product(to_a, to_b).squared_length()), to_a * to_b);
 }
 
-// Turns from vertex to vertex. Directions are handed on as angles: computed from places, they would have the rounding of
-// all places before, which grows from needle to needle.
+// Turns from vertex to vertex. Directions are handed on as angles: computed from places, they would have the rounding
+// of all places before, which grows from needle to needle.
 class Unfolding
 {
 public:
