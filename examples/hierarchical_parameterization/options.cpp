@@ -272,11 +272,11 @@ void check_several_inputs(const Options& options)
                          "'maps/{/.}.obj'" };
 }
 
-// Names that stand for one file or folder, whatever the inputs are.
+// Outputs that are one file or folder, whatever the inputs are.
 void check_single_names(const Options& options)
 {
-  const std::pair<std::string, std::string> names[] = { { "--report", options.report }, { "--levels", options.levels },
-                                                        { "--start", options.start }, { "--hold", options.hold } };
+  const std::pair<std::string, std::string> names[] = { { "--report", options.report },
+                                                        { "--levels", options.levels } };
   for (const auto& [option, name] : names)
     if (depends_on_input(name))
       throw Usage_error{ option + ": {.} and {/.} are for --output and --picture" };

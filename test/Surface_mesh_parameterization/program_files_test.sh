@@ -172,8 +172,7 @@ is_mesh charts/b.c.uv.obj "after an input that is missing"
 make_square >'charts/a{.}b.obj'
 expect 0 'charts/a{.}b.obj' --output 'maps/{/.}.obj'
 is_mesh 'maps/a{.}b.obj' "braces in the name of an input"
-expect 0 --output '{.}.obj' --report '{.}.json'
-is_report '{.}.json'
+for option in report levels; do wrong --output '{.}.obj' --$option '{.}.json'; done
 
 # ---- endings ----
 

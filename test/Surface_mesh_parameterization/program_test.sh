@@ -193,7 +193,6 @@ expect 1 --method lscm --start map.obj
 expect 1 --flat --start map.obj
 expect 1 --levels levels --start map.obj
 for option in output picture report levels start hold; do expect 1 --$option ''; done
-for option in report levels start hold; do expect 1 --$option '{.}.x'; done
 for option in output picture report; do
   expect 3 nowhere.obj --$option levels
   grep -q folder stderr || fail "--$option levels: $(cat stderr)"
