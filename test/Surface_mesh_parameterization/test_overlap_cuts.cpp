@@ -88,6 +88,17 @@ TEST(Minimum_cut, is_the_cheapest_of_all)
   }
 }
 
+// A whole mesh, without a map.
+Chart_part chart_part_of(const Flat_mesh& m)
+{
+  const Surface_mesh mesh = make<Surface_mesh>(m);
+  const CGAL::Constant_property_map<Surface_mesh::Edge_index, bool> no_seam(false);
+  Chart_part part{ 0, std::vector<Index>(mesh.number_of_faces()), {}, {} };
+  EXPECT_EQ(internal::read_corner_mesh(mesh, no_seam, part.mesh).code, OK);
+  std::iota(part.faces.begin(), part.faces.end(), Index(0));
+  return part;
+}
+
 // A strip of length `columns` and width 3 in space, times `neck` in its middle, laid around a point so many times.
 Chart_part wound_strip(Index columns, double turns, double neck = 1)
 {
@@ -95,11 +106,7 @@ Chart_part wound_strip(Index columns, double turns, double neck = 1)
   Flat_mesh m = grid(columns, rows, flat);
   for (Point_3& p : m.points)
     p = Point_3(columns * p.x(), columns * p.y(), 0);
-  const Surface_mesh mesh = make<Surface_mesh>(m);
-  const CGAL::Constant_property_map<Surface_mesh::Edge_index, bool> no_seam(false);
-  Chart_part part{ 0, std::vector<Index>(mesh.number_of_faces()), {}, {} };
-  EXPECT_EQ(internal::read_corner_mesh(mesh, no_seam, part.mesh).code, OK);
-  std::iota(part.faces.begin(), part.faces.end(), Index(0));
+  Chart_part part = chart_part_of(m);
   for (Point_3& p : part.mesh.points) {
     const double radius = 5 + p.y(), phi = -2 * CGAL_PI * turns * p.x() / columns;
     part.uv.emplace_back(radius * std::cos(phi), radius * std::sin(phi));
@@ -131,6 +138,45 @@ TEST(Overlap_cut, is_as_short_as_can_be)
   ASSERT_EQ(sides.size(), 2u);
   for (const Chart_part& side : sides)
     EXPECT_EQ(covered_part(side), 0);
+}
+
+// A band of 12 rows whose vertices are off the grid by up to a part of its width, laid around a point 1.3 times: the
+// ends that lie over each other are ragged.
+Chart_part ragged_band(double part_of_width, Random& random)
+{
+  constexpr Index columns = 80, rows = 12;
+  constexpr double turns = 1.3;
+  Flat_mesh m = grid(columns, rows, flat);
+  for (Point_3& p : m.points)
+    p = Point_3(columns * p.x() + part_of_width * random(-1, 1), columns * p.y() + part_of_width * random(-1, 1), 0);
+  Chart_part part = chart_part_of(m);
+  for (const Point_3& p : part.mesh.points) {
+    const double radius = 2 * rows + p.y(), phi = -2 * CGAL_PI * turns * p.x() / columns;
+    part.uv.emplace_back(radius * std::cos(phi), radius * std::sin(phi));
+  }
+  return part;
+}
+
+double area_of_map(const Chart_part& part)
+{
+  double area = 0;
+  for (const Index_triangle& t : triangles_of(part.mesh))
+    area += 0.5 * internal::doubled_area(part.uv[t[0]], part.uv[t[1]], part.uv[t[2]]);
+  return area;
+}
+
+// None of less than a fiftieth of the area: here all of them together are less than a twentieth, so each is joined.
+TEST(Overlap_cut, leaves_no_small_pieces)
+{
+  for (unsigned int seed = 0; seed < 40; ++seed) {
+    Random random(seed);
+    const Chart_part band = ragged_band(0.2, random);
+    const std::vector<Index> cut = internal::overlap_cut(band.mesh, band.uv, 0.02);
+    const std::vector<Chart_part> sides = internal::sides_of(band, cut);
+    EXPECT_GE(sides.size(), 2u);
+    for (const Chart_part& side : sides)
+      EXPECT_GT(area_of_map(side), 0.02 * area_of_map(band)) << "seed " << seed;
+  }
 }
 
 // Parts are divided until none lies over itself by more than the bound; all faces are there, with their places.
