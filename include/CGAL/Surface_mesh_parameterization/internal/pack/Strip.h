@@ -40,18 +40,14 @@ public:
   void put(const Chart_mask& mask, const Place& place, std::size_t number_of_levels);
 
 private:
-  struct Lookup
-  {
-    const Bitmap::Word* word;           // for the place at the origin
-    unsigned int shift;
-  };
+  // Where a square of a mask meets taken cells, for the mask at 64 places of row y, the first of them 64 * word.
+  Bitmap::Word taken(const Chart_mask::Square& s, std::size_t word, std::size_t y) const;
 
   void raise(std::size_t height);
   void update_next_level(std::size_t level, std::size_t left, std::size_t right, std::size_t bottom,
                          std::size_t top);
 
   std::vector<Bitmap> m_taken;          // by level
-  std::vector<Lookup> m_lookups;        // scratch of find()
   std::size_t m_width, m_margin, m_right = 0, m_top = 0;
 };
 

@@ -20,21 +20,27 @@ Strip::Place Strip::find(const Chart_mask& mask, std::size_t& y, std::size_t mos
 {
   if (mask.width > m_width)
     return {};
-  const std::size_t end = m_width - mask.width + 1, words_of_row = m_taken[0].words_of_row();
+  const std::size_t end = m_width - mask.width + 1;
   raise((std::max)(y, m_top + m_margin) + mask.height);         // there is a place above all others
-  m_lookups.clear();
-  for (const Chart_mask::Square& s : mask.squares)
-    m_lookups.push_back({ m_taken[s.level].row(s.y) + s.x / 64, s.x % 64 });
+  Chart_mask::Square obstacle = mask.squares[0];        // met at the last places: likely to be met at the next
   for (; y + mask.height < most_top; ++y)
     for (std::size_t i = 0; 64 * i < end; ++i) {
-      Bitmap::Word empty = 64 * (i + 1) > end ? ~Bitmap::Word(0) >> (63 - (end - 1) % 64) : ~Bitmap::Word(0);
-      for (const Lookup& l : m_lookups)
-        if ((empty &= ~Bitmap::shifted(l.word + y * words_of_row + i, l.shift)) == 0)
-          break;
+      const Bitmap::Word inside =
+          64 * (i + 1) > end ? ~Bitmap::Word(0) >> (63 - (end - 1) % 64) : ~Bitmap::Word(0);
+      Bitmap::Word empty = inside & ~taken(obstacle, i, y);
+      for (std::size_t j = 0; empty != 0 && j < mask.squares.size(); ++j)
+        if ((empty &= ~taken(mask.squares[j], i, y)) == 0)
+          obstacle = mask.squares[j];
       if (empty != 0)
         return { 64 * i + lowest_bit(empty), y, y + mask.height };
     }
   return {};
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Bitmap::Word Strip::taken(const Chart_mask::Square& s, std::size_t word, std::size_t y) const
+{
+  return Bitmap::shifted(m_taken[s.level].row(y + s.y) + s.x / 64 + word, s.x % 64);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
