@@ -287,6 +287,14 @@ TEST(Wrapped_LSCM, gives_way_to_a_method_without_flips)
   EXPECT_EQ(run(kept, Flip_policy::KEEP), OK);
   EXPECT_GT(parameterization_quality(mesh, kept.uvmap).flips, 0u);
   EXPECT_FALSE(summary.is_replaced);
+
+  int pins = 0;
+  for (const auto v : vertices(mesh))
+    if (get(kept.vpmap, v)) {
+      ++pins;
+      EXPECT_LT(CGAL::squared_distance(get(repaired.uvmap, v), get(kept.uvmap, v)), 1e-20);
+    }
+  EXPECT_EQ(pins, 2);
 }
 
 #ifdef CGAL_LINKED_WITH_TBB

@@ -146,7 +146,7 @@ public:
   ///   barycentric and mean value coordinates with a border on a circle, whose maps have flips only by rounding, at
   ///   border points that coincide, and in triangles with two edges on a hole, which are degenerate. If the repair of
   ///   an LSCM map fails or has to move more than a tenth of the vertices, the map of `MIPS_parameterizer_3` takes its
-  ///   place
+  ///   place, with the same two pins
   /// - `fill_holes`: not for an orbifold; whether every border except the outer one is closed by a virtual vertex in
   ///   its middle; default `false`: the borders of holes are free. It works on a `Surface_mesh`, and on a
   ///   `Polyhedron_3` if there are no `arguments`; otherwise the result is `ERROR_WRONG_PARAMETER`
@@ -263,8 +263,9 @@ public:
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
 /// parameterizes the connected component of `mesh` that contains `bhd`. It does what CGAL's `parameterize()` does, but
-/// has no preconditions: isolated vertices are allowed, and a rejected input, such as a closed mesh with a null
-/// halfedge, gets an error, whether assertions are checked or not.
+/// has no preconditions of its own: a rejected input, such as a closed mesh with a null halfedge, gets an error, whether
+/// assertions are checked or not. If they are checked, CGAL's parameterizers have some about all of `mesh`: it has no
+/// isolated vertices then, and all of its faces are triangles.
 ///
 /// \param mesh a triangulated surface, which may be `const`; it is only read
 /// \param parameterizer the parameterizer; its class is documented at `Hierarchical_parameterizer_3`

@@ -151,8 +151,7 @@ private:
     for (Index v = 0; v < uv.size(); ++v)
       if (has_wanted_place(v))
         pairs.push_back({ uv[v], m_wanted[v] });
-    if (!pairs.empty())
-      apply_if_valid(best_similarity(pairs), m_level, uv);
+    move_by_best_similarity(pairs, m_level.rings(), m_level.loops(), uv);
   }
 
   void improve(Level::Uv& uv, int most_sweeps)

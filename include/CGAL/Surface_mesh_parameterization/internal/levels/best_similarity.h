@@ -4,8 +4,9 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_BEST_SIMILARITY_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_BEST_SIMILARITY_H
 
-#include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <cmath>
@@ -57,16 +58,21 @@ inline Similarity_2 best_similarity(const std::vector<std::pair<Point_2, Point_2
   return result;
 }
 
-// Moves a map of a level by a similarity, if that keeps it valid.
-inline void apply_if_valid(const Similarity_2& similarity, const Level& level, Level::Uv& uv)
+// Moves a valid map by the similarity that brings the first points of pairs nearest to the second ones, if there is one
+// and the map stays valid.
+inline void move_by_best_similarity(const std::vector<std::pair<Point_2, Point_2>>& pairs, const One_rings& rings,
+                                    const Loops& loops, std::vector<Point_2>& uv)
 {
+  if (pairs.empty())
+    return;
+  const Similarity_2 similarity = best_similarity(pairs);
   if (!similarity.is_regular())
     return;
-  Level::Uv moved;
+  std::vector<Point_2> moved;
   moved.reserve(uv.size());
   for (const Point_2& p : uv)
     moved.push_back(similarity(p));
-  if (is_map_valid(level.rings(), moved, level.loops()))
+  if (is_map_valid(rings, moved, loops))
     uv.swap(moved);
 }
 

@@ -28,8 +28,7 @@ void move_near_places(const Level& level, Level::Uv& uv)
     pairs.push_back({ uv[v], level.fixed_place(v) });
   for (const Triangulated_surface_3::Spring& s : springs(level))
     pairs.push_back({ uv[s.vertex], s.place });
-  if (!pairs.empty())
-    apply_if_valid(best_similarity(pairs), level, uv);
+  move_by_best_similarity(pairs, level.rings(), level.loops(), uv);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

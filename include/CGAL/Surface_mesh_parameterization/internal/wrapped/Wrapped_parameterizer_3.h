@@ -124,7 +124,7 @@ private:
     });
     const auto run_substitute = this->optional_steps().run_substitute;
     if (code == OK) {
-      code = run.settle_flips(uv, run_substitute != nullptr);
+      code = run.settle_flips(uv, is_placed, run_substitute != nullptr);
       if (run_substitute && run.is_map_lost())
         code = run.replace_map(uv, is_placed, [&](std::vector<Point_2>& places, Parameterization_summary& summary) {
           return run_substitute(mesh, bhd, run.index(), this->options().hierarchy, places, run.progress(), summary);

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_interpolation.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/best_similarity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
@@ -137,11 +138,14 @@ public:
   // Does with the flips of a map what the policy says. A repair may give up if there is another method, see
   // is_map_lost().
   template <class Point>
-  Error_code settle_flips(std::vector<Point>& uv, bool has_other_method)
+  Error_code settle_flips(std::vector<Point>& uv, const std::vector<char>& is_placed, bool has_other_method)
   {
     if (m_options.flips.policy == Flip_policy::KEEP)
       return error();
     std::vector<Point_2> map = flat_map(uv);
+    for (std::size_t i = 0; has_other_method && i < map.size(); ++i)
+      if (is_placed[i])
+        m_pins.push_back({ i, map[i] });
     m_rings.emplace().build(uv.size(), m_surface.triangles, m_options.loops());
     Flip_settlement settlement = m_options.flips;
     settlement.may_give_up = has_other_method;
@@ -169,7 +173,8 @@ public:
            (error() == ERROR_NO_1_TO_1_MAPPING || leaves_little(summary().moved_vertices, m_vertices.size()));
   }
 
-  // Makes another map by `make_map(map, summary)`; the summary tells of both. If there is none, a repaired map stays.
+  // Makes another map by `make_map(map, summary)`, of a method whose energy is the same for similar maps, so that it
+  // can have two pins of this one. The summary tells of both. If there is none, a repaired map stays.
   template <class Point, class Function>
   Error_code replace_map(std::vector<Point>& uv, std::vector<char>& is_placed, const Function& make_map)
   {
@@ -187,6 +192,11 @@ public:
     other.seconds_hierarchy += summary().seconds_hierarchy;
     other.seconds_parameterize = m_timer.time() - other.seconds_hierarchy;
     summary() = other;
+    if (m_pins.size() == 2) {
+      const auto [v, w] = std::pair(m_pins[0], m_pins[1]);
+      move_by_best_similarity({ { map[v.first], v.second }, { map[w.first], w.second } }, *m_rings, m_options.loops(),
+                              map);
+    }
     round_and_copy(map, uv);
     is_placed.assign(uv.size(), true);
     return error();
@@ -262,6 +272,7 @@ private:
   Index_map m_index;
   Triangulated_surface_3 m_surface;
   std::optional<One_rings> m_rings;     // of its vertices, once flips are settled
+  std::vector<std::pair<std::size_t, Point_2>> m_pins;  // vertices that the parameterizer has fixed, and their places
   std::size_t m_border_size = 0;        // vertices on the outer border
   std::shared_ptr<const Hierarchy_interpolation> m_interpolation;
   Parameterization_summary m_own_summary;
