@@ -28,6 +28,7 @@ public:
       std::filesystem::remove(m_folder);
       throw std::system_error(error, m_folder.string());
     }
+    std::filesystem::remove(m_folder, error);    // where that can be: nothing stays if a signal ends the program
     m_output = std::cout.rdbuf(nullptr);
   }
 
@@ -46,7 +47,11 @@ private:
   // A folder that nobody had before.
   static std::filesystem::path make_folder()
   {
-    std::string name = (std::filesystem::temp_directory_path() / "hierarchical_parameterization_XXXXXX").string();
+    std::error_code error;
+    const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
+    if (error)
+      throw std::system_error(error, "the folder for temporary files, see TMPDIR");
+    std::string name = (parent / "hierarchical_parameterization_XXXXXX").string();
     if (!::mkdtemp(name.data()))
       throw std::system_error(errno, std::generic_category(), name);
     return name;

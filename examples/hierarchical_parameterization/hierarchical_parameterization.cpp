@@ -143,8 +143,8 @@ void print_summary(const Input& input, const Options& options, const Run_record&
               << " left out\n";
   if (input.number_of_pieces > 0)
     std::cerr << name << ": has " << input.number_of_pieces << " components whose borders "
-              << (options.is_stitched || options.is_oriented
-                      ? "still coincide with those of others; --stitch joins two at an edge, of one orientation\n"
+              << (options.is_stitched
+                      ? "still coincide with those of others: more than two at an edge, or of two orientations\n"
                       : "coincide with those of others; --stitch joins them\n");
   print_warnings(input, options, run);
   print_advice(input, options, run);

@@ -402,6 +402,8 @@ const Row surfaces[] = {
   { "pieces.off", [] { return OFF(joined(triangle(), triangle())); }, good, any,
     "2 components whose borders coincide" },
   { "quiet_pieces.off", [] { return OFF(joined(triangle(), triangle())); }, good, any, "", "--quiet" },
+  { "oriented_pieces.off", [] { return OFF(joined(triangle(), triangle())); }, good, any,
+    "2 components whose borders coincide", "--orient" },
   { "pieces_of_one_direction.off", [] { return OFF(joined(triangle(), triangle())); }, good, any,
     "2 components whose borders still coincide", "--stitch" },
   { "three_pieces.off", [] { return OFF(joined(patch(), joined(patch(), patch()))); }, good, any,
