@@ -139,6 +139,8 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
       internal::pack(atlas, has_map, options.pack, internal::rounding_to<User_point_2>(), result);
       internal::write_corners(mesh, atlas, has_map, uvmap);
     }
+    result.cut.seam_edges += atlas.seam.edges;
+    result.cut.seam_length += atlas.seam.length;
     internal::open_holes(atlas, result);
     result.seconds_pack = timer.time() - result.seconds_cut - result.seconds_parameterize;
   } else

@@ -78,14 +78,15 @@ Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_
     summary.components[i].faces -= filled[i].faces;
     summary.components[i].borders = filled[i].borders;
   }
+  Seam seam;
   for (Index h = 0; h < result.is_seam.size(); ++h)
     if (corners.is_border(h) && old_opposite[h] != no_index && !result.is_at_hole[h]) {
       result.is_seam[h] = true;
-      if (h < old_opposite[h]) {
-        ++summary.seam_edges;
-        summary.seam_length += user_length(corners, h);
-      }
+      if (h < old_opposite[h])
+        seam.add(corners, h);
     }
+  summary.seam_edges = seam.edges;
+  summary.seam_length = seam.length;
   return result;
 }
 

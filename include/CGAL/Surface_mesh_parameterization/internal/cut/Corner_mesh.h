@@ -62,6 +62,19 @@ double length_of_borders(const Corner_mesh& mesh);
 // The length of an edge of the user's mesh.
 double user_length(const Corner_mesh& mesh, Index h);
 
+// Edges along which a surface is severed.
+struct Seam
+{
+  std::size_t edges = 0;
+  double length = 0;            // in the user's units
+
+  void add(const Corner_mesh& mesh, Index h)
+  {
+    ++edges;
+    length += user_length(mesh, h);
+  }
+};
+
 double area_of_face(const Corner_mesh& mesh, Index f);
 
 // Renumbers the vertices, so that each has one fan of triangles and they are in order. Returns what was the number of

@@ -25,6 +25,7 @@ struct Atlas
   std::vector<Point_2> uv;                      // of the vertices: the user's, times 2 to the power of the exponent
   int scale_exponent = 0;
   std::vector<bool> is_at_hole;                 // of the input's halfedges; further ones are of faces that fill holes
+  Seam seam;                                    // where sever() has divided the surface
 
   // Without the virtual ones, which come last.
   Index number_of_faces() const { return Index(is_at_hole.size() / 3); }
@@ -32,6 +33,13 @@ struct Atlas
 
   // Whether an edge lies between two faces that are neighbors in the input.
   bool is_in_surface(Index h) const { return h < is_at_hole.size() && !mesh.is_border(h) && !is_at_hole[h]; }
+
+  void sever(Index h)
+  {
+    if (is_in_surface(h))
+      seam.add(mesh, h);
+    mesh.sever(h);
+  }
 
   // Whether holes of the input have been closed, by virtual faces or by joining their sides.
   bool has_closed_holes() const

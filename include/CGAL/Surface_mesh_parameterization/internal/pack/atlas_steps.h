@@ -92,11 +92,7 @@ inline void sever_parts(const std::vector<Parts_with_map>& parts, Atlas& atlas, 
     for (const Part_with_map& part : parts_of_chart)
       for (const Index h : part.border)
         if (!atlas.mesh.is_border(h)) {
-          if (atlas.is_in_surface(h)) {
-            ++result.cut.seam_edges;
-            result.cut.seam_length += user_length(atlas.mesh, h);
-          }
-          atlas.mesh.sever(h);
+          atlas.sever(h);
           is_severed = true;
         }
   if (!is_severed)
@@ -154,19 +150,17 @@ inline void divide_charts(Atlas& atlas, std::vector<bool>& has_map, const Pack_o
 {
   Division_options options;
   options.least_used_part = least_used_part;
-  const Division division = divide_charts(atlas, has_map, pack_options, options);
+  const std::vector<std::size_t> chart_before = divide_charts(atlas, has_map, pack_options, options);
   if (atlas.charts.size() == result.charts.size())
     return;
   result.divisions += atlas.charts.size() - result.charts.size();
-  result.cut.seam_edges += division.seam_edges;
-  result.cut.seam_length += division.seam_length;
   result.chart_of_face = chart_of_face(atlas);
   const std::vector<bool> old_has_map = std::move(has_map);
   const std::vector<Atlas_summary::Chart> old_charts = std::move(result.charts);
   has_map.clear();
   result.charts.clear();
   for (std::size_t i = 0; i < atlas.charts.size(); ++i) {
-    const std::size_t old = division.old_charts[i];
+    const std::size_t old = chart_before[i];
     has_map.push_back(old_has_map[old]);
     result.charts.push_back(part_of(old_charts[old], atlas.charts[i].size()));
   }

@@ -36,22 +36,14 @@ struct Division_options
   double least_part_of_boxes = 0.9, greatest_part_of_boxes = 0.7;
 };
 
-// The cuts by which charts were divided.
-struct Division
-{
-  std::size_t seam_edges = 0;               // of the surface
-  double seam_length = 0;
-  std::vector<std::size_t> old_charts;      // of each chart, what it was a part of
-};
-
 // Divides charts of an atlas that have a map until they fill the square well enough if they are packed as the options
-// say, or as well as they did in any try.
+// say, or as well as they did in any try. Returns of which chart each one was a part.
 //
 // A cut is nearly straight in the plane, from one vertex of a chart's outer border to another, and chosen so that the
 // boxes around both sides are small and fit in the square, and the cut is short; where none makes boxes smaller, one
 // through the part with the emptiest box. The map stays, but each part is scaled to its area in space.
-Division divide_charts(Atlas& atlas, const std::vector<bool>& has_map, const Pack_options& pack_options,
-                       const Division_options& options);
+std::vector<std::size_t> divide_charts(Atlas& atlas, const std::vector<bool>& has_map, const Pack_options& pack_options,
+                                       const Division_options& options);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

@@ -228,26 +228,21 @@ inline std::vector<Point_2> corners_of(const Atlas& atlas, const std::vector<Div
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Division divide_charts(Atlas& atlas, const std::vector<bool>& has_map, const Pack_options& pack_options,
-                       const Division_options& options)
+std::vector<std::size_t> divide_charts(Atlas& atlas, const std::vector<bool>& has_map, const Pack_options& pack_options,
+                                       const Division_options& options)
 {
-  Division result;
   if (atlas.charts.size() > options.most_charts)
-    return result;
+    return {};
   Chart_divider divider(atlas, has_map, pack_options, options);
   divider.run();
   const std::vector<std::size_t> old_chart_of_face = chart_of_face(atlas);
   const std::vector<Point_2> corners = corners_of(atlas, divider.parts());
-  for (const Index h : divider.seam()) {
-    if (atlas.is_in_surface(h)) {
-      ++result.seam_edges;
-      result.seam_length += user_length(atlas.mesh, h);
-    }
-    atlas.mesh.sever(h);
-  }
+  for (const Index h : divider.seam())
+    atlas.sever(h);
   split_charts(corners, atlas);
+  std::vector<std::size_t> result;
   for (const std::vector<Index>& faces : atlas.charts)
-    result.old_charts.push_back(old_chart_of_face[faces.front()]);
+    result.push_back(old_chart_of_face[faces.front()]);
   return result;
 }
 
