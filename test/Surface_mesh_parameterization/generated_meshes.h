@@ -318,6 +318,19 @@ inline Flat_mesh star(Index rings, Index sectors, Index rays)
   });
 }
 
+// A wavy one of n times n cells, of which squares of `size` times `size` cells, one in every so many rows and columns,
+// are points.
+inline Flat_mesh grid_with_points(Index n, Index distance, Index size)
+{
+  Flat_mesh m = grid(n, n, wavy);
+  for (Index row = distance / 2; row + size < n; row += distance)
+    for (Index column = distance / 2; column + size < n; column += distance)
+      for (Index j = row; j <= row + size; ++j)
+        for (Index i = column; i <= column + size; ++i)
+          m.points[j * (n + 1) + i] = m.points[(row + size / 2) * (n + 1) + column + size / 2];
+  return m;
+}
+
 // ---- terrains ----
 
 // Tents of that height on a flat square, at random places.

@@ -3,6 +3,7 @@
 
 // The hierarchy: its levels, its ranks, and the vertices that stay.
 
+#include "generated_meshes.h"
 #include "hierarchies.h"
 #include "mesh_conversions.h"
 #include "test_meshes.h"
@@ -92,6 +93,7 @@ TEST(Collapse_hierarchy, ends_where_it_should)
     }
   });
   EXPECT_LE(small_hierarchy(grid(20, 20, wavy), 6).number_of_vertices(0), 6u);
+  EXPECT_LE(small_hierarchy(grid_with_points(20, 5, 3), 6).number_of_vertices(0), 6u);
   EXPECT_EQ(Collapse_hierarchy_3(surface(fan(5))).number_of_levels(), 1u);     // below the default size
 }
 

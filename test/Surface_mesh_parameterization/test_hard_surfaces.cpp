@@ -79,6 +79,19 @@ TYPED_TEST(Hard_surfaces, keep_a_map_that_is_one_to_one_of_itself)
   }
 }
 
+// They cost little energy: coarse levels are those of the surface around them.
+TYPED_TEST(Hard_surfaces, may_have_parts_that_are_points)
+{
+  Mapped_mesh without(grid(48, 48, wavy));
+  ASSERT_EQ(minimize<TypeParam>(without, false), OK);
+  for (const Index size : { 1, 2, 5 }) {
+    Mapped_mesh m(grid_with_points(48, 12, size));
+    ASSERT_EQ(minimize<TypeParam>(m, false), OK) << size;
+    EXPECT_TRUE(m.is_valid()) << size;
+    EXPECT_LT(energy<TypeParam>(m), 1.02 * energy<TypeParam>(without)) << size;
+  }
+}
+
 TEST(Hard_surfaces, of_combs_are_laid_out_flat)
 {
   for (const Flat_mesh& comb : { flat_comb(2, 1e4, 20), flat_comb(20, 100, 10) }) {

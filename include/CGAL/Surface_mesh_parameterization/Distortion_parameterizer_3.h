@@ -55,8 +55,9 @@ namespace CGAL::Surface_mesh_parameterization {
 /// The minimum may need scales that differ by more than doubles can hold, so that no hierarchy leads to the finest
 /// level. Then a small part of the symmetric Dirichlet energy is added, and the result counts as not converged.
 ///
-/// A triangle whose height is less than 1e-6 of its longest edge is treated as if it had that height. Pinned vertices
-/// of a hierarchy may move in the plane.
+/// A triangle whose height is less than 1e-6 of its longest edge is treated as if it had that height. An edge without
+/// length counts as 1e-4 of the other two, and a triangle whose corners coincide as a small equilateral one: a part of
+/// the surface may be a point. Pinned vertices of a hierarchy may move in the plane.
 ///
 /// \cgalModels `Parameterizer_3`
 /// \cgalModels `RefinableParameterizer_3`

@@ -21,7 +21,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// angles sum to more than half a turn, the weight is negative, and triangles may flip.
 ///
 /// The border of a hole is free: its edges have one opposite angle. A triangle whose height is less than 1e-6 of its
-/// longest edge is treated as if it had that height.
+/// longest edge is treated as if it had that height, an edge without length as 1e-4 of the other two.
 ///
 /// Sources: Pinkall and Polthier, *Computing discrete minimal surfaces and their conjugates*, 1993; Eck et al.,
 /// *Multiresolution analysis of arbitrary meshes*, 1995.

@@ -22,7 +22,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// the border is convex.
 ///
 /// An edge on the border of a hole has one such angle. A triangle whose height is less than 1e-6 of its longest edge is
-/// treated as if it had that height.
+/// treated as if it had that height, an edge without length as 1e-4 of the other two.
 ///
 /// Source: Floater, *Mean value coordinates*, 2003.
 ///

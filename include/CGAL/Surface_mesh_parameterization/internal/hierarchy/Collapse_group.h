@@ -157,7 +157,7 @@ private:
   static constexpr Collapse no_collapse = { no_index, {}, {} };
 
   // The collapse of V, onto the neighbor whose fan has the best worst triangle, that the link condition allows after
-  // the collapses so far.
+  // the collapses so far. Where every fan is too bad, one onto a neighbor at the same place, which changes no triangle.
   Collapse best_collapse(const Mesh& mesh, Index v, Scratch& scratch) const
   {
     // The choice of W0 is quadratic in the valence. A hub can wait until its neighbors have gone: valences sum to less
@@ -175,9 +175,11 @@ private:
     const double least_quality = least_quality_after_collapse(scratch.flat_ring, ring.is_closed);
     scratch.is_forbidden.assign(ring.size, false);
     for (;;) {
-      const Index w0 = ring.is_closed || m_acceptance != Acceptance::BENT_BORDERS
-                           ? best_neighbor(scratch.flat_ring, ring.is_closed, least_quality, scratch.is_forbidden)
-                           : best_neighbor(scratch.ring_points, ring.is_closed, least_quality, scratch.is_forbidden);
+      Index w0 = ring.is_closed || m_acceptance != Acceptance::BENT_BORDERS
+                     ? best_neighbor(scratch.flat_ring, ring.is_closed, least_quality, scratch.is_forbidden)
+                     : best_neighbor(scratch.ring_points, ring.is_closed, least_quality, scratch.is_forbidden);
+      if (w0 == no_index)
+        w0 = coincident_neighbor(scratch.flat_ring, ring.is_closed, scratch.is_forbidden);
       if (w0 == no_index)
         return no_collapse;
       if (satisfies_link_condition(mesh, v, w0)) {
@@ -203,11 +205,10 @@ private:
   static Index best_neighbor(const std::vector<Place>& places, bool is_closed, double least_quality,
                              const std::vector<unsigned char>& is_forbidden)
   {
-    const Index size = Index(places.size()),
-                step = is_closed ? 1 : size - 1;      // a border vertex has two candidates, the ends of its ring
+    const Index size = Index(places.size());
     Index best = no_index;
     double best_quality = least_quality;
-    for (Index w0 = 0; w0 < size; w0 += step)
+    for (Index w0 = 0; w0 < size; w0 += step_of_candidates(size, is_closed))
       if (!is_forbidden[w0])
         if (const double quality = worst_quality_after_collapse(places, w0, best_quality); quality > best_quality) {
           best = w0;
@@ -215,6 +216,20 @@ private:
         }
     return best;
   }
+
+  // The position of a neighbor that lies where V does, `no_index` if there is none.
+  static Index coincident_neighbor(const std::vector<Vector_2>& flat_ring, bool is_closed,
+                                   const std::vector<unsigned char>& is_forbidden)
+  {
+    const Index size = Index(flat_ring.size());
+    for (Index w0 = 0; w0 < size; w0 += step_of_candidates(size, is_closed))
+      if (!is_forbidden[w0] && flat_ring[w0] == Vector_2(0, 0))
+        return w0;
+    return no_index;
+  }
+
+  // A border vertex has two candidates, the ends of its ring.
+  static Index step_of_candidates(Index size_of_ring, bool is_closed) { return is_closed ? 1 : size_of_ring - 1; }
 
   // The collapse keeps the mesh a manifold if V and W0 have no common neighbor besides the ones beside W0 in the ring;
   // an ear additionally needs a triangle on the other side of its base.

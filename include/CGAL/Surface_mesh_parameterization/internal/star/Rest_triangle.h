@@ -57,15 +57,17 @@ struct Rest_corner
   double length_to_b() const { return base() * std::sqrt((1 - foot) * (1 - foot) + height * height); }
 };
 
-// The lowest height of a rest shape, in lengths of its longest edge: a triangle that is lower is raised to it, one
-// without an edge is taken for an equilateral one. So distortion is always measured against a shape that exists.
+// The lowest height of a rest shape, in lengths of its longest edge: a triangle that is lower is raised to it. One with
+// two corners at one place gets a short edge there, and one whose corners all coincide is taken for a small equilateral
+// one. So distortion is always measured against a shape that exists, also where a part of the surface is a point.
 constexpr double lowest_rest_height = 1e-6;
 
 // The corners of the rest shape of any triangle pqr; entry i looks from corner i over the edge from corner i+1 to i+2.
 // Precondition: the mesh was scaled to about size 1.
 inline std::array<Rest_corner, 3> rest_corners(const Point_3& p, const Point_3& q, const Point_3& r)
 {
-  constexpr double least_squared_length = 1e-60;
+  constexpr double least_squared_length = 1e-60, squared_length_at_a_point = 1e-8,
+                   short_edge = 1e-4;         // in lengths of the longest one
 
   const std::array<const Point_3*, 3> corner = { &p, &q, &r };
   std::array<double, 3> squared_length;   // of the edge opposite to each corner
@@ -80,8 +82,12 @@ inline std::array<Rest_corner, 3> rest_corners(const Point_3& p, const Point_3& 
     const Vector_3 side = *corner[top] - *corner[(top + 1) % 3];
     foot = (base * side) / base2;
     height = (std::max)(std::sqrt(CGAL::cross_product(base, side).squared_length()) / base2, lowest_rest_height);
+    if (*std::min_element(squared_length.begin(), squared_length.end()) <= least_squared_length) {
+      foot = foot < 0.5 ? 0.5 * short_edge * short_edge : 1 - 0.5 * short_edge * short_edge;
+      height = short_edge;
+    }
   }
-  const double inverse_area = 2 / (height * (std::max)(base2, least_squared_length));
+  const double inverse_area = 2 / (height * (base2 > least_squared_length ? base2 : squared_length_at_a_point));
 
   // In lengths of the longest edge AB: A = (0,0), B = (1,0), V = (foot, height).
   const double left2 = foot * foot + height * height, right2 = (1 - foot) * (1 - foot) + height * height;
