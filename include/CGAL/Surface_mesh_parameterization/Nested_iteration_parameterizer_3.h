@@ -87,7 +87,7 @@ public:
   ///   divided, since keeping its borders apart would distort it far and take long. It is the result, too, where
   ///   keeping borders apart fails, leaves more than twice the energy after 80 iterations on the finest level, or
   ///   raises it by more than 2 % in the end. Where no centroid is covered, borders are kept apart in any case. It has
-  ///   no effect with `initial_map`. Default: 1, which keeps borders apart in any case
+  ///   no effect with `initial_map`, if there is a map to start from. Default: 1, which keeps borders apart in any case
   /// - `initial_map`: of flip-free methods; whether `uvmap`, which must be readable then, holds a map to start from;
   ///   default `false`. The method refines it on the finest level. Flips are repaired first, vertices whose coordinates
   ///   are not finite get a place between their neighbors, and a map that is less than half or more than twice as long

@@ -63,7 +63,7 @@ public:
 private:
   static bool is_apart(const Level& level, const Level::Uv& uv)
   {
-    return !has_crossings(border_edges(level.rings()), uv);
+    return !has_crossings(level.rings(), uv);
   }
 
   bool m_is_on = false, m_is_apart = true;

@@ -87,7 +87,7 @@ Error_code Map_finisher::round(const Level& level, Level::Uv& uv)
 {
   if (m_options.flips.policy == Flip_policy::KEEP && (!m_method.is_flip_free() || !is_map_valid(level.rings(), uv)))
     return OK;
-  const auto crosses_itself = [&] { return has_crossings(border_edges(level.rings()), uv); };
+  const auto crosses_itself = [&] { return has_crossings(level.rings(), uv); };
   const bool must_stay_apart = m_must_keep_apart && !crosses_itself();
   const bool is_good = round_map(level.rings(), m_options.round, level.scale_exponent(), uv) &&
                        !(must_stay_apart && crosses_itself());

@@ -51,7 +51,7 @@ private:
   // A coarsest level that the method cannot lay out without a flip is coarsened further: the vertices come back by
   // insertion. Where doubles leave no room for one of them, another hierarchy may, or a more careful method; at last
   // the method lays out the finest level at once.
-  bool can_try_another_way(const Collapse_hierarchy_3& hierarchy);
+  bool prepare_another_way(const Collapse_hierarchy_3& hierarchy);
 
   Refinable_method& m_method;
   Nested_iteration_options m_options;

@@ -61,7 +61,7 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
     }
     const bool has_another_way =
         status == ERROR_NO_1_TO_1_MAPPING && !m_progress.is_stopped() &&
-        (find_start_at_scale_of_places(hierarchy) || (!attempt.is_finished() && can_try_another_way(hierarchy)));
+        (find_start_at_scale_of_places(hierarchy) || (!attempt.is_finished() && prepare_another_way(hierarchy)));
     if (m_progress.is_stopped())
       m_summary.error.code = ERROR_STOPPED;
     if (!has_another_way || m_progress.is_stopped())
@@ -172,7 +172,7 @@ bool Nested_iteration_attempts::find_start(Triangulated_surface_3 surface)
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool Nested_iteration_attempts::can_try_another_way(const Collapse_hierarchy_3& hierarchy)
+bool Nested_iteration_attempts::prepare_another_way(const Collapse_hierarchy_3& hierarchy)
 {
   constexpr unsigned int most_seeds = 3;
   if (!m_method.is_flip_free())

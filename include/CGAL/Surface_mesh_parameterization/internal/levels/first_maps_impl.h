@@ -70,7 +70,7 @@ bool unfold_to_lower_energy(const Level_energy& energy, bool has_map, const Refi
   const Level& level = energy.level();
   Level::Uv unfolded;
   const bool is_better = unfold(level, unfolded) && !(has_map && !(energy(unfolded) < energy(uv))) &&
-                         !(options.is_globally_injective && has_crossings(border_edges(level.rings()), unfolded));
+                         !(options.is_globally_injective && has_crossings(level.rings(), unfolded));
   if (is_better)
     uv.swap(unfolded);
   return is_better;
@@ -95,7 +95,7 @@ void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv
     return;
   Level::Uv result = scaled(uv, scale);
   const bool is_spoilt = !is_map_valid(level.rings(), result, level.loops()) ||
-                         (borders_must_not_meet && has_crossings(border_edges(level.rings()), result));
+                         (borders_must_not_meet && has_crossings(level.rings(), result));
   if (is_spoilt)
     result = scaled(uv, std::exp2(std::round(std::log2(scale))));
   uv.swap(result);

@@ -42,7 +42,7 @@ inline Error_code minimize_from(const Level_energy& energy, Level::Uv& uv, const
   const Level::Uv start = uv;
   if (const Error_code status = refine_map(energy, uv, options, summary); status != OK)
     return status;
-  if (!(energy(uv) <= energy(start)) || has_crossings(border_edges(energy.level().rings()), uv)) {
+  if (!(energy(uv) <= energy(start)) || has_crossings(energy.level().rings(), uv)) {
     uv = start;
     summary.energy_end = summary.energy_start;
     summary.converged = false;

@@ -87,7 +87,8 @@ private:
     const auto np = parameters::summary(std::ref(summary))
                         .visitor(Relay(progress))
                         .coarsest_size(hierarchy.coarsest_size)
-                        .random_seed(hierarchy.random_seed);
+                        .random_seed(hierarchy.random_seed)
+                        .unit_edges(hierarchy.has_unit_edges);
     return Nested_iteration_parameterizer_3<Method, ConcurrencyTag>(Method(), np)
         .parameterize(mesh, bhd, Component_map<Index_map, Point_2>{ index, &uv }, index, is_parameterized);
   }

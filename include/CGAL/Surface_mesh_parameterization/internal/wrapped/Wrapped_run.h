@@ -181,8 +181,10 @@ public:
     std::vector<Point_2> map(uv.size());
     Parameterization_summary other;
     if (const Error_code code = make_map(map, other); code != OK) {
-      if (code == ERROR_STOPPED || error() != OK)
+      if (code == ERROR_STOPPED || error() != OK) {
         summary().error = other.error;
+        summary().converged = false;
+      }
       return error();
     }
     other.flips = summary().flips;
