@@ -205,10 +205,9 @@ private:
   static Index best_neighbor(const std::vector<Place>& places, bool is_closed, double least_quality,
                              const std::vector<unsigned char>& is_forbidden)
   {
-    const Index size = Index(places.size());
     Index best = no_index;
     double best_quality = least_quality;
-    for (Index w0 = 0; w0 < size; w0 += step_of_candidates(size, is_closed))
+    for (Index w0 = 0; w0 < places.size(); w0 += step_of_candidates(places.size(), is_closed))
       if (!is_forbidden[w0])
         if (const double quality = worst_quality_after_collapse(places, w0, best_quality); quality > best_quality) {
           best = w0;
@@ -221,15 +220,14 @@ private:
   static Index coincident_neighbor(const std::vector<Vector_2>& flat_ring, bool is_closed,
                                    const std::vector<unsigned char>& is_forbidden)
   {
-    const Index size = Index(flat_ring.size());
-    for (Index w0 = 0; w0 < size; w0 += step_of_candidates(size, is_closed))
+    for (Index w0 = 0; w0 < flat_ring.size(); w0 += step_of_candidates(flat_ring.size(), is_closed))
       if (!is_forbidden[w0] && flat_ring[w0] == Vector_2(0, 0))
         return w0;
     return no_index;
   }
 
   // A border vertex has two candidates, the ends of its ring.
-  static Index step_of_candidates(Index size_of_ring, bool is_closed) { return is_closed ? 1 : size_of_ring - 1; }
+  static Index step_of_candidates(std::size_t size, bool is_closed) { return is_closed ? 1 : Index(size - 1); }
 
   // The collapse keeps the mesh a manifold if V and W0 have no common neighbor besides the ones beside W0 in the ring;
   // an ear additionally needs a triangle on the other side of its base.
