@@ -56,8 +56,9 @@ namespace CGAL::Surface_mesh_parameterization {
 /// level. Then a small part of the symmetric Dirichlet energy is added, and the result counts as not converged.
 ///
 /// A triangle whose height is less than 1e-6 of its longest edge is treated as if it had that height. An edge without
-/// length counts as 1e-4 of the other two, and a triangle whose corners coincide as a small equilateral one: a part of
-/// the surface may be a point. Pinned vertices of a hierarchy may move in the plane.
+/// length counts as 1e-4 of the other two, and a triangle whose corners coincide as an equilateral one, of edges about
+/// 1e-4 of the surface's size: a part of the surface may be a point. Pinned vertices of a hierarchy may move in the
+/// plane.
 ///
 /// \cgalModels `Parameterizer_3`
 /// \cgalModels `RefinableParameterizer_3`

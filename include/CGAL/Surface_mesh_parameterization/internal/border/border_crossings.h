@@ -28,14 +28,16 @@ void for_each_crossing(const std::vector<Border_edge>& edges, const std::vector<
                        Function_ref<void(std::size_t, std::size_t)> f);
 
 bool has_crossings(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv);
-inline bool has_crossings(const One_rings& rings, const std::vector<Point_2>& uv)
-{
-  return has_crossings(border_edges(rings), uv);
-}
 
 // The same among the pairs that count.
 bool has_crossings(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv,
                    Function_ref<bool(std::size_t, std::size_t)> counts);
+
+// The same among all border edges of a mesh.
+inline bool has_crossings(const One_rings& rings, const std::vector<Point_2>& uv)
+{
+  return has_crossings(border_edges(rings), uv);
+}
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

@@ -83,6 +83,7 @@ inline std::array<Rest_corner, 3> rest_corners(const Point_3& p, const Point_3& 
     foot = (base * side) / base2;
     height = (std::max)(std::sqrt(CGAL::cross_product(base, side).squared_length()) / base2, lowest_rest_height);
     if (*std::min_element(squared_length.begin(), squared_length.end()) <= least_squared_length) {
+      // With two long edges of one length, whichever of them is the base.
       foot = foot < 0.5 ? 0.5 * short_edge * short_edge : 1 - 0.5 * short_edge * short_edge;
       height = short_edge;
     }
