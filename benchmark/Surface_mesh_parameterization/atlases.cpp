@@ -9,8 +9,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
-#include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
-#include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
+#include <CGAL/Surface_mesh_parameterization/atlas_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -64,32 +63,6 @@ Mesh mixed_components(std::size_t number)
   return mesh;
 }
 
-struct Checks
-{
-  double energy;                        // symmetric Dirichlet: mean over the area; MIPS: mean over the triangles
-  std::size_t flips, overlaps;          // by exact predicates, within and between charts
-};
-
-Checks check(const Mesh& mesh, const Corner_map& uv, bool is_mips)
-{
-  std::vector<SMP::internal::Mapped_triangle> triangles;
-  std::vector<SMP::internal::Triangle_2> images;
-  SMP::internal::Unit_scale scale;
-  for (const Mesh::Face_index f : mesh.faces()) {
-    const Mesh::Halfedge_index a = mesh.halfedge(f), b = mesh.next(a), c = mesh.next(b);
-    images.push_back({ uv[a], uv[b], uv[c] });
-    triangles.push_back({ { mesh.point(mesh.target(a)), mesh.point(mesh.target(b)), mesh.point(mesh.target(c)) },
-                          images.back() });
-    scale.include(triangles.back());
-  }
-  SMP::internal::Quality_sums sums(scale);
-  for (const SMP::internal::Mapped_triangle& t : triangles)
-    sums.add(t);
-  const SMP::Parameterization_quality quality = sums.quality();
-  return { is_mips ? quality.mips / double(triangles.size()) : quality.symmetric_dirichlet, quality.flips,
-           SMP::internal::number_of_overlapping_pairs(images) };
-}
-
 double diagonal(const Mesh& mesh)
 {
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
@@ -113,13 +86,14 @@ void measure_atlas(const std::string& name, Mesh mesh, bool is_mips, const Atlas
   std::size_t handles = 0;
   for (const SMP::Cut_summary::Component& component : summary.cut.components)
     handles += component.genus;
-  const Checks checks = check(mesh, uv, is_mips);
+  const SMP::Parameterization_quality quality = SMP::atlas_quality(mesh, uv);
   const double seconds = summary.seconds_cut + summary.seconds_parameterize + summary.seconds_pack,
                triangles = double(mesh.number_of_faces());
+  const double energy = is_mips ? quality.mips / triangles : quality.symmetric_dirichlet;      // a mean
   std::printf("%-28s %9.0f %6zu %4zu %7.2f %7.3f %7.2f %7.2f %7.2f %6.3f %5zu %5zu %8.1f %6.0f\n", name.c_str(),
-              triangles, summary.charts.size(), handles, summary.cut.seam_length / diagonal(mesh), checks.energy,
-              summary.seconds_cut, summary.seconds_parameterize, summary.seconds_pack, summary.used_part, checks.flips,
-              checks.overlaps, 1e6 * seconds / triangles, bytes / triangles);
+              triangles, summary.charts.size(), handles, summary.cut.seam_length / diagonal(mesh), energy,
+              summary.seconds_cut, summary.seconds_parameterize, summary.seconds_pack, summary.used_part, quality.flips,
+              quality.overlaps, 1e6 * seconds / triangles, bytes / triangles);
   std::fflush(stdout);
 }
 

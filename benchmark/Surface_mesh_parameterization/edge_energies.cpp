@@ -46,7 +46,7 @@ public:
   // The map that a parameterizer has found.
   SMP::Level::Uv read(Mesh& mesh) const
   {
-    const Uv_map map = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
+    const Uv_map map = add_uv_map(mesh);
     SMP::Level::Uv uv;
     for (SMP::Level::Index v = 0; v < m_level.number_of_vertices(); ++v) {
       const Point_2& p = map[m_component.vertices_of_component()[m_hierarchy.input_vertex(v)]];

@@ -50,7 +50,7 @@ std::vector<Moment> record(Mesh& mesh, std::size_t coarsest_size, const Method& 
 template <class Method>
 void measure(Mesh& mesh, const std::string& method, double minimum, bool with_flat)
 {
-  constexpr std::size_t coarsest_size = 100;      // the default
+  constexpr std::size_t coarsest_size = SMP::Collapse_hierarchy_3::default_coarsest_size;
   const double optimum = record(mesh, coarsest_size, Method(CGAL::parameters::tolerance(1e-13))).back().energy;
   for (const bool is_flat : { false, true })
     if (!is_flat || with_flat)

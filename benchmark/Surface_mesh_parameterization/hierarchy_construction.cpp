@@ -42,7 +42,7 @@ struct Measurement
   std::optional<double> peak_growth;        // bytes
 };
 
-// Reads the file and builds its hierarchy; prints the levels of the last repetition.
+// Reads the file and builds its hierarchy.
 Measurement measure(const std::string& file, std::size_t coarsest_size,
                     std::optional<SMP::Collapse_hierarchy_3>& hierarchy)
 {
@@ -73,6 +73,7 @@ void print_levels(const SMP::Collapse_hierarchy_3& hierarchy)
   }
 }
 
+// Prints the medians of the repetitions, and the levels of the last one.
 void measure_and_print(const std::string& name, const std::string& file, std::size_t coarsest_size,
                        std::size_t repetitions)
 {

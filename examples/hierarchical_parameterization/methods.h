@@ -30,18 +30,18 @@ struct Input;
 // What the command line tells a method.
 struct Method_options
 {
-  double tolerance;
-  std::size_t iterations;
-  SMP::Triangle_weight triangle_weight;
-  unsigned int seed;
+  double tolerance = 0;
+  std::size_t iterations = 0;
+  SMP::Triangle_weight triangle_weight = SMP::Triangle_weight::ONE;
+  unsigned int seed = 0;
   std::string levels;       // a folder, or empty
   std::string start;        // a file with a map to start from, or empty
   std::string hold;         // a file with places of vertices, or empty
   std::optional<double> least_used_part, distortion_bound, overlap_bound, hole_bound;     // of an atlas; none: defaults
   std::optional<double> sharp_angle;                          // in degrees; none: no edge is a seam as it is sharp
-  bool flat, quiet, is_globally_injective, fills_holes;
-  bool avoids_overlaps;     // one chart is globally injective, too, or becomes an atlas if that distorts it
-  SMP::Flip_policy flip_policy;
+  bool flat = false, quiet = false, is_globally_injective = false, fills_holes = false;
+  bool avoids_overlaps = false;     // one chart is globally injective, too, or becomes an atlas if that distorts it
+  SMP::Flip_policy flip_policy = SMP::Flip_policy::REPAIR;
 };
 
 // Fills in the map of the input.

@@ -38,6 +38,27 @@ struct Numbers
   long long iterations = 0, seed = 0;
 };
 
+// A number that an atlas is made with.
+struct Number_of_atlas
+{
+  std::string name;
+  std::optional<double> Method_options::*value;
+  double least, greatest;
+  std::string expected;
+};
+
+const std::vector<Number_of_atlas>& numbers_of_atlas()
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  static const std::vector<Number_of_atlas> numbers = {
+    { "least-used-part", &Options::least_used_part, 0, 1, "a number from 0 to 1" },
+    { "distortion-bound", &Options::distortion_bound, 4, infinity, "a number of at least 4" },
+    { "overlap-bound", &Options::overlap_bound, 0, 1, "a number from 0 to 1" },
+    { "hole-bound", &Options::hole_bound, 0, 1, "a number from 0 to 1" },
+    { "sharp-angle", &Options::sharp_angle, 0, 180, "a number of degrees from 0 to 180" } };
+  return numbers;
+}
+
 // One text of what `describe(method)` returns, for all of them.
 template <class Describe>
 std::string list_of_methods(const std::string& separator, const Describe& describe)
@@ -214,15 +235,14 @@ void check_effects(const po::variables_map& values, const Options& options)
 // The option that asks for an atlas; empty if none does.
 std::string option_of_atlas(const std::string& components, const std::string& cut, const Options& options)
 {
-  return components == "all"        ? "--components all"
-         : cut == "auto"            ? "--cut auto"
-         : options.least_used_part  ? "--least-used-part"
-         : options.distortion_bound ? "--distortion-bound"
-         : options.overlap_bound    ? "--overlap-bound"
-         : options.hole_bound       ? "--hole-bound"
-         : options.sharp_angle      ? "--sharp-angle"
-         : options.makes_atlas      ? "--atlas"
-                                    : "";
+  if (components == "all")
+    return "--components all";
+  if (cut == "auto")
+    return "--cut auto";
+  for (const Number_of_atlas& number : numbers_of_atlas())
+    if (options.*number.value)
+      return "--" + number.name;
+  return options.makes_atlas ? "--atlas" : "";
 }
 
 // Fits the options of an atlas to one whose charts stay whole.
@@ -249,8 +269,8 @@ void read_part(const std::string& components, const std::string& cut, Options& o
     throw Usage_error{ atlas + ": not with " + one_chart + ", for which there is one chart" };
   options.takes_all_components = components.empty() ? one_chart.empty() : components == "all";
   options.cuts = cut.empty() ? one_chart.empty() : cut == "auto";
-  options.makes_atlas = options.makes_atlas || options.least_used_part || options.distortion_bound ||
-                        options.overlap_bound || options.hole_bound || options.sharp_angle;
+  for (const Number_of_atlas& number : numbers_of_atlas())
+    options.makes_atlas = options.makes_atlas || options.*number.value;
   options.avoids_overlaps = options.cuts && options.method->is_flip_free;
   if (!options.cuts)
     forbid_cuts(options);
@@ -302,16 +322,10 @@ void check_options(const Options& options)
   }
   if (!options.start.empty() && !options.levels.empty())
     throw Usage_error{ "--start: the levels below the finest, which --levels writes, have no maps then" };
-  if (options.least_used_part && !(*options.least_used_part >= 0 && *options.least_used_part <= 1))
-    throw Usage_error{ "--least-used-part: a number from 0 to 1 expected" };
-  if (options.distortion_bound && !(*options.distortion_bound >= 4))
-    throw Usage_error{ "--distortion-bound: a number of at least 4 expected" };
-  if (options.overlap_bound && !(*options.overlap_bound >= 0 && *options.overlap_bound <= 1))
-    throw Usage_error{ "--overlap-bound: a number from 0 to 1 expected" };
-  if (options.hole_bound && !(*options.hole_bound >= 0 && *options.hole_bound <= 1))
-    throw Usage_error{ "--hole-bound: a number from 0 to 1 expected" };
-  if (options.sharp_angle && !(*options.sharp_angle >= 0 && *options.sharp_angle <= 180))
-    throw Usage_error{ "--sharp-angle: a number of degrees from 0 to 180 expected" };
+  for (const Number_of_atlas& number : numbers_of_atlas())
+    if (const std::optional<double> value = options.*number.value;
+        value && !(*value >= number.least && *value <= number.greatest))
+      throw Usage_error{ "--" + number.name + ": " + number.expected + " expected" };
   if (options.flat && options.fills_holes && options.method->run_shipped)
     throw Usage_error{ "--fill-holes: not with --flat, which runs " + options.method->name + " as CGAL ships it" };
   if (options.threads < 0)
@@ -377,13 +391,9 @@ bool read_options(int argc, char** argv, Options& options)
     options.tolerance = options.method->tolerance;
   if (!values.count("iterations"))
     options.iterations = options.method->iterations;
-  const std::pair<const char*, std::optional<double>*> numbers_of_atlas[] = {
-    { "least-used-part", &options.least_used_part }, { "distortion-bound", &options.distortion_bound },
-    { "overlap-bound", &options.overlap_bound }, { "hole-bound", &options.hole_bound },
-    { "sharp-angle", &options.sharp_angle } };
-  for (const auto& [name, number] : numbers_of_atlas)
-    if (values.count(name))
-      *number = values[name].as<double>();
+  for (const Number_of_atlas& number : numbers_of_atlas())
+    if (values.count(number.name))
+      options.*number.value = values[number.name].as<double>();
   read_part(words.components, words.cut, options);
   check_options(options);
   if (options.inputs.empty())

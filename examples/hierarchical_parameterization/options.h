@@ -15,11 +15,11 @@
 struct Options : Method_options, Input_options
 {
   std::vector<std::string> inputs;
-  const Method* method;
+  const Method* method = nullptr;
   std::string output, picture;      // see name_for_input()
-  bool is_output_binary;            // if it is PLY
+  bool is_output_binary = false;            // if it is PLY
   std::string report;
-  int threads;
+  int threads = 0;
 };
 
 // Returns whether there is something to do: not after --help and --version. Throws a Usage_error.

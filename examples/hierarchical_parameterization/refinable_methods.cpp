@@ -97,7 +97,7 @@ SMP::Parameterization_summary run_symmetric_dirichlet(Input& input, const Method
 SMP::Parameterization_summary run_arap(Input& input, const Method_options& options)
 {
   SMP::Parameterization_summary summary;
-  const SMP::As_rigid_as_possible_parameterizer_3<Mesh> method(
+  const SMP::As_rigid_as_possible_parameterizer_3<Mesh, CGAL::Parallel_if_available_tag> method(
     CGAL::parameters::tolerance(options.tolerance).flip_policy(options.flip_policy).fill_holes(options.fills_holes)
       .summary(std::ref(summary)).number_of_iterations(options.iterations)
       .lambda(lambda_of_area(input.faces, input.mesh)));

@@ -82,10 +82,7 @@ std::size_t number_of_spoilt_triangles(const Primitive& primitive, const interna
     return internal::Point_2(primitive.texture_coordinates[2 * place],
                              -primitive.texture_coordinates[2 * place + 1]);      // whose axis points down
   };
-  const auto in_doubles = [&](std::uint32_t place) {
-    const auto& uv = corners.places[place].uv;
-    return internal::Point_2(uv.x(), uv.y());
-  };
+  const auto in_doubles = [&](std::uint32_t place) { return corners.places[place].uv; };
   const auto side = [&](std::size_t corner, const auto& point) {
     const std::uint32_t* const place = &primitive.indices[corner];
     return internal::exact_orientation(point(place[0]), point(place[1]), point(place[2]));

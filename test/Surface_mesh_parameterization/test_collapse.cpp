@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Collapse_group.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Halfedge_collapse.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Parent_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Ring_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Unit_edge_metric.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>

@@ -11,7 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Halfedge_collapse.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Parent_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>

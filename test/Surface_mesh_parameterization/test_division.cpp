@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/best_chord.h>
-#include <CGAL/Surface_mesh_parameterization/internal/pack/path_in_plane.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Path_in_plane.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Polygon_2.h>
@@ -148,7 +148,8 @@ struct Flat_corners
 
   std::vector<Index> path(const Point_2& from, const Point_2& to) const
   {
-    return internal::path_in_plane(mesh, uv, internal::outer_border(mesh, uv), vertex_at(from), vertex_at(to));
+    return internal::Path_in_plane(mesh, uv, internal::outer_border(mesh, uv), vertex_at(from), vertex_at(to))
+        .halfedges();
   }
   Index vertex_at(const Point_2& p) const { return Index(std::find(uv.begin(), uv.end(), p) - uv.begin()); }
   double length_of(Index h) const { return length(uv[mesh.source(h)] - uv[mesh.target(h)]); }

@@ -220,6 +220,30 @@ TEST(Settle_flips, moves_few_vertices_for_one_that_is_far_away_or_inside)
       }
 }
 
+// A map without flips is turned as its border runs, however few triangles are.
+TEST(Settle_flips, turns_triangles_as_the_border_runs)
+{
+  for (const double sign : { 1., -1. }) {
+    Spoiled_map m;
+    for (const auto v : vertices(m.mesh)) {
+      const Kernel::Point_2& p = m.good[v];
+      m.uvmap[v] = Kernel::Point_2(sign * (m.mesh.is_border(v) ? p.x() : 1 - p.x()), p.y());
+    }
+    const auto before = m.uv();
+    ASSERT_EQ(m.quality().is_mirrored, sign > 0);
+    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR), OK);
+    EXPECT_TRUE(m.is_locally_one_to_one());
+    EXPECT_EQ(m.quality().is_mirrored, sign < 0);
+    std::size_t border_vertices = 0, moved = 0;
+    for (const auto v : vertices(m.mesh))
+      if (m.mesh.is_border(v)) {
+        ++border_vertices;
+        moved += m.uvmap[v] != before[v];
+      }
+    EXPECT_LT(2 * moved, border_vertices);
+  }
+}
+
 TEST(Settle_flips, repairs_a_map_of_any_size_the_same_way)
 {
   const auto repaired_at = [](int exponent) {

@@ -11,6 +11,9 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -42,6 +45,27 @@ double distance(const internal::Triangle_2& s, const internal::Triangle_2& t)
       least = (std::min)(least, CGAL::squared_distance(t[i], Kernel::Segment_2(s[j], s[(j + 1) % 3])));
     }
   return std::sqrt(least);
+}
+
+// Of a chart without area; by a factor that rounds, a triangle this thin can be turned over.
+TEST(Scale_to_size_in_space, flips_no_triangle)
+{
+  Flat_mesh m;
+  m.points = { Point_3(0, 0, 0), Point_3(0.3, 0, 0), Point_3(0.7, 0, 0) };
+  m.triangles = { { 0, 1, 2 } };
+  internal::Corner_mesh chart;
+  ASSERT_EQ(internal::read_corner_mesh(make<Surface_mesh>(m), chart).code, OK);
+  const auto is_positive = [](const std::vector<internal::Point_2>& uv) {
+    return internal::is_left_turn(uv[0], uv[1], uv[2]);
+  };
+  Random random(1);
+  for (int i = 0; i < 200; ++i) {
+    const double x = random(0.5, 1), y = random(0.5, 1);
+    std::vector<internal::Point_2> uv = { { 0, 0 }, { x, y }, { 2 * x, std::nextafter(2 * y, 3.) } };
+    ASSERT_TRUE(is_positive(uv));
+    internal::scale_to_size_in_space(chart, uv);
+    EXPECT_TRUE(is_positive(uv));
+  }
 }
 
 TEST(Packing, keeps_the_margin)

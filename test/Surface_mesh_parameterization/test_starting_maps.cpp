@@ -205,6 +205,33 @@ TEST(Scale_to_area, leaves_the_map_of_a_surface_without_area)
   EXPECT_EQ(uv, before);
 }
 
+// By a factor that rounds, a triangle this thin can lose its area.
+TEST(Scale_to_area, keeps_an_energy_finite)
+{
+  Flat_mesh m;
+  m.points = { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0) };
+  m.triangles = { { 0, 1, 2 } };
+  const Finest_level f(m);
+  const Level_energy_of<MIPS_energy_2> energy(f.level, Triangle_weight::ONE);
+  Random random(1);
+  std::size_t spoilt = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double x = random(0.5, 1), y = random(0.5, 1), part = random(0.1, 0.9);
+    const Level::Uv uv = { Point_2(0, 0), Point_2(x, y), Point_2(part * x, std::nextafter(part * y, 1.)) };
+    if (!std::isfinite(energy(uv)))
+      continue;
+    Level::Uv rounded = uv, result = uv;
+    const double scale = std::sqrt(area_in_space(f.level) / area_in_plane(f.level, uv));
+    for (Point_2& p : rounded)
+      p = Point_2(scale * p.x(), scale * p.y());
+    spoilt += is_map_valid(f.level.rings(), rounded) && !std::isfinite(energy(rounded));
+    const double value = scale_to_area(energy, false, result);
+    EXPECT_TRUE(std::isfinite(value));
+    EXPECT_EQ(value, energy(result));
+  }
+  EXPECT_GT(spoilt, 0u);
+}
+
 // ---- up the levels ----
 
 TEST(Insert_new_vertices, keeps_every_level_valid)

@@ -132,9 +132,12 @@ public:
   }
 
   /// solves a level, the finest one to the tolerance and the others to 1e-2, starting from a map of it.
-  /// \return `OK`, `ERROR_STOPPED`, or `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the finest level has no map
-  Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary)
+  /// \return `OK`, `ERROR_STOPPED`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if the finest level has no map, or
+  /// `ERROR_WRONG_PARAMETER` as above
+  Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
+    if (fault_of_options())
+      return ERROR_WRONG_PARAMETER;
     return internal::solve_by_multigrid(internal::Edge_system(level, m_weights), m_tolerance, m_number_of_iterations,
                                         uv, summary);
   }

@@ -236,8 +236,8 @@ public:
   ///
   /// \return as above; flips are no error here
   template <class ConeMap, class VertexIndexMap, class VertexUVMap>
-  Error_code parameterize(const SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap, VertexUVMap uvmap,
-                          VertexIndexMap vimap) const;
+  Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap,
+                          VertexUVMap uvmap, VertexIndexMap vimap) const;
 
   /// tells by exact predicates whether the map of a component is one-to-one: whether its triangles are turned the same
   /// way, all to the left or all to the right, no two of them overlap, and its borders meet neither themselves nor each
@@ -263,9 +263,9 @@ public:
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
 /// parameterizes the connected component of `mesh` that contains `bhd`. It does what CGAL's `parameterize()` does, but
-/// has no preconditions of its own: a rejected input, such as a closed mesh with a null halfedge, gets an error, whether
-/// assertions are checked or not. If they are checked, CGAL's parameterizers have some about all of `mesh`: it has no
-/// isolated vertices then, and all of its faces are triangles.
+/// has no preconditions of its own: a rejected input, such as a closed mesh with a null halfedge, gets an error,
+/// whether assertions are checked or not. If they are checked, CGAL's parameterizers have some about all of `mesh`: it
+/// has no isolated vertices then, and all of its faces are triangles.
 ///
 /// \param mesh a triangulated surface, which may be `const`; it is only read
 /// \param parameterizer the parameterizer; its class is documented at `Hierarchical_parameterizer_3`

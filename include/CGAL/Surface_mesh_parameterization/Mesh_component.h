@@ -19,7 +19,6 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -182,12 +181,10 @@ private:
     const auto point_map = get(CGAL::vertex_point, mesh);
     m_surface.points.reserve(m_vertices.size());
     for (vertex_descriptor v : m_vertices) {
-      const auto& p = get(point_map, v);
-      const internal::Point_3 q(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-      if (!internal::is_finite(q))
+      m_surface.points.push_back(internal::to_point_3(get(point_map, v)));
+      if (!internal::is_finite(m_surface.points.back()))
         return fail(ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, internal::position_in(vertices(mesh), v),
                     "a coordinate is not a finite number");
-      m_surface.points.push_back(q);
     }
     return true;
   }

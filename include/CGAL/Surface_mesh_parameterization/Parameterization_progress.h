@@ -20,7 +20,7 @@ struct Parameterization_progress
   std::size_t vertices = 0;           ///< number of vertices of the level; of those left while the hierarchy is built
   std::size_t iterations = 0;         ///< iterations on the level so far, as `Level_summary` counts them; of a linear
                                       ///< solver, iterations for the system that is being solved
-  double energy = 0;      ///< the energy that is being minimized, in the units of `Level_summary`; of a linear solver,
+  double energy = 0;      ///< the energy that is being minimized, as `Level_summary::energy_end`; of a linear solver,
                           ///< the relative residual; 0 while the hierarchy is being built
   double part_done = 0;   ///< an estimate of the part of the whole run that is done, from 0 to 1. It never falls, and
                           ///< it is 1 only in the last call, when the map is finished

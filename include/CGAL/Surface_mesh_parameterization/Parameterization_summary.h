@@ -44,8 +44,9 @@ struct Level_summary
 {
   std::size_t vertices = 0;       ///< number of vertices
   std::size_t faces = 0;          ///< number of triangles
-  double energy_start = 0;        ///< the method's energy after the insertion of the new vertices, before refinement
-  double energy_end = 0;          ///< the method's energy after refinement
+  /// the method's energy, as `Parameterization_summary::energy`, of the map with the new vertices, before refinement
+  double energy_start = 0;
+  double energy_end = 0;          ///< the same after refinement
   std::size_t iterations = 0;     ///< the method's iterations: Newton steps, sweeps, or those of a linear solver
   std::size_t cycles = 0;         ///< multigrid cycles in all Newton steps
   std::size_t vertex_visits = 0;  ///< steps of vertex relaxation, one vertex each

@@ -52,10 +52,13 @@ public:
   /// the triangles, by rank; a triangle and its corners have the order of the input
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
-  /// the ranks of the faces whose corner `v`, which is not on level 0, becomes `hierarchy().kept_vertex(v)`
+  /// the ranks of the faces whose corner `v` becomes `hierarchy().kept_vertex(v)`.
+  /// \pre `hierarchy().number_of_vertices(0) <= v && v < hierarchy().number_of_vertices()`
   boost::iterator_range<const Index*> fan_faces(Index v) const
   {
-    return m_fan_faces[v - m_hierarchy->number_of_vertices(0)];
+    const std::size_t coarsest_vertices = m_hierarchy->number_of_vertices(0);
+    CGAL_precondition(coarsest_vertices <= v && v < m_hierarchy->number_of_vertices());
+    return m_fan_faces[v - coarsest_vertices];
   }
 
   /// undoes one collapse: brings back the missing vertex with the least rank.

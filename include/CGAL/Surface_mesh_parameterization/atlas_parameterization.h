@@ -30,12 +30,32 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
+
+namespace internal {
+
+// Reads a mesh and cuts it into charts, which have no maps yet.
+template <class TriangleMesh, class EdgeSeamMap>
+Atlas read_atlas(const TriangleMesh& mesh, EdgeSeamMap seams, const Atlas_options& options, const Loops& loops,
+                 Atlas_summary& result)
+{
+  Cut_corners cut = read_and_cut(mesh, seams, options.cut, options.hole_bound, loops, result.cut);
+  result.error = result.cut.error;
+  Atlas atlas;
+  if (!result.is_ok())
+    return atlas;
+  atlas.mesh = std::move(cut.mesh);
+  atlas.is_at_hole = std::move(cut.is_at_hole);
+  atlas.charts = connected_components(atlas.mesh);
+  result.chart_of_face = chart_of_face(atlas);
+  return atlas;
+}
+
+} // namespace internal
 
 /// \ingroup PkgHierarchicalParameterizationAtlas
 ///
@@ -106,26 +126,18 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
     typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor   edge_descriptor;
     CGAL::Real_timer timer;
     timer.start();
-    internal::Atlas atlas;
     const auto seams = parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
                                                     CGAL::Constant_property_map<edge_descriptor, bool>(false));
     const internal::Loops loops = internal::Loops::of<ConcurrencyTag>();
     const internal::Atlas_options options = internal::atlas_options_of(np);
-    const char* fault = options.fault();
-    if (!fault)
-      fault = internal::fault_of_charts<Method<internal::Chart_mesh>>(np_of_charts);
-    if (fault) {
+    if (const char* fault = internal::first_fault(
+            { options.fault(), internal::fault_of_charts<Method<internal::Chart_mesh>>(np_of_charts) })) {
       result.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
       return result;
     }
-    internal::Cut_corners cut = internal::read_and_cut(mesh, seams, options.cut, options.hole_bound, loops, result.cut);
-    result.error = result.cut.error;
+    internal::Atlas atlas = internal::read_atlas(mesh, seams, options, loops, result);
     if (!result.is_ok())
       return result;
-    atlas.mesh = std::move(cut.mesh);
-    atlas.is_at_hole = std::move(cut.is_at_hole);
-    atlas.charts = connected_components(atlas.mesh);
-    result.chart_of_face = internal::chart_of_face(atlas);
     result.seconds_cut = timer.time();
 
     std::vector<bool> has_map = internal::parameterize_charts<Method, ConcurrencyTag>(
@@ -136,7 +148,8 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
       if (options.least_used_part > 0)
         internal::divide_charts(atlas, has_map, options.pack, options.least_used_part, result);
       typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
-      internal::pack(atlas, has_map, options.pack, internal::rounding_to<User_point_2>(), result);
+      internal::pack(atlas, has_map, options.pack, internal::rounding_to<User_point_2>(atlas.scale_exponent),
+                     result);
       internal::write_corners(mesh, atlas, has_map, uvmap);
     }
     result.cut.seam_edges += atlas.seam.edges;

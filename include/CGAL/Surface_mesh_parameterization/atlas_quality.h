@@ -18,10 +18,6 @@
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <array>
 #include <cstddef>
@@ -110,10 +106,9 @@ inline Parameterization_quality quality_of_no_map(std::size_t number_of_faces)
 template <class TriangleMesh, class FaceRange, class HalfedgeUVMap>
 std::vector<Index> read_map(const TriangleMesh& mesh, const FaceRange& face_range, HalfedgeUVMap uvmap, Atlas& atlas)
 {
-  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor   edge_descriptor;
   constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();     // shares no place with a neighbor
   std::vector<Index> measured;
-  if (read_corner_mesh(mesh, CGAL::Constant_property_map<edge_descriptor, bool>(false), atlas.mesh).code != OK)
+  if (read_corner_mesh(mesh, atlas.mesh).code != OK)
     return measured;
   const auto is_measured = get(CGAL::dynamic_face_property_t<bool>(), mesh);
   for (const auto f : faces(mesh))
@@ -127,8 +122,7 @@ std::vector<Index> read_map(const TriangleMesh& mesh, const FaceRange& face_rang
       corners.emplace_back(nowhere, nowhere);
       return;
     }
-    const auto& p = get(uvmap, h);
-    corners.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+    corners.push_back(to_point_2(get(uvmap, h)));
     if (i % 3 == 0)
       measured.push_back(i / 3);
   });

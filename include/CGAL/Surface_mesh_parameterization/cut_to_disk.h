@@ -37,7 +37,7 @@ struct Cut_summary
   Parameterization_error error;             ///< what went wrong, and where
   std::vector<Component> components;     ///< in the order of their first faces
   std::size_t seam_edges = 0;               ///< number of edges that became seams
-  double seam_length = 0;                   ///< their length in space
+  double seam_length = 0;                   ///< their length in space, in the units of the mesh
 
   /// whether the surface was cut
   bool is_ok() const { return error.code == OK; }
@@ -143,10 +143,11 @@ Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeSeamMap seams,
     internal::assert_names<internal::Cut_names>(np);
     const internal::Cut_corners cut =
         internal::read_and_cut(mesh, seams, internal::cut_options_of(np), 0, internal::Loops(), summary);
-    internal::for_each_corner(mesh, [&](auto h, internal::Index i) {
-      if (summary.is_ok() && cut.is_seam[i])
-        put(seams, edge(h, mesh), true);
-    });
+    if (summary.is_ok())
+      internal::for_each_corner(mesh, [&](auto h, internal::Index i) {
+        if (cut.is_seam[i])
+          put(seams, edge(h, mesh), true);
+      });
   } else
     internal::Mesh_check<TriangleMesh>::tell();
   return summary;

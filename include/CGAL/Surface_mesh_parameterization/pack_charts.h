@@ -17,14 +17,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
-#include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
-
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <type_traits>
 #include <vector>
 
@@ -98,18 +93,16 @@ Error_code pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uvmap,
                            internal::Halfedge_uv_map_check<HalfedgeUVMap, TriangleMesh, true>>   Check;
   if constexpr (Check::value) {
     internal::assert_names<internal::Pack_names>(np);
-    typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor   edge_descriptor;
     const internal::Pack_options options = internal::pack_options_of(np);
     if (!options.is_valid())
       return ERROR_WRONG_PARAMETER;
     internal::Atlas atlas;
-    error = internal::read_corner_mesh(mesh, CGAL::Constant_property_map<edge_descriptor, bool>(false), atlas.mesh);
+    error = internal::read_corner_mesh(mesh, atlas.mesh);
     if (error.code != OK)
       return error.code;
     std::vector<internal::Point_2> corners;
     internal::for_each_corner(mesh, [&](auto h, internal::Index) {
-      const auto& p = get(uvmap, h);
-      corners.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+      corners.push_back(internal::to_point_2(get(uvmap, h)));
       if (!internal::is_finite(corners.back()))
         error.code = ERROR_WRONG_PARAMETER;
     });
@@ -120,7 +113,7 @@ Error_code pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uvmap,
     std::vector<bool> is_packed(atlas.charts.size(), true);
     typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
     const internal::Packing packing =
-        internal::pack_atlas(atlas, is_packed, options, internal::rounding_to<User_point_2>());
+        internal::pack_atlas(atlas, is_packed, options, internal::rounding_to<User_point_2>(atlas.scale_exponent));
     if (packing.side == 0 || std::find(is_packed.begin(), is_packed.end(), false) != is_packed.end())
       return ERROR_NO_1_TO_1_MAPPING;
     internal::write_corners(mesh, atlas, is_packed, uvmap);

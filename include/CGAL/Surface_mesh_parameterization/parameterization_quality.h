@@ -14,7 +14,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
 
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -150,7 +149,7 @@ public:
       return Index(std::lower_bound(border_vertices.begin(), border_vertices.end(), v) - border_vertices.begin());
     };
     for (const vertex_descriptor v : border_vertices)
-      uv.emplace_back(CGAL::to_double(get(uvmap, v).x()), CGAL::to_double(get(uvmap, v).y()));
+      uv.push_back(to_point_2(get(uvmap, v)));
     for (const halfedge_descriptor h : halfedges)
       edges.push_back({ index(source(h, mesh)), index(target(h, mesh)) });
   }

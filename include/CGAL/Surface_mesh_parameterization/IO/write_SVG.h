@@ -14,7 +14,6 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -155,10 +154,8 @@ Mapped_triangle mapped_triangle(Face f, const TriangleMesh& mesh, UVMap uvmap)
     std::array<Point_2, 3> uv;
     std::size_t i = 0;
     for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh)) {
-      const auto& p = get(point_map, target(h, mesh));
-      const auto& q = get(uvmap, h);
-      points[i] = Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-      uv[i++] = Point_2(CGAL::to_double(q.x()), CGAL::to_double(q.y()));
+      points[i] = to_point_3(get(point_map, target(h, mesh)));
+      uv[i++] = to_point_2(get(uvmap, h));
     }
     return Mapped_triangle(points, uv);
   }
@@ -174,7 +171,7 @@ namespace IO {
 /// `(s1/s2 + s2/s1) / 2`, from nearly white (1) over orange to dark red (2 and more), with a color bar.
 ///
 /// \param os the stream; its state tells whether writing succeeded
-/// \param mesh a triangle mesh, a model of `FaceGraph` with an internal vertex point map
+/// \param mesh a triangle mesh, a model of `FaceListGraph` with an internal vertex point map
 /// \param face_range the faces to draw; their map must be positive. Those with a place that is not finite are left out
 /// \param uvmap a readable property map from vertices to points of the plane, or from halfedges: then it has the place
 ///        of the corner to which a halfedge leads in its face, as `atlas_parameterization()` makes it

@@ -66,17 +66,9 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool has_crossings(const std::vector<Border_edge>& edges, const std::vector<Point_2>& uv,
                    Function_ref<bool(std::size_t, std::size_t)> counts)
 {
-  // CGAL's search ends early only by an exception; a map that overlaps may have very many crossings.
-  struct Found { };
-  try {
-    for_each_pair_of_boxes(boxes_of(edges, uv), [&](std::size_t i, std::size_t j) {
-      if (counts(i, j) && do_cross(edges[i], edges[j], uv))
-        throw Found();
-    });
-  } catch (const Found&) {
-    return true;
-  }
-  return false;
+  return any_pair_of_boxes(boxes_of(edges, uv), [&](std::size_t i, std::size_t j) {
+    return counts(i, j) && do_cross(edges[i], edges[j], uv);
+  });
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -14,9 +14,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Calls f(i, j), once, for any two boxes of a list that meet. The precondition of both functions: no coordinate is
-// infinite or no number.
+// Calls f(i, j), once, for any two boxes of a list that meet. The precondition of all three functions: no
+// coordinate is infinite or no number.
 void for_each_pair_of_boxes(const std::vector<Bbox_2>& boxes, Function_ref<void(std::size_t, std::size_t)> f);
+
+// Whether f(i, j) holds for any two boxes that meet; the first that are found end the search.
+bool any_pair_of_boxes(const std::vector<Bbox_2>& boxes, Function_ref<bool(std::size_t, std::size_t)> f);
 
 // Calls f(i, j) for any box of the first list and any one of the second that meet.
 void for_each_pair_of_boxes(const std::vector<Bbox_2>& boxes, const std::vector<Bbox_2>& others,

@@ -36,6 +36,21 @@ void for_each_pair_of_boxes(const std::vector<Bbox_2>& boxes, Function_ref<void(
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool any_pair_of_boxes(const std::vector<Bbox_2>& boxes, Function_ref<bool(std::size_t, std::size_t)> f)
+{
+  struct Found { };      // CGAL's search ends early only by an exception
+  try {
+    for_each_pair_of_boxes(boxes, [&](std::size_t i, std::size_t j) {
+      if (f(i, j))
+        throw Found();
+    });
+  } catch (const Found&) {
+    return true;
+  }
+  return false;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void for_each_pair_of_boxes(const std::vector<Bbox_2>& boxes, const std::vector<Bbox_2>& others,
                             Function_ref<void(std::size_t, std::size_t)> f)
 {

@@ -36,10 +36,9 @@ inline bool do_interiors_meet(const Triangle_2& s, const Triangle_2& t)
   return !separates(s, t) && !separates(t, s);
 }
 
-// Calls goes_on(do_interiors_meet) for the pairs of triangles that are near each other, until it returns false.
-inline void for_each_near_pair(const std::vector<Triangle_2>& triangles, Function_ref<bool(bool)> goes_on)
+// Whether is_enough(do_interiors_meet) holds for any pair of triangles that are near each other; the search ends there.
+inline bool any_near_pair(const std::vector<Triangle_2>& triangles, Function_ref<bool(bool)> is_enough)
 {
-  struct Enough { };
   std::vector<Triangle_2> positive;
   std::vector<Bbox_2> boxes;
   for (Triangle_2 t : triangles) {
@@ -52,21 +51,17 @@ inline void for_each_near_pair(const std::vector<Triangle_2>& triangles, Functio
     boxes.push_back(t[0].bbox() + t[1].bbox() + t[2].bbox());
   }
 
-  try {
-    for_each_pair_of_boxes(boxes, [&](std::size_t i, std::size_t j) {
-      if (!goes_on(do_interiors_meet(positive[i], positive[j])))
-        throw Enough();
-    });
-  } catch (const Enough&) { }
+  return any_pair_of_boxes(
+      boxes, [&](std::size_t i, std::size_t j) { return is_enough(do_interiors_meet(positive[i], positive[j])); });
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 std::size_t number_of_overlapping_pairs(const std::vector<Triangle_2>& triangles, std::size_t most_tests)
 {
   std::size_t pairs = 0, tests = 0;
-  for_each_near_pair(triangles, [&](bool do_meet) {
+  any_near_pair(triangles, [&](bool do_meet) {
     pairs += do_meet;
-    return ++tests != most_tests;
+    return ++tests == most_tests;
   });
   return pairs;
 }
@@ -74,12 +69,7 @@ std::size_t number_of_overlapping_pairs(const std::vector<Triangle_2>& triangles
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool has_overlapping_pairs(const std::vector<Triangle_2>& triangles)
 {
-  bool result = false;
-  for_each_near_pair(triangles, [&](bool do_meet) {
-    result = do_meet;
-    return !do_meet;
-  });
-  return result;
+  return any_near_pair(triangles, [](bool do_meet) { return do_meet; });
 }
 
 // A closed curve of a border.
@@ -194,9 +184,7 @@ inline bool is_one_in_another(const std::vector<Border_edge>& edges, const std::
       winding_numbers[j].emplace(edges_of[j], uv);
     return (*winding_numbers[j])(p) != 0;
   };
-  bool result = false;
-  for_each_pair_of_boxes(boxes, [&](std::size_t i, std::size_t j) { result = result || is_in(i, j) || is_in(j, i); });
-  return result;
+  return any_pair_of_boxes(boxes, [&](std::size_t i, std::size_t j) { return is_in(i, j) || is_in(j, i); });
 }
 
 inline std::size_t number_of_charts(const std::vector<Index>& chart_of)

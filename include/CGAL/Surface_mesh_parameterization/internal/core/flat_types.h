@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_FLAT_TYPES_H
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_utils.h>
 
 #include <array>
 #include <cmath>
@@ -35,6 +36,19 @@ inline double doubled_area(const Point_2& a, const Point_2& b, const Point_2& c)
 inline double doubled_area(const Point_3& a, const Point_3& b, const Point_3& c)
 {
   return std::sqrt(CGAL::cross_product(b - a, c - a).squared_length());
+}
+
+// A point of the user's in doubles.
+template <class Point>
+Point_2 to_point_2(const Point& p)
+{
+  return Point_2(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+}
+
+template <class Point>
+Point_3 to_point_3(const Point& p)
+{
+  return Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
 }
 
 inline bool is_finite(const Point_2& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }

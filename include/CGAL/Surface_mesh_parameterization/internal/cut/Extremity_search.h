@@ -162,12 +162,10 @@ private:
     return result;
   }
 
-  // The sample, cut from a vertex to the border.
-  State with_branch(Index tip) const
+  // The sample, cut from a vertex to the border, to which there are the shortest paths.
+  State with_branch(Index tip, const Shortest_paths& paths) const
   {
     State result(m_state.sample);
-    Shortest_paths paths(m_state.sample.mesh);
-    paths.add_sources(border_places(paths));
     const std::vector<Index> old_vertices = sever(result.sample.mesh, paths.path_to(paths.place(tip)));
     result.sample.fine_vertex.clear();
     for (const Index v : old_vertices) {
@@ -190,12 +188,13 @@ private:
       const Index tip = candidate(priority);
       if (tip == no_index)
         break;
-      State other = with_branch(tip);
+      const Shortest_paths paths = paths_from_borders(m_state.sample.mesh);
+      State other = with_branch(tip, paths);
       if (is_gain(other.distortion)) {
         extremities.push_back(m_state.sample.fine_vertex[tip]);
         m_state = std::move(other);
       } else {
-        give_up_around(tip);
+        give_up_around(tip, paths);
         ++failures;
       }
     }
@@ -211,10 +210,8 @@ private:
   }
 
   // Looks elsewhere: not nearer to the tip than half its way to the border.
-  void give_up_around(Index tip)
+  void give_up_around(Index tip, const Shortest_paths& paths)
   {
-    Shortest_paths paths(m_state.sample.mesh);
-    paths.add_sources(border_places(paths));
     const double radius = 0.5 * paths.distance(paths.place(tip));
     Shortest_paths paths_from_tip(m_state.sample.mesh);
     paths_from_tip.add_sources({ paths.place(tip) });

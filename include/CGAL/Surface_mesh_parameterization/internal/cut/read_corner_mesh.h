@@ -12,7 +12,7 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -57,8 +57,7 @@ Parameterization_error read_corner_mesh(const TriangleMesh& mesh, EdgeSeamMap is
   const auto point_map = get(CGAL::vertex_point, mesh);
   const auto index_of = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
   for (const auto v : vertices(mesh)) {
-    const auto& p = get(point_map, v);
-    corners.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    corners.points.push_back(to_point_3(get(point_map, v)));
     put(index_of, v, Index(corners.points.size() - 1));
   }
 
@@ -77,6 +76,14 @@ Parameterization_error read_corner_mesh(const TriangleMesh& mesh, EdgeSeamMap is
   });
   split_vertices(corners);
   return {};
+}
+
+// The same of a mesh that is not cut.
+template <class TriangleMesh>
+Parameterization_error read_corner_mesh(const TriangleMesh& mesh, Corner_mesh& corners)
+{
+  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor   edge_descriptor;
+  return read_corner_mesh(mesh, CGAL::Constant_property_map<edge_descriptor, bool>(false), corners);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

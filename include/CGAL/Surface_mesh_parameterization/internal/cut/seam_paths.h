@@ -56,13 +56,15 @@ inline void open_short_borders(Corner_mesh& mesh)
   sever(mesh, seam);
 }
 
-// The places of all borders.
-inline std::vector<Index> border_places(const Shortest_paths& paths)
+// The shortest paths from all borders.
+inline Shortest_paths paths_from_borders(const Corner_mesh& mesh)
 {
-  std::vector<Index> places;
+  Shortest_paths paths(mesh);
+  std::vector<Index> borders;
   for (Index place = 0; place < paths.number_of_places() && paths.is_border(place); ++place)
-    places.push_back(place);
-  return places;
+    borders.push_back(place);
+  paths.add_sources(borders);
+  return paths;
 }
 
 // Of each place, the source at the end of the shortest path.
@@ -87,8 +89,7 @@ inline std::vector<Index> nearest_sources(const Shortest_paths& paths, const Cor
 // that two borders are nearest to.
 inline void join_borders(Corner_mesh& mesh)
 {
-  Shortest_paths paths(mesh);
-  paths.add_sources(border_places(paths));
+  const Shortest_paths paths = paths_from_borders(mesh);
   const std::vector<Index> sources = nearest_sources(paths, mesh);
   std::vector<std::pair<double, Index>> crossings;
   for (Index h = 0; h < mesh.number_of_halfedges(); ++h) {
@@ -115,8 +116,7 @@ inline void join_borders(Corner_mesh& mesh)
 // Cuts a mesh of disk type from extremities to the border, or to the branch before.
 inline void cut_branches(Corner_mesh& mesh, const std::vector<Index>& extremities)
 {
-  Shortest_paths paths(mesh);
-  paths.add_sources(border_places(paths));
+  Shortest_paths paths = paths_from_borders(mesh);
   std::vector<Index> branches;
   for (const Index v : extremities) {
     const std::vector<Index> path = paths.path_to(paths.place(v));

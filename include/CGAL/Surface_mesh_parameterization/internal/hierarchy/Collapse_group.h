@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/prefetch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Added_edges.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Halfedge_collapse.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Parent_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Ring_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Unit_edge_metric.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
@@ -21,7 +21,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <random>
 #include <utility>
 #include <vector>
 

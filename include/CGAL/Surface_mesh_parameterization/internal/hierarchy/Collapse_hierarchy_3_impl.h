@@ -63,7 +63,7 @@ void Collapse_hierarchy_3::build(Triangulated_surface_3 surface, const internal:
 {
   CGAL_precondition_msg(internal::are_indices_valid(surface), "an index of the surface is none of a point");
   const std::vector<bool> is_pinned = internal::pinned_vertices(surface, options.is_constrained);
-  m_vertices = internal::Hierarchy_builder(surface.points, is_pinned, surface.triangles, loops).build(options, loops);
+  m_vertices = internal::Hierarchy_builder(surface.points, is_pinned, surface.triangles, loops).build(options);
   m_faces = internal::Face_hierarchy(m_vertices, std::move(surface.triangles));
   number_by_rank(surface, is_pinned, loops);
 }

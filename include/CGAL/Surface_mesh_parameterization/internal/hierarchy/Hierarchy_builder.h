@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -28,7 +29,8 @@ class Hierarchy_builder
 public:
   Hierarchy_builder(std::vector<Point_3> points, std::vector<bool> is_pinned,
                     const std::vector<Index_triangle>& triangles, const Loops& loops)
-    : m_points(std::move(points)), m_is_pinned(std::move(is_pinned)), m_mesh(m_points.size(), triangles, loops)
+    : m_loops(loops), m_points(std::move(points)), m_is_pinned(std::move(is_pinned)),
+      m_mesh(m_points.size(), triangles, loops)
   {
     m_splits.reserve(m_points.size());
     m_removed_vertices.reserve(m_points.size());
@@ -37,27 +39,26 @@ public:
   }
 
   // Makes collapse groups until the mesh is small enough or nothing can be collapsed any more.
-  Vertex_hierarchy build(const Hierarchy_options& options, const Loops& loops)
+  Vertex_hierarchy build(const Hierarchy_options& options)
   {
     constexpr std::size_t fewest_vertices = 3;
     constexpr double least_removed_part = 1. / 64;      // a group that removes less of them is not worth a level
     std::mt19937 random(options.random_seed);
-    Unit_edge_metric metric;
+    std::optional<Unit_edge_metric> metric;
     if (options.has_unit_edges)
-      metric = Unit_edge_metric(m_points, m_mesh);
+      metric.emplace(m_points, m_mesh);
     for (;;) {
       m_level_vertices.push_back(m_points.size());
       if (m_points.size() <= options.coarsest_size || !may_go_on(options.progress))
         break;
-      m_group.choose({ m_mesh, m_points, m_is_pinned, options.has_unit_edges ? &metric : nullptr }, fewest_vertices,
-                     random, loops);
+      m_group.choose({ m_mesh, m_points, m_is_pinned, metric ? &*metric : nullptr }, fewest_vertices, random, m_loops);
       if (double(m_group.collapses().size()) <= least_removed_part * double(m_points.size()))
         break;
-      perform_group(loops);
-      if (options.has_unit_edges)
-        metric.compact(m_is_removed);
+      perform_group();
+      if (metric)
+        metric->compact(m_is_removed);
     }
-    return number_by_removal(loops);
+    return number_by_removal();
   }
 
 private:
@@ -70,7 +71,7 @@ private:
     return !progress || progress->tell(now);
   }
 
-  void perform_group(const Loops& loops)
+  void perform_group()
   {
     m_is_removed.assign(m_points.size(), 0);
     for (const Collapse_group::Collapse& c : m_group.collapses()) {
@@ -79,7 +80,7 @@ private:
       m_splits.push_back({ { m_vertex[c.parent[0]], m_vertex[c.parent[1]], m_vertex[c.parent[2]] }, c.coordinates });
     }
     compact_vertices();
-    m_mesh.collapse(m_is_removed, m_number, loops);
+    m_mesh.collapse(m_is_removed, m_number, m_loops);
   }
 
   void compact_vertices()
@@ -102,7 +103,7 @@ private:
 
   // Turns the splits, finest group first, into those of the hierarchy, coarsest group first; inside a group the order
   // stays.
-  Vertex_hierarchy number_by_removal(const Loops& loops)
+  Vertex_hierarchy number_by_removal()
   {
     Vertex_hierarchy result;
     result.level_vertices.assign(m_level_vertices.rbegin(), m_level_vertices.rend());
@@ -118,12 +119,14 @@ private:
       end = begin;
     }
     const std::vector<Index> rank = result.ranks();
-    loops.for_each(0, Index(result.splits.size()), [&](Index i) {
+    m_loops.for_each(0, Index(result.splits.size()), [&](Index i) {
       for (Index& v : result.splits[i].parent)
         v = rank[v];
     });
     return result;
   }
+
+  Loops m_loops;
 
   // The mesh after the groups so far, compacted, and the input's numbers of its vertices.
   std::vector<Point_3> m_points;

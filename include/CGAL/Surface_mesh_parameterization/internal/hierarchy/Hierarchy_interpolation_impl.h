@@ -40,8 +40,7 @@ inline Vertex_hierarchy build_vertex_hierarchy(Triangulated_surface_3 surface, c
                                                const Loops& loops)
 {
   std::vector<bool> is_pinned = pinned_vertices(surface, options.is_constrained);
-  return Hierarchy_builder(std::move(surface.points), std::move(is_pinned), surface.triangles, loops)
-      .build(options, loops);
+  return Hierarchy_builder(std::move(surface.points), std::move(is_pinned), surface.triangles, loops).build(options);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -9,6 +9,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -17,6 +19,7 @@ namespace CGAL::Surface_mesh_parameterization {
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Level::go_to(std::size_t index)
 {
+  CGAL_precondition(index < hierarchy().number_of_levels());
   m_index = index;
   m_is_draft = false;
   const std::size_t vertices = hierarchy().number_of_vertices(index);

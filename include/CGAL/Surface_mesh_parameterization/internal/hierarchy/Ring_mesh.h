@@ -42,8 +42,6 @@ public:
     }
   };
 
-  Ring_mesh() = default;
-
   // Precondition: every vertex is manifold.
   Ring_mesh(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles, const Loops& loops)
   {

@@ -24,8 +24,6 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Unit_edge_metric
 {
 public:
-  Unit_edge_metric() = default;       // of no vertices
-
   Unit_edge_metric(const std::vector<Point_3>& points, const Ring_mesh& mesh)
   {
     m_tensors.resize(points.size());

@@ -59,7 +59,7 @@ Error_code Map_finisher::settle_flips(const Level& level, Level::Uv& uv)
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Map_finisher::replace_map(const Level& level, Error_code status, Level::Uv& uv)
 {
-  if (!is_map_valid(level.rings(), m_map_before))
+  if (!is_map_valid(level.rings(), m_map_before, level.loops()))
     return status;
   Level_summary summary = m_summary.levels.back();      // its iterations go on
   summary.converged = false;
@@ -85,11 +85,12 @@ Error_code Map_finisher::replace_map(const Level& level, Error_code status, Leve
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Map_finisher::round(const Level& level, Level::Uv& uv)
 {
-  if (m_options.flips.policy == Flip_policy::KEEP && (!m_method.is_flip_free() || !is_map_valid(level.rings(), uv)))
+  if (m_options.flips.policy == Flip_policy::KEEP &&
+      (!m_method.is_flip_free() || !is_map_valid(level.rings(), uv, level.loops())))
     return OK;
   const auto crosses_itself = [&] { return has_crossings(level.rings(), uv); };
   const bool must_stay_apart = m_must_keep_apart && !crosses_itself();
-  const bool is_good = round_map(level.rings(), m_options.round, level.scale_exponent(), uv) &&
+  const bool is_good = round_map(level.rings(), m_options.round, level.scale_exponent(), uv, level.loops()) &&
                        !(must_stay_apart && crosses_itself());
   return is_good ? OK : ERROR_NO_1_TO_1_MAPPING;
 }

@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
@@ -30,13 +31,13 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Turns a map with flips into one without that is the same wherever it can be. The hierarchy leads there: flips are
 // local, so that a level that is coarse enough has none; from there vertices come back, each to its place in the given
 // map if its star is valid then, or into the kernel of its star. Those that are not at their place are relaxed, and try
-// again after every sweep. A map that is mirrored as a whole stays so.
+// again after every sweep.
 class Map_repair
 {
 public:
   // `map` has the places by rank; they may be anything.
-  Map_repair(const Collapse_hierarchy_3& hierarchy, const Level::Uv& map)
-    : m_level(hierarchy, hierarchy.number_of_levels() - 1), m_wanted(map),
+  Map_repair(const Collapse_hierarchy_3& hierarchy, const Loops& loops, const Level::Uv& map)
+    : m_level(hierarchy, hierarchy.number_of_levels() - 1, loops), m_wanted(map),
       m_conformal_energy(m_level, Triangle_weight::ONE), m_isometric_energy(m_level, Triangle_weight::ONE)
   {
     set_units();
@@ -68,21 +69,16 @@ private:
   // Of the edges at a vertex: where they are shorter, the map has collapsed.
   static constexpr double least_relative_length = 1e-9;
 
-  // Units in which the map has about the area of the surface, and most triangles are positive: powers of two, so that
-  // no digit is lost.
+  // Units in which the map has about the area of the surface: powers of two, so that no digit is lost.
   void set_units()
   {
     double area = 0, image_area = 0;      // doubled
-    std::size_t positive = 0, negative = 0;
     for (const Index_triangle& t : m_level.triangles()) {
       area += doubled_area(m_level.point(t[0]), m_level.point(t[1]), m_level.point(t[2]));
       const double piece = doubled_area(m_wanted[t[0]], m_wanted[t[1]], m_wanted[t[2]]);
       if (std::isfinite(piece))
         image_area += piece;
-      positive += piece > 0;
-      negative += piece < 0;
     }
-    m_is_mirrored = negative > positive;
     const double scale = std::sqrt(area / std::abs(image_area));
     m_exponent = std::isfinite(scale) && scale > 0 ? std::ilogb(scale) : 0;
   }
@@ -110,12 +106,8 @@ private:
       }
   }
 
-  Point_2 to_own_units(const Point_2& p) const { return scaled(p, m_exponent); }
-  Point_2 from_own_units(const Point_2& p) const { return scaled(p, -m_exponent); }
-  Point_2 scaled(const Point_2& p, int exponent) const
-  {
-    return times_power_of_two(Point_2(m_is_mirrored ? -p.x() : p.x(), p.y()), exponent);
-  }
+  Point_2 to_own_units(const Point_2& p) const { return times_power_of_two(p, m_exponent); }
+  Point_2 from_own_units(const Point_2& p) const { return times_power_of_two(p, -m_exponent); }
 
   // The finest level on which the wanted places are valid; if there is none, Tutte's map of the coarsest, as near to
   // the wanted one as a similarity brings it.
@@ -140,7 +132,7 @@ private:
     for (Index v = 0; v < m_level.number_of_vertices(); ++v)
       if (!has_wanted_place(v))
         return false;
-    return is_map_valid(m_level.rings(), m_wanted);
+    return is_map_valid(m_level.rings(), m_wanted, m_level.loops());
   }
 
   bool has_wanted_place(Index v) const { return is_finite(m_wanted[v]); }
@@ -222,7 +214,6 @@ private:
 
   Level m_level;
   Level::Uv m_wanted, m_before;
-  bool m_is_mirrored = false;
   int m_exponent = 0;
   std::vector<Index> m_displaced;
   std::vector<char> m_is_star_changed;      // since it was found to be valid

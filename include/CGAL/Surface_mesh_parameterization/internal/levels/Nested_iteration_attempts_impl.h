@@ -168,6 +168,7 @@ bool Nested_iteration_attempts::find_start(Triangulated_surface_3 surface)
   if (Nested_iteration(m_method, m_options, nullptr, m_progress, summary).run(hierarchy, {}, uv) != OK)
     return false;
   m_start = in_input_order(hierarchy, uv);
+  m_options.make_starting_map = nullptr;      // the start is not the user's map
   return true;
 }
 

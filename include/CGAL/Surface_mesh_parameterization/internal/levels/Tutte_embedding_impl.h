@@ -73,7 +73,7 @@ Error_code compute_Tutte_embedding(const Level& level, Level::Uv& uv)
     }
   if (!vertices.empty() && !place_in_the_middle(level.rings(), vertices, unknown, borders, uv))
     return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-  return is_map_valid(level.rings(), uv) ? OK : ERROR_NO_1_TO_1_MAPPING;
+  return is_map_valid(level.rings(), uv, level.loops()) ? OK : ERROR_NO_1_TO_1_MAPPING;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -34,6 +34,9 @@ void scale_to_energy(const Level_energy& energy, Level::Uv& uv);
 // instead, which is exact. Where `borders_must_not_meet`, that counts as spoilt, too.
 void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv);
 
+// The same where an energy has to stay finite, too. Returns it.
+double scale_to_area(const Level_energy& energy, bool borders_must_not_meet, Level::Uv& uv);
+
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
 #ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE

@@ -23,10 +23,11 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Whether a map has no flips, or its mirror image has none.
 bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const Loops& loops = Loops());
 
-// Makes a map of a surface one without flips: by a Patch_repair, and where that is not enough, by a Map_repair. Adds
-// the number of vertices that it moves to `moved_vertices`. It may give up where little of the map would be left.
-Error_code repair_map(const Triangulated_surface_3& surface, bool may_give_up, std::vector<Point_2>& uv,
-                      std::size_t& moved_vertices);
+// Makes a map of a surface one without flips: by a Patch_repair, and where that is not enough, by a Map_repair. A map
+// that is mirrored as a whole stays so. Adds the number of vertices that it moves to `moved_vertices`. It may give up
+// where little of the map would be left.
+Error_code repair_map(const Triangulated_surface_3& surface, bool may_give_up, const Loops& loops,
+                      std::vector<Point_2>& uv, std::size_t& moved_vertices);
 
 // What becomes of flips. `repair`, for a policy that needs it, is repair_map(): it is compiled, header-only, where maps
 // may have flips or a policy is given, and not by everybody.
@@ -35,7 +36,7 @@ struct Flip_settlement
   Flip_policy policy = Flip_policy::FAIL;
   decltype(&repair_map) repair = nullptr;
   bool may_give_up = false;       // whether the repair may fail early, since another method can take its place
-  Loops loops;                    // of the search for flips
+  Loops loops;
 };
 
 // Whether a repair that moves so many vertices leaves so little of a map that another method should take its place.
@@ -63,7 +64,7 @@ Error_code settle_flips(const Flip_settlement& settlement, const One_rings& ring
                         Function_ref<Triangulated_surface_3()> make_surface, std::vector<Point_2>& uv,
                         Parameterization_summary& summary);
 
-// Mirrors a map whose triangles are all negative.
+// Mirrors a map without flips whose triangles are all negative.
 void mirror_back(const One_rings& rings, std::vector<Point_2>& uv);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

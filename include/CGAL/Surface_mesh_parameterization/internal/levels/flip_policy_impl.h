@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_FLIP_POLICY_IMPL_H
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -37,7 +39,7 @@ bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const 
 {
   if (!are_finite(uv))
     return false;
-  return is_map_valid(rings, uv, loops) || is_map_valid(rings, mirrored(uv), loops);
+  return is_map_valid(rings, is_mirrored(rings, uv) ? mirrored(uv) : uv, loops);
 }
 
 // How many triangles are turned to the left, and to the right. The others are degenerate, or have a coordinate that is
@@ -65,39 +67,57 @@ inline Numbers_of_turns count_turns(const One_rings& rings, const std::vector<Po
 }
 
 // The vertices whose triangles do not wind around them once, in a map whose triangles are turned alike.
-inline std::size_t count_windings(const One_rings& rings, const std::vector<Point_2>& uv, bool is_mirrored)
+inline std::size_t count_windings(const One_rings& rings, const std::vector<Point_2>& uv, bool has_right_turns)
 {
-  const std::vector<Point_2> map = is_mirrored ? mirrored(uv) : uv;
+  const std::vector<Point_2> map = has_right_turns ? mirrored(uv) : uv;
   std::size_t result = 0;
   for (Index v = 0; v < map.size(); ++v)
     result += !is_fan_valid(rings, map, v);
   return result;
 }
 
+// The area that a border encloses, negative if it is clockwise, if it is a simple polygon; else 0.
+inline double area_of_simple_polygon(const std::vector<Index>& border, const std::vector<Point_2>& uv)
+{
+  double doubled = 0;
+  std::vector<Border_edge> edges;
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    const Border_edge e{ border[i], border[next_in_cycle(i, border.size())] };
+    edges.push_back(e);
+    doubled += doubled_area(uv[border.front()], uv[e.source], uv[e.target]);
+  }
+  return std::isfinite(doubled) && !has_crossings(edges, uv) ? 0.5 * doubled : 0;
+}
+
+// Whether a map is that of a mirrored surface, but for flips. No map without flips has a border that is a simple
+// polygon, and encloses all others, the other way around; where there is none, most triangles tell.
+inline bool is_mostly_mirrored(const One_rings& rings, const std::vector<Point_2>& uv)
+{
+  double area = 0;
+  for (const std::vector<Index>& border : rings.borders())
+    if (const double other = area_of_simple_polygon(border, uv); std::abs(other) > std::abs(area))
+      area = other;
+  if (area != 0)
+    return area < 0;
+  const Numbers_of_turns turns = count_turns(rings, uv);
+  return turns.right > turns.left;
+}
+
 // Gives new places to vertices near the flips of a map, where that removes flips. Returns at how many vertices the map
 // is not valid then. A map with a place that is not finite is left to the hierarchy.
-inline std::size_t repair_patches(const Triangulated_surface_3& surface, std::vector<Point_2>& uv)
+inline std::size_t repair_patches(const Triangulated_surface_3& surface, const One_rings& rings,
+                                  std::vector<Point_2>& uv)
 {
-  if (!are_finite(uv))
-    return uv.size();
-  const One_rings rings(uv.size(), surface.triangles);
-  const Numbers_of_turns turns = count_turns(rings, uv);
-  const bool is_mirrored = turns.right > turns.left;
-  if (is_mirrored)
-    mirror(uv);
-  const std::size_t bad_vertices = Patch_repair(rings, surface.points, uv).run();
-  if (is_mirrored)
-    mirror(uv);
-  return bad_vertices;
+  return are_finite(uv) ? Patch_repair(rings, surface.points, uv).run() : uv.size();
 }
 
 // Removes all flips from a map, see Map_repair.
 inline Error_code repair_by_hierarchy(const Triangulated_surface_3& surface, const Hierarchy_options& options,
-                                      std::vector<Point_2>& uv)
+                                      const Loops& loops, std::vector<Point_2>& uv)
 {
-  const Collapse_hierarchy_3 hierarchy(surface, options, Loops());
+  const Collapse_hierarchy_3 hierarchy(surface, options, loops);
   std::vector<Point_2> repaired;
-  const Error_code status = Map_repair(hierarchy, by_rank(hierarchy, uv)).run(repaired);
+  const Error_code status = Map_repair(hierarchy, loops, by_rank(hierarchy, uv)).run(repaired);
   if (status == OK)
     uv = in_input_order(hierarchy, repaired);
   return status;
@@ -105,16 +125,17 @@ inline Error_code repair_by_hierarchy(const Triangulated_surface_3& surface, con
 
 // The same. Where doubles leave no room for a vertex, in another hierarchy they may; at last Tutte's map of the whole
 // surface is where the repair starts.
-inline Error_code repair_by_hierarchies(const Triangulated_surface_3& surface, std::vector<Point_2>& uv)
+inline Error_code repair_by_hierarchies(const Triangulated_surface_3& surface, const Loops& loops,
+                                        std::vector<Point_2>& uv)
 {
   constexpr unsigned int most_seeds = 3;
   Hierarchy_options options;
   options.coarsest_size = 4;      // as coarse as possible: there Tutte's map has surely no flip, if a start is needed
   for (; options.random_seed < most_seeds; ++options.random_seed)
-    if (repair_by_hierarchy(surface, options, uv) == OK)
+    if (repair_by_hierarchy(surface, options, loops, uv) == OK)
       return OK;
   options.coarsest_size = surface.points.size();
-  return repair_by_hierarchy(surface, options, uv);
+  return repair_by_hierarchy(surface, options, loops, uv);
 }
 
 // The exponent of the power of two that makes edges of a map about 1 long: the median, which vertices that are far away
@@ -136,24 +157,32 @@ inline int scale_exponent_of_edges(const std::vector<Index_triangle>& triangles,
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code repair_map(const Triangulated_surface_3& surface, bool may_give_up, std::vector<Point_2>& uv,
-                      std::size_t& moved_vertices)
+Error_code repair_map(const Triangulated_surface_3& surface, bool may_give_up, const Loops& loops,
+                      std::vector<Point_2>& uv, std::size_t& moved_vertices)
 {
   constexpr double part_given_up = 0.005;       // with so many vertices in large folds, the hierarchy moves nearly all
   const int exponent = scale_exponent_of_edges(surface.triangles, uv);
   std::vector<Point_2> map = uv;
   for (Point_2& p : map)
     p = times_power_of_two(p, exponent);
+  One_rings rings(uv.size(), surface.triangles);
+  const bool must_mirror = is_mostly_mirrored(rings, map);
+  if (must_mirror)
+    mirror(map);
   const std::vector<Point_2> start = map;
-  if (const std::size_t bad_vertices = repair_patches(surface, map); bad_vertices > 0) {
+  const std::size_t bad_vertices = repair_patches(surface, rings, map);
+  rings = One_rings();      // the hierarchy needs the memory
+  if (bad_vertices > 0) {
     if (may_give_up && double(bad_vertices) > part_given_up * double(uv.size()))
       return ERROR_NO_1_TO_1_MAPPING;
-    if (const Error_code status = repair_by_hierarchies(surface, map); status != OK)
+    if (const Error_code status = repair_by_hierarchies(surface, loops, map); status != OK)
       return status;
   }
   for (Index v = 0; v < uv.size(); ++v)
     if (map[v] != start[v]) {
       ++moved_vertices;
+      if (must_mirror)
+        mirror(map[v]);
       uv[v] = times_power_of_two(map[v], -exponent);
     }
   return OK;
@@ -170,16 +199,16 @@ Error_code settle_flips(const Flip_settlement& settlement, const One_rings& ring
   summary.flips = turns.flips() > 0 ? turns.flips() : count_windings(rings, uv, turns.right > turns.left);
   if (settlement.policy == Flip_policy::FAIL)
     return ERROR_NO_1_TO_1_MAPPING;
-  const Error_code status = settlement.repair(make_surface(), settlement.may_give_up, uv, summary.moved_vertices);
+  const Error_code status = settlement.repair(make_surface(), settlement.may_give_up, settlement.loops, uv,
+                                              summary.moved_vertices);
   return status != OK || has_no_flips(rings, uv, settlement.loops) ? status : ERROR_NO_1_TO_1_MAPPING;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void mirror_back(const One_rings& rings, std::vector<Point_2>& uv)
 {
-  std::vector<Point_2> other = mirrored(uv);
-  if (is_map_valid(rings, other))
-    uv.swap(other);
+  if (is_mirrored(rings, uv))
+    mirror(uv);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

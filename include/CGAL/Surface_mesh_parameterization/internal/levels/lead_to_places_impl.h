@@ -39,7 +39,7 @@ void go_to_places(const Level_energy& energy, Level::Uv& uv)
     places[spring.vertex] = spring.place;
   for (const Index v : fixed)
     places[v] = level.fixed_place(v);
-  const bool may_be_taken = !energy.is_flip_free() || is_map_valid(level.rings(), places);
+  const bool may_be_taken = !energy.is_flip_free() || is_map_valid(level.rings(), places, level.loops());
   if (may_be_taken && energy(places) < energy(uv))
     uv = std::move(places);
 }

@@ -36,7 +36,6 @@ inline Error_code minimize_from(const Level_energy& energy, Level::Uv& uv, const
   const bool borders_must_not_meet = options.is_globally_injective;
   if (!borders_must_not_meet)
     return refine_map(energy, uv, options, summary);
-  summary.energy_start = energy(uv) / energy.unit();
   if (!separate_borders(energy.level(), uv))
     return ERROR_NO_1_TO_1_MAPPING;
   const Level::Uv start = uv;
@@ -61,7 +60,7 @@ inline bool is_small(const Level& level)
 inline bool is_far_above_minimum(const Level_energy& energy, double value)
 {
   const double greatest_ratio = is_small(energy.level()) ? 2 : 4;
-  const double minimum = energy.minimum() * energy.total_weight();
+  const double minimum = energy.minimum_of_map();
   return minimum > 0 && !(value <= greatest_ratio * minimum);
 }
 
@@ -206,8 +205,9 @@ Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, L
     unfold_to_lower_energy(energy, true, options, uv);
   const Error_code status = minimize_freely(energy, uv, options, summary);
   if (status == OK && scales_to_area) {
-    scale_to_area(level, options.is_globally_injective, uv);
-    summary.energy_end = energy(uv) / energy.unit();      // rounding may matter in tiny triangles
+    // Rounding may matter in tiny triangles.
+    summary.energy_end = scale_to_area(energy, options.is_globally_injective, uv) / energy.unit();
+    summary.converged = summary.converged && std::isfinite(summary.energy_end);
   }
   return status;
 }

@@ -90,11 +90,10 @@ public:
                           Parameterization_summary& summary) const override
   {
     if constexpr (is_result_flip_free<Method>)
-      return settlement.policy == Flip_policy::KEEP || has_no_flips(rings, uv, m_loops) ? OK : ERROR_NO_1_TO_1_MAPPING;
+      return settlement.policy == Flip_policy::KEEP || has_no_flips(rings, uv, settlement.loops)
+                 ? OK : ERROR_NO_1_TO_1_MAPPING;
     else {
-      Flip_settlement settlement_in_threads = settlement;
-      settlement_in_threads.loops = m_loops;
-      const Error_code status = internal::settle_flips(settlement_in_threads, rings, make_surface, uv, summary);
+      const Error_code status = internal::settle_flips(settlement, rings, make_surface, uv, summary);
       if (status == OK && settlement.policy != Flip_policy::KEEP)
         mirror_back(rings, uv);
       return status;
@@ -133,23 +132,19 @@ private:
   bool m_has_resized_map = false;
 };
 
-// The user's map of a component's surface, in its units. Vertices of the surface that the mesh does not have get
-// coordinates that are not finite. Empty if the map can only be written.
-template <class TriangleMesh, class VertexUVMap>
-std::vector<Point_2> read_map_if_readable(Mesh_component<TriangleMesh>& component, VertexUVMap uvmap)
-{
-  std::vector<Point_2> uv;
-  if constexpr (Readable_uv_map_check<VertexUVMap, TriangleMesh>::value) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    uv = read_map(component, component.surface().scale_exponent, uvmap);
-    uv.resize(component.surface().points.size(), Point_2(nan, nan));
-  }
-  return uv;
-}
-
 // A method of the package tells what is wrong with its options.
 template <class Method>
 using Fault_of_options = decltype(std::declval<const Method&>().fault_of_options());
+
+// What is wrong with the options of a run, or with those of its method; null if nothing is.
+template <class Method>
+const char* fault_of_run(const Nested_iteration_options& options, [[maybe_unused]] const Method& method)
+{
+  const char* fault = options.fault();
+  if constexpr (is_detected_as<const char*, Fault_of_options, Method>)
+    fault = fault ? fault : method.fault_of_options();
+  return fault;
+}
 
 inline Parameterization_error unreadable_map()
 {
@@ -171,6 +166,25 @@ Parameterization_error add_places_if_readable(const Place_constraints<TriangleMe
     return unreadable_map();
 }
 
+// Makes the map of a component's surface, in its units, that the user gives to start from, if it is one to start from;
+// else it is empty. Returns false if the user's map can only be written.
+template <class TriangleMesh, class VertexUVMap>
+bool make_start_if_readable(Make_starting_map make_starting_map, bool must_mirror, const Loops& loops,
+                            Mesh_component<TriangleMesh>& component, VertexUVMap uvmap, std::vector<Point_2>& start)
+{
+  if constexpr (Readable_uv_map_check<VertexUVMap, TriangleMesh>::value) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    start = read_map(component, component.surface().scale_exponent, uvmap);
+    start.resize(component.surface().points.size(), Point_2(nan, nan));      // where holes were filled
+    if (must_mirror)
+      mirror(start);
+    if (!make_starting_map(component.surface(), loops, start))
+      start.clear();
+    return true;
+  } else
+    return false;
+}
+
 // Runs a model of RefinableParameterizer_3 coarse to fine on the component of a mesh, and writes to the property maps
 // if all went well. The visitor may be null.
 template <class Method, class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
@@ -183,10 +197,7 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
   Parameterization_summary unused_summary;
   Parameterization_summary& summary = setup.summary ? *setup.summary : unused_summary;
   summary = Parameterization_summary();
-  const char* fault = options.fault();
-  if constexpr (is_detected_as<const char*, Fault_of_options, Method>)
-    fault = fault ? fault : method.fault_of_options();
-  if (fault) {
+  if (const char* fault = fault_of_run(options, method)) {
     summary.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
     return ERROR_WRONG_PARAMETER;
   }
@@ -207,20 +218,15 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
 
   typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
   Nested_iteration_options options_of_run = options;
-  options_of_run.round = rounding_to<User_point_2>();
+  options_of_run.round = rounding_to<User_point_2>(component.surface().scale_exponent);
+  options_of_run.flips.loops = loops;
   options_of_run.must_hold_places = !setup.constraints.empty();
   Refinable_method_of<Method> engine_method(method, loops);
   std::vector<Point_2> uv;
-  if (options.make_starting_map) {
-    uv = read_map_if_readable(component, uvmap);
-    if (uv.empty()) {
-      summary.error = unreadable_map();
-      return summary.error.code;
-    }
-    if (is_mirrored)
-      mirror(uv);
-    if (!options.make_starting_map(component.surface(), uv))
-      uv.clear();
+  if (options.make_starting_map &&
+      !make_start_if_readable(options.make_starting_map, is_mirrored, loops, component, uvmap, uv)) {
+    summary.error = unreadable_map();
+    return summary.error.code;
   }
   const int scale_exponent = component.surface().scale_exponent;
   Nested_iteration_attempts attempts(engine_method, options_of_run, visitor, summary);

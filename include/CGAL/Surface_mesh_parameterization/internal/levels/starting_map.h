@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -17,7 +18,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Makes a map that a user gives for a surface one to start from: mirrors it if all triangles are negative, and else
 // repairs flips and finds places for vertices whose coordinates are not finite, see repair_map(). Returns whether the
 // result is valid.
-bool make_starting_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv);
+bool make_starting_map(const Triangulated_surface_3& surface, const Loops& loops, std::vector<Point_2>& uv);
 
 typedef decltype(&make_starting_map)   Make_starting_map;
 

@@ -16,14 +16,15 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool make_starting_map(const Triangulated_surface_3& surface, std::vector<Point_2>& uv)
+bool make_starting_map(const Triangulated_surface_3& surface, const Loops& loops, std::vector<Point_2>& uv)
 {
-  const One_rings rings(uv.size(), surface.triangles);
+  One_rings rings;
+  rings.build(uv.size(), surface.triangles, loops);
   std::size_t unused = 0;
-  if (!has_no_flips(rings, uv) && repair_map(surface, false, uv, unused) != OK)
+  if (!has_no_flips(rings, uv, loops) && repair_map(surface, false, loops, uv, unused) != OK)
     return false;
   mirror_back(rings, uv);
-  return is_map_valid(rings, uv);
+  return is_map_valid(rings, uv, loops);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

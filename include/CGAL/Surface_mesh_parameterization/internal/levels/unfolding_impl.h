@@ -93,7 +93,7 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool unfold(const Level& level, Level::Uv& uv)
 {
   Unfolding(level, uv).run();
-  return is_map_valid(level.rings(), uv);
+  return is_map_valid(level.rings(), uv, level.loops());
 }
 
 inline double angle_sum(const Level& level, Index v)

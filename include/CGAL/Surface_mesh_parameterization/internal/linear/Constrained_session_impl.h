@@ -7,7 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Constrained_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Constraint_elimination.h>
 
-#include <algorithm>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 

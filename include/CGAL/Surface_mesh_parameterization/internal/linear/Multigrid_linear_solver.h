@@ -206,15 +206,15 @@ private:
     if (!options.may_solve_directly)
       return;
     result.is_direct = true;
-    if (options.make_direct_solver && !m_is_factorized) {
-      if (!m_direct_solver)
-        m_direct_solver = options.make_direct_solver(*m_system.rows());
-      apply_direct_solver(b, x, r, start, options, result);
-      if (result.is_solved || is_stopped(options))
-        return;
-    }
     if (!m_is_factorized) {
-      m_direct_solver.reset();
+      if (options.make_direct_solver) {
+        if (!m_direct_solver)
+          m_direct_solver = options.make_direct_solver(*m_system.rows());
+        apply_direct_solver(b, x, r, start, options, result);
+        if (result.is_solved || is_stopped(options))
+          return;
+      }
+      m_direct_solver.reset();      // its memory, before the factorization needs some
       m_direct_solver = factorize_rows(m_system.rows_of_unit_diagonal());
       m_is_factorized = true;
     }
@@ -245,7 +245,7 @@ private:
   std::unique_ptr<Multigrid> m_multigrid;                     // null where a factorization has to solve
   std::unique_ptr<Complex_multigrid> m_complex_multigrid;     // if the matrix is complex, in place of the other
   std::unique_ptr<Direct_solver> m_direct_solver;     // made when it is needed
-  bool m_is_factorized = false;                       // the direct solver is a factorization of the scaled rows
+  bool m_is_factorized = false;                       // the direct solver, if there is one, is of the scaled rows
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -9,7 +9,6 @@
 
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -43,8 +42,7 @@ struct Corner_places
       const std::size_t first = corners.size();
       bool has_place = true;
       for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh)) {
-        const auto& p = get(uvmap, h);
-        corners.push_back({ get(index_of, target(h, mesh)), Point_2(CGAL::to_double(p.x()), CGAL::to_double(p.y())) });
+        corners.push_back({ get(index_of, target(h, mesh)), to_point_2(get(uvmap, h)) });
         has_place = has_place && is_finite(corners.back().uv);
       }
       for (std::size_t i = first; i < corners.size() && !has_place; ++i)

@@ -13,7 +13,6 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -97,10 +96,7 @@ private:
   {
     const auto point_map = get(CGAL::vertex_point, m_mesh);
     typedef typename boost::property_traits<decltype(point_map)>::value_type   User_point_3;
-    const auto place = [&](vertex_descriptor v) {
-      const auto& p = get(point_map, v);
-      return Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    };
+    const auto place = [&](vertex_descriptor v) { return to_point_3(get(point_map, v)); };
     Hole_3 hole;
     for (const halfedge_descriptor g : halfedges_around_face(h, m_mesh)) {
       const halfedge_descriptor o = opposite(g, m_mesh), n = next(o, m_mesh);

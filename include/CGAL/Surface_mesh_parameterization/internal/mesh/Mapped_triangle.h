@@ -10,7 +10,6 @@
 #include <CGAL/Origin.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -32,10 +31,8 @@ struct Mapped_triangle
     const auto point_map = get(CGAL::vertex_point, mesh);
     int i = 0;
     for (const auto v : vertices_around_face(halfedge(f, mesh), mesh)) {
-      const auto& p = get(point_map, v);
-      const auto& q = get(uvmap, v);
-      points[i] = Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-      uv[i++] = Point_2(CGAL::to_double(q.x()), CGAL::to_double(q.y()));
+      points[i] = to_point_3(get(point_map, v));
+      uv[i++] = to_point_2(get(uvmap, v));
     }
   }
 

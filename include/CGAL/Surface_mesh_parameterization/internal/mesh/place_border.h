@@ -13,12 +13,10 @@
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <unordered_map>
 
@@ -78,13 +76,11 @@ Parameterization_error place_border(Method& method, const TriangleMesh& mesh,
       const auto v = component.vertices_of_component()[i];
       if (!get(maps.is_placed, v))
         continue;
-      const auto& place = get(maps.place, v);
-      const Point_2 scaled = times_power_of_two(
-          Point_2(CGAL::to_double(place.x()), CGAL::to_double(place.y())), surface.scale_exponent);
-      if (!is_finite(scaled))
+      const Point_2 place = times_power_of_two(to_point_2(get(maps.place, v)), surface.scale_exponent);
+      if (!is_finite(place))
         return { ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, position_in(vertices(mesh), v),
                  "the border parameterizer gave a vertex a place that is not finite" };
-      surface.fixed_vertices.push_back({ Index(i), scaled });
+      surface.fixed_vertices.push_back({ Index(i), place });
     }
   }
   return Parameterization_error();

@@ -8,9 +8,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 
-#include <CGAL/number_utils.h>
-
-#include <cmath>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -21,10 +18,8 @@ std::vector<Point_2> read_map(const Mesh_component<TriangleMesh>& component, int
 {
   std::vector<Point_2> uv;
   uv.reserve(component.vertices_of_component().size());
-  for (const auto v : component.vertices_of_component()) {
-    const auto& p = get(uvmap, v);
-    uv.push_back(times_power_of_two(Point_2(CGAL::to_double(p.x()), CGAL::to_double(p.y())), scale_exponent));
-  }
+  for (const auto v : component.vertices_of_component())
+    uv.push_back(times_power_of_two(to_point_2(get(uvmap, v)), scale_exponent));
   return uv;
 }
 

@@ -34,7 +34,7 @@ public:
   {
     // The energy is quadratic: what the linear system finds, no second step has to find.
     Newton_options newton_options;
-    newton_options.least_forcing = newton_options.greatest_forcing = 1e-6;
+    newton_options.forcing_with_flips = 1e-6;
     Newton_method newton(m_energy, nullptr, newton_options);
     newton.fix_vertices(vertices_to_hold());
     double current = m_energy(m_uv);

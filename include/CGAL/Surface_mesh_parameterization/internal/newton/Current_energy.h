@@ -34,10 +34,14 @@ public:
   }
 
   // What is above the least energy of the triangles.
-  double excess() const { return (std::max)(m_value - minimum(), m_options.least_excess * minimum()); }
+  double excess() const
+  {
+    const double minimum = m_energy.minimum_of_map();
+    return (std::max)(m_value - minimum, m_options.least_excess * minimum);
+  }
 
   // Whether no triangle has more than the least energy, but for rounding.
-  bool is_least() const { return m_value - minimum() <= m_options.rounding * m_energy.total_weight(); }
+  bool is_least() const { return m_value - m_energy.minimum_of_map() <= m_options.rounding * m_energy.total_weight(); }
 
   // A part of the excess energy.
   double little(double part) const
@@ -49,8 +53,6 @@ public:
   bool is_little(double decrease, double part) const { return !(decrease > little(part)); }
 
 private:
-  double minimum() const { return m_energy.minimum() * m_energy.total_weight(); }
-
   const Level_energy& m_energy;
   const Level::Uv& m_uv;
   const Level_refiner_options& m_options;

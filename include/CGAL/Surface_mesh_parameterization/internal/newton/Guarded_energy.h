@@ -28,14 +28,12 @@ public:
     : m_energy(energy), m_border_barrier(border_barrier), m_turn_barrier(energy.level())
   { }
 
+  // Without one, nothing holds back a step that turns too far.
   bool has_barrier() const { return m_border_barrier || m_turn_barrier.stiffness() > 0; }
   const Turn_barrier& turn_barrier() const { return m_turn_barrier; }
   void begin_turn_barrier(const Level::Uv& uv, double stiffness) { m_turn_barrier.begin(uv, stiffness); }
   void lower_turn_barrier(double factor) { m_turn_barrier.lower(factor); }
   void settle_turn_barrier() { m_turn_barrier.settle(); }
-
-  // Whether nothing holds back a step that turns too far. Borders that are kept apart do.
-  bool lets_gaps_close() const { return !m_border_barrier && m_turn_barrier.stiffness() == 0; }
 
   // Finds the contacts of a map from which a step begins. Returns the energy of the barriers.
   double find_contacts(const Level::Uv& uv)

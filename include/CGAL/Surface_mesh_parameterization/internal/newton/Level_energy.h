@@ -43,6 +43,7 @@ public:
 
   double weight(const Rest_corner& c) const { return m_weight == Triangle_weight::AREA ? 1 / c.inverse_area : 1; }
   double total_weight() const { return m_total_weight; }
+  double minimum_of_map() const { return m_minimum * m_total_weight; }      // no map has less
   double mean_weight() const { return m_total_weight / double(m_level.number_of_faces()); }
 
   // What energies are reported in: the sum, or the mean over the area if triangles are weighted by it, unless another

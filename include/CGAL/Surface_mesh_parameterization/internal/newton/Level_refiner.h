@@ -110,16 +110,16 @@ private:
   // The paper's experiment: nothing but so many steps.
   void take_local_steps()
   {
-    const std::size_t number_of_steps = m_refinement.number_of_local_steps;
     const Vertex_relaxation relaxation(m_energy, 1, m_barrier.get());
     std::mt19937 random(m_refinement.random_seed);
+    std::size_t steps_left = m_refinement.number_of_local_steps;
     do {
-      const std::size_t steps = (std::min)(size(), number_of_steps - m_summary.vertex_visits);
+      const std::size_t steps = (std::min)(size(), steps_left);
       m_current.lower_by(relaxation.random_steps(m_uv, steps, random));
+      steps_left -= steps;
       m_summary.vertex_visits += steps;
       ++m_summary.iterations;
-    } while (tell(double(m_summary.vertex_visits) / double(number_of_steps)) &&
-             m_summary.vertex_visits < number_of_steps);
+    } while (tell(1 - double(steps_left) / double(m_refinement.number_of_local_steps)) && steps_left > 0);
   }
 
   void settle_new_vertices()
@@ -224,7 +224,7 @@ private:
   bool is_jammed() const
   {
     return m_barrier && m_energy.minimum() > 0 && iterations() < m_options.most_steps_in_jam &&
-           m_current.value() > m_options.least_ratio_of_jam * m_energy.minimum() * m_energy.total_weight() &&
+           m_current.value() > m_options.least_ratio_of_jam * m_energy.minimum_of_map() &&
            m_energy.greatest_of_vertices(m_uv) > m_options.least_part_of_jam * m_current.value();
   }
 

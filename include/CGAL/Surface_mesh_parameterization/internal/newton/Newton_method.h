@@ -56,7 +56,7 @@ public:
   {
     m_accuracy.negligible = negligible;
     Step result = try_step(uv, energy);
-    if (result.length == 0 && m_objective.lost_gaps() > 0 && m_objective.lets_gaps_close()) {
+    if (result.length == 0 && m_objective.lost_gaps() > 0 && !m_objective.has_barrier()) {
       m_objective.begin_turn_barrier(uv, m_options.first_slack * result.predicted / double(m_objective.lost_gaps()));
       result = try_step(uv, energy);
     }
@@ -185,7 +185,7 @@ private:
           lengthen_step(uv, direction, energy, slope, longest, result);
         return;
       }
-      if (m_objective.lost_gaps() > 0 && m_objective.lets_gaps_close())
+      if (m_objective.lost_gaps() > 0 && !m_objective.has_barrier())
         return;
     }
   }

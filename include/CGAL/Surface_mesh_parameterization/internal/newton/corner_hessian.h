@@ -24,48 +24,72 @@ struct Corner_hessian
   Block to_v, to_b;
 };
 
-// The Hessian of an energy in the space of Jacobians, made positive semidefinite but for a part of what makes it
-// indefinite, and its gradient.
+// The Jacobian of a triangle's map.
 //
 // As complex numbers, with P the images of the corners and G the gradients of their hat functions on the rest shape,
 // the map's conformal and anticonformal parts are z = sum P conj(G) / 2 and w = sum P G / 2. Its singular values are
-// |z| + |w| and |z| - |w|, so its squared Frobenius norm is 2 (|z|^2 + |w|^2) and its determinant |z|^2 - |w|^2. With
-// an energy taken as e(|z|^2, |w|^2), nothing is singular where w vanishes.
+// |z| + |w| and |z| - |w|, so its squared Frobenius norm is 2 (|z|^2 + |w|^2) and its determinant |z|^2 - |w|^2.
+struct Jacobian
+{
+  double zx, zy, wx, wy;
+  double determinant;
+
+  double squared_z() const { return zx * zx + zy * zy; }
+  double squared_w() const { return wx * wx + wy * wy; }
+};
+
+// The derivatives of an energy by |z|^2 and |w|^2. With the energy taken as a function of these two, nothing is
+// singular where w vanishes.
+struct Energy_derivatives
+{
+  double a, b;            // |z|^2 and |w|^2
+  Distortion_derivatives_2 e;
+
+  template <class Energy>
+  Energy_derivatives(const Energy& energy, const Jacobian& j)
+    : a(j.squared_z()), b(j.squared_w()), e(energy.derivatives(2 * (a + b), j.determinant))
+  { }
+
+  double by_a() const { return 2 * e.f + e.d; }
+  double by_b() const { return 2 * e.f - e.d; }
+  double by_aa() const { return 4 * e.ff + 4 * e.fd + e.dd; }
+  double by_ab() const { return 4 * e.ff - e.dd; }
+  double by_bb() const { return 4 * e.ff - 4 * e.fd + e.dd; }
+};
+
+// The Hessian of an energy in the space of Jacobians, made positive semidefinite but for a part of what makes it
+// indefinite, and its gradient.
 struct Jacobian_hessian
 {
   std::array<double, 4> gradient;                   // in the coordinates Re z, Im z, Re w, Im w
   std::array<std::array<double, 4>, 4> hessian;
 
   template <class Energy>
-  static Jacobian_hessian of(const Energy& energy, double zx, double zy, double wx, double wy, double determinant,
-                             double indefinite_part)
+  static Jacobian_hessian of(const Energy& energy, const Jacobian& j, double indefinite_part)
   {
-    const double a = zx * zx + zy * zy, b = wx * wx + wy * wy;
-    const Distortion_derivatives_2 e = energy.derivatives(2 * (a + b), determinant);
-    const double e_a = 2 * e.f + e.d, e_b = 2 * e.f - e.d;
+    const Energy_derivatives e(energy, j);
     Jacobian_hessian result;
-    result.gradient = { 2 * e_a * zx, 2 * e_a * zy, 2 * e_b * wx, 2 * e_b * wy };
+    result.gradient = { 2 * e.by_a() * j.zx, 2 * e.by_a() * j.zy, 2 * e.by_b() * j.wx, 2 * e.by_b() * j.wy };
     if constexpr (Energy::is_scale_invariant) {
-      const Beltrami_coefficient mu(zx, zy, wx, wy);
-      result.set_gauss_newton(a * e_b, a * a * (4 * e.ff - 4 * e.fd + e.dd), mu);
-      result.add_second_order_term(indefinite_part * a * e_b, mu);
+      const Beltrami_coefficient mu(j);
+      result.set_gauss_newton(e.a * e.by_b(), e.a * e.a * e.by_bb(), mu);
+      result.add_second_order_term(indefinite_part * e.a * e.by_b(), mu);
     } else
-      result.set_projected(e, a, b, zx, zy, wx, wy, indefinite_part);
+      result.set_projected(e, j, indefinite_part);
     return result;
   }
 
   // Each part of the energy has the Hessian that suits it.
   template <class Energy>
-  static Jacobian_hessian of(const Scale_bounded_energy_2<Energy>& sum, double zx, double zy, double wx, double wy,
-                             double determinant, double indefinite_part)
+  static Jacobian_hessian of(const Scale_bounded_energy_2<Energy>& sum, const Jacobian& j, double indefinite_part)
   {
     typedef Scale_bounded_energy_2<Energy>   Sum;
-    Jacobian_hessian result = of(sum.energy, zx, zy, wx, wy, determinant, indefinite_part);
-    const Jacobian_hessian bound = of(typename Sum::Bound(), zx, zy, wx, wy, determinant, indefinite_part);
+    Jacobian_hessian result = of(sum.energy, j, indefinite_part);
+    const Jacobian_hessian bound = of(typename Sum::Bound(), j, indefinite_part);
     for (int i = 0; i < 4; ++i) {
       result.gradient[i] += Sum::part * bound.gradient[i];
-      for (int j = 0; j < 4; ++j)
-        result.hessian[i][j] += Sum::part * bound.hessian[i][j];
+      for (int k = 0; k < 4; ++k)
+        result.hessian[i][k] += Sum::part * bound.hessian[i][k];
     }
     return result;
   }
@@ -76,13 +100,13 @@ private:
   {
     double mx, my, px, py, qx, qy;
 
-    Beltrami_coefficient(double zx, double zy, double wx, double wy)
+    explicit Beltrami_coefficient(const Jacobian& j)
     {
-      const double inverse = 1 / (zx * zx + zy * zy);
-      px = zx * inverse;
-      py = -zy * inverse;
-      mx = wx * px - wy * py;
-      my = wx * py + wy * px;
+      const double inverse = 1 / j.squared_z();
+      px = j.zx * inverse;
+      py = -j.zy * inverse;
+      mx = j.wx * px - j.wy * py;
+      my = j.wx * py + j.wy * px;
       qx = my * py - mx * px;
       qy = -mx * py - my * px;
     }
@@ -134,25 +158,23 @@ private:
   }
 
   // The Hessian with its negative eigenvalues replaced by 0. They are known in closed form (Smith, De Goes, Kim 2019,
-  // in other variables): 2 e_a across z (the twist), 2 e_b across w (the flip), and those of a 2x2 block along z and w
-  // (the stretch).
+  // in other variables): twice the first derivatives across z (the twist) and across w (the flip), and those of a 2x2
+  // block along z and w (the stretch).
   //
   // The integral of the determinant depends on the border only, so a move of the interior changes |z|^2 and |w|^2 by
   // the same amount in the sum over all triangles: where the twist is negative the flip makes up for it, and the sum
   // stays positive as long as the flip is the greater one of the two. So a negative twist is kept up to the part
   // `indefinite_part` of the flip. Where the two vary from triangle to triangle this is no proof.
-  void set_projected(const Distortion_derivatives_2& e, double a, double b, double zx, double zy, double wx, double wy,
-                     double indefinite_part)
+  void set_projected(const Energy_derivatives& e, const Jacobian& jacobian, double indefinite_part)
   {
-    const double abs_z = std::sqrt(a), abs_w = std::sqrt(b);
-    const double e_a = 2 * e.f + e.d, e_b = 2 * e.f - e.d;
-    double zz = 2 * e_a + 4 * (4 * e.ff + 4 * e.fd + e.dd) * a, zw = 4 * (4 * e.ff - e.dd) * abs_z * abs_w,
-           ww = 2 * e_b + 4 * (4 * e.ff - 4 * e.fd + e.dd) * b;
+    const double abs_z = std::sqrt(e.a), abs_w = std::sqrt(e.b);
+    double zz = 2 * e.by_a() + 4 * e.by_aa() * e.a, zw = 4 * e.by_ab() * abs_z * abs_w,
+           ww = 2 * e.by_b() + 4 * e.by_bb() * e.b;
     project(zz, zw, ww);
-    const double flip = (std::max)(2 * e_b, 0.), twist = (std::max)(2 * e_a, -indefinite_part * flip);
+    const double flip = (std::max)(2 * e.by_b(), 0.), twist = (std::max)(2 * e.by_a(), -indefinite_part * flip);
 
-    const double z[2] = { abs_z > 0 ? zx / abs_z : 1, abs_z > 0 ? zy / abs_z : 0 },
-                 w[2] = { abs_w > 0 ? wx / abs_w : 1, abs_w > 0 ? wy / abs_w : 0 };
+    const double z[2] = { abs_z > 0 ? jacobian.zx / abs_z : 1, abs_z > 0 ? jacobian.zy / abs_z : 0 },
+                 w[2] = { abs_w > 0 ? jacobian.wx / abs_w : 1, abs_w > 0 ? jacobian.wy / abs_w : 0 };
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j) {
         hessian[i][j] = (zz - twist) * z[i] * z[j] + (i == j ? twist : 0);
@@ -177,13 +199,13 @@ private:
   }
 };
 
-// The Jacobian of a triangle's map, with z and w as above. `va` and `vb` lead from V to A and B.
+// The Jacobian seen from a corner V. `va` and `vb` lead from its image to those of A and B.
 struct Corner_jacobian
+  : Jacobian
 {
   // Gradients of the hat functions with V over the edge AB, which lies on the axis: V's is (0, g), B's is (bx, by), A's
   // minus their sum.
   double g, bx, by;
-  double zx, zy, wx, wy, determinant;
 
   Corner_jacobian(const Rest_corner& corner, const Vector_2& va, const Vector_2& vb)
   {
@@ -207,10 +229,8 @@ Block_vector corner_gradient(const Energy& energy, const Rest_corner& corner, do
                              const Vector_2& vb)
 {
   const Corner_jacobian j(corner, va, vb);
-  const double a = j.zx * j.zx + j.zy * j.zy, b = j.wx * j.wx + j.wy * j.wy;
-  const Distortion_derivatives_2 e = energy.derivatives(2 * (a + b), j.determinant);
-  const double e_a = 2 * e.f + e.d, e_b = 2 * e.f - e.d;
-  return weight * j.g * Block_vector(e_b * j.wy - e_a * j.zy, e_a * j.zx - e_b * j.wx);
+  const Energy_derivatives e(energy, j);
+  return weight * j.g * Block_vector(e.by_b() * j.wy - e.by_a() * j.zy, e.by_a() * j.zx - e.by_b() * j.wx);
 }
 
 // The part `indefinite_part` of what makes the Hessian indefinite is kept.
@@ -219,12 +239,12 @@ template <class Energy>
 Corner_hessian corner_hessian(const Energy& energy, const Rest_corner& corner, double weight, const Vector_2& va,
                               const Vector_2& vb, double indefinite_part = 0)
 {
-  const auto [g, bx, by, zx, zy, wx, wy, determinant] = Corner_jacobian(corner, va, vb);
-  const Jacobian_hessian h = Jacobian_hessian::of(energy, zx, zy, wx, wy, determinant, indefinite_part);
+  const Corner_jacobian jacobian(corner, va, vb);
+  const Jacobian_hessian h = Jacobian_hessian::of(energy, jacobian, indefinite_part);
 
   // A move (x, y) of V changes z and w by g (y, -x) / 2 and g (-y, x) / 2; one of B by conj(G) (x + iy) / 2 and G (x +
   // iy) / 2.
-  const double scale = 0.5 * g * weight;
+  const double scale = 0.5 * jacobian.g * weight;
   Corner_hessian result;
   result.gradient = { scale * (h.gradient[3] - h.gradient[1]), scale * (h.gradient[0] - h.gradient[2]) };
   Block_vector to_v[2], to_b[2];      // row by row
@@ -232,9 +252,9 @@ Corner_hessian corner_hessian(const Energy& energy, const Rest_corner& corner, d
     double row[4];
     for (int j = 0; j < 4; ++j)
       row[j] = scale * (i == 0 ? h.hessian[3][j] - h.hessian[1][j] : h.hessian[0][j] - h.hessian[2][j]);
-    to_v[i] = 0.5 * g * Block_vector(row[3] - row[1], row[0] - row[2]);
-    to_b[i] = 0.5 * Block_vector(bx * (row[0] + row[2]) + by * (row[3] - row[1]),
-                                 bx * (row[1] + row[3]) + by * (row[0] - row[2]));
+    to_v[i] = 0.5 * jacobian.g * Block_vector(row[3] - row[1], row[0] - row[2]);
+    to_b[i] = 0.5 * Block_vector(jacobian.bx * (row[0] + row[2]) + jacobian.by * (row[3] - row[1]),
+                                 jacobian.bx * (row[1] + row[3]) + jacobian.by * (row[0] - row[2]));
   }
   result.to_v = Block(to_v[0].x, to_v[0].y, to_v[1].x, to_v[1].y);
   result.to_b = Block(to_b[0].x, to_b[0].y, to_b[1].x, to_b[1].y);

@@ -73,11 +73,12 @@ std::vector<std::size_t> chart_of_face(const Atlas& atlas);
 // stay positive otherwise: scales by powers of two do not round. Returns whether the areas tell a scale.
 bool scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv);
 
-// The same of a chart that has no area: its map becomes as long as the chart is in space, but does not vanish.
+// The same of a chart that has no area: its map becomes about as long as the chart is in space, but does not vanish.
 void scale_to_size_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv);
 
 // The map of a chart: the places of vertices_of().
 std::vector<Point_2> map_of(const Atlas& atlas, const std::vector<Index>& faces);
+void set_map(Atlas& atlas, const std::vector<Index>& faces, const std::vector<Point_2>& uv);
 
 // The triangles of a chart in the plane.
 Flat_chart chart_of(const Corner_mesh& mesh, std::vector<Point_2> uv);

@@ -41,6 +41,17 @@ std::vector<std::size_t> chart_of_face(const Atlas& atlas)
   return result;
 }
 
+// Scales the map of a chart, by the nearest power of two where triangles would not stay positive otherwise: that does
+// not round.
+inline void scale_map(const Corner_mesh& chart, double scale, std::vector<Point_2>& uv)
+{
+  const std::vector<Index_triangle> triangles = triangles_of(chart);
+  Flat_chart flat{ scaled(uv, scale), triangles };
+  if (!is_positive(flat) && is_positive({ uv, triangles }))
+    flat.points = scaled(std::move(uv), std::exp2(std::round(std::log2(scale))));
+  uv = std::move(flat.points);
+}
+
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
 {
@@ -53,11 +64,7 @@ bool scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
   const double scale = std::sqrt(area_in_space / area_in_plane);
   if (!(std::isfinite(scale) && scale > 0))
     return false;
-  const std::vector<Index_triangle> triangles = triangles_of(chart);
-  Flat_chart flat{ scaled(uv, scale), triangles };
-  if (!is_positive(flat) && is_positive({ uv, triangles }))
-    flat.points = scaled(std::move(uv), std::exp2(std::round(std::log2(scale))));
-  uv = std::move(flat.points);
+  scale_map(chart, scale, uv);
   return true;
 }
 
@@ -69,7 +76,7 @@ void scale_to_size_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
   for (const Point_3& p : chart.points)
     box += p.bbox();
   if (const double size = half_width_of(box_of(uv)); size > 0)
-    uv = scaled(std::move(uv), (std::max)(least_size, half_width_of(box)) / size);
+    scale_map(chart, (std::max)(least_size, half_width_of(box)) / size, uv);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -79,6 +86,14 @@ std::vector<Point_2> map_of(const Atlas& atlas, const std::vector<Index>& faces)
   for (const Index v : vertices_of(atlas.mesh, faces))
     uv.push_back(atlas.uv[v]);
   return uv;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void set_map(Atlas& atlas, const std::vector<Index>& faces, const std::vector<Point_2>& uv)
+{
+  const std::vector<Index> vertices = vertices_of(atlas.mesh, faces);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    atlas.uv[vertices[i]] = uv[i];
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -184,9 +199,7 @@ inline Packing place_charts(Atlas& atlas, std::vector<bool>& is_wanted, const Pa
     } else
       for (Point_2& p : chart.points)
         p = round(p);
-    const std::vector<Index> vertices = vertices_of(atlas.mesh, faces);
-    for (std::size_t j = 0; j < vertices.size(); ++j)
-      atlas.uv[vertices[j]] = chart.points[j];
+    set_map(atlas, faces, chart.points);
   }
   return packing;
 }

@@ -7,9 +7,11 @@
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/seam_paths.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -38,6 +40,15 @@ struct Chart_part
     return energy / area;
   }
 
+  // The area of its triangles in the plane.
+  double area_in_plane() const
+  {
+    double area = 0;
+    for (Index h = 0; h < mesh.number_of_halfedges(); h += 3)
+      area += 0.5 * std::abs(doubled_area(uv[mesh.vertex[h]], uv[mesh.vertex[h + 1]], uv[mesh.vertex[h + 2]]));
+    return area;
+  }
+
   // The halfedge of the atlas's mesh that a halfedge of the part is.
   Index halfedge_of_atlas(Index h) const { return 3 * faces[h / 3] + h % 3; }
 };
@@ -46,9 +57,7 @@ struct Chart_part
 inline std::vector<Chart_part> sides_of(const Chart_part& part, const std::vector<Index>& cut)
 {
   Corner_mesh mesh = part.mesh;
-  for (const Index h : cut)
-    mesh.sever(h);
-  const std::vector<Index> old_vertices = split_vertices(mesh);
+  const std::vector<Index> old_vertices = sever(mesh, cut);
   std::vector<Index> scratch(mesh.number_of_vertices(), no_index);
   std::vector<Chart_part> sides;
   for (const std::vector<Index>& faces : connected_components(mesh)) {

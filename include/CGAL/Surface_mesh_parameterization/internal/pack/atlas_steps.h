@@ -117,11 +117,8 @@ inline std::vector<bool> take_parts(const std::vector<Parts_with_map>& parts, At
   bool is_stopped = false;
   for (std::size_t i = 0; i < atlas.charts.size(); ++i) {
     const Part_with_map& part = *part_of_chart[i];
-    if (!part.uv.empty()) {
-      const std::vector<Index> vertices = vertices_of(atlas.mesh, part.faces);
-      for (std::size_t j = 0; j < vertices.size(); ++j)
-        atlas.uv[vertices[j]] = part.uv[j];
-    }
+    if (!part.uv.empty())
+      set_map(atlas, part.faces, part.uv);
     has_map.push_back(part.summary.is_ok());
     result.charts.push_back({ part.faces.size(), part.summary });
     if (result.is_ok())

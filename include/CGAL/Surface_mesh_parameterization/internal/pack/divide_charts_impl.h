@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/best_chord.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/divide_charts.h>
-#include <CGAL/Surface_mesh_parameterization/internal/pack/path_in_plane.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Path_in_plane.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/turn_chart.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ public:
         part.faces = atlas.charts[i];
         part.mesh = component_of(atlas.mesh, part.faces, scratch);
         part.uv = map_of(atlas, part.faces);
-        m_area += area(chart_of(part.mesh, part.uv));
+        m_area += part.area_in_plane();
       }
   }
 
@@ -96,7 +96,7 @@ private:
   // Where a part is to be cut.
   void find_cut(Divided_part& part) const
   {
-    find_cut(part, m_options.least_part_of_chart * area(chart_of(part.mesh, part.uv)));
+    find_cut(part, m_options.least_part_of_chart * part.area_in_plane());
     if (!(part.gain > m_options.least_gain * m_area))
       part.gain = 0;
   }
@@ -164,7 +164,7 @@ private:
     ++m_losses;
     std::vector<std::pair<double, std::size_t>> parts;      // empty area and number
     for (std::size_t i = 0; i < m_parts.size(); ++i)
-      parts.emplace_back(m_parts[i].box - area(chart_of(m_parts[i].mesh, m_parts[i].uv)), i);
+      parts.emplace_back(m_parts[i].box - m_parts[i].area_in_plane(), i);
     std::sort(parts.rbegin(), parts.rend());
     return std::any_of(parts.begin(), parts.end(), [&](const auto& p) {
       Divided_part& part = m_parts[p.second];
@@ -185,7 +185,7 @@ private:
   bool divide(Divided_part& part)
   {
     const std::vector<Index> cut =
-        path_in_plane(part.mesh, part.uv, outer_border(part.mesh, part.uv), part.start, part.goal);
+        Path_in_plane(part.mesh, part.uv, outer_border(part.mesh, part.uv), part.start, part.goal).halfedges();
     std::vector<Divided_part> sides;
     for (Chart_part& side : sides_of(part, cut))
       static_cast<Chart_part&>(sides.emplace_back()) = std::move(side);

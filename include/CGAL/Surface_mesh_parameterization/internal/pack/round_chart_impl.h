@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/round_chart.h>
@@ -69,7 +70,7 @@ inline bool round_places_enlarged(Flat_chart& chart, const std::vector<Point_2>&
 inline bool round_places_repaired(Flat_chart& chart, const Triangulated_surface_3& surface, const Rounding& round)
 {
   std::size_t unused_number = 0;
-  return repair_map(surface, false, chart.points, unused_number) == OK && round_places(chart, round);
+  return repair_map(surface, false, Loops(), chart.points, unused_number) == OK && round_places(chart, round);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_ROUND_MAP_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_STAR_ROUND_MAP_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
@@ -18,12 +19,16 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Rounds a coordinate, of which 2^exponent is one unit of the user's, to what the user's number type holds.
 typedef double (*Round_coordinate)(double x, int exponent);
 
-// That for a point type of the user's, null if its number type holds doubles.
+// That for a point type of the user's, null if its number type holds the doubles of a map of about size 1 in units of
+// 2^-exponent times the user's: where these are so small that they are denormal, it does not.
 template <class User_point_2>
-constexpr Round_coordinate rounding_to()
+Round_coordinate rounding_to(int exponent)
 {
+  constexpr int greatest_exponent_of_normal_map = 900;
   if constexpr (std::is_same<std::decay_t<decltype(std::declval<User_point_2>().x())>, float>::value)
-    return [](double x, int exponent) { return std::ldexp(double(float(std::ldexp(x, -exponent))), exponent); };
+    return [](double x, int e) { return std::ldexp(double(float(std::ldexp(x, -e))), e); };
+  else if (exponent > greatest_exponent_of_normal_map)
+    return [](double x, int e) { return std::ldexp(std::ldexp(x, -e), e); };
   else
     return nullptr;
 }
@@ -44,7 +49,8 @@ struct Rounding
 // Rounds the coordinates of a valid map, or of the mirror image of one. A vertex whose star would not be valid any more
 // goes to the middle of the kernel of its star, rounded. Returns whether the result is valid, or its mirror image. If
 // `round` is null, there is nothing to do.
-bool round_map(const One_rings& rings, Round_coordinate round, int exponent, std::vector<Point_2>& uv);
+bool round_map(const One_rings& rings, Round_coordinate round, int exponent, std::vector<Point_2>& uv,
+               const Loops& loops = Loops());
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

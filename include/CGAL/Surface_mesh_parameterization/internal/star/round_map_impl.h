@@ -10,30 +10,32 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-inline bool round_positive_map(const One_rings& rings, Round_coordinate round, int exponent, std::vector<Point_2>& uv)
+inline bool round_positive_map(const One_rings& rings, Round_coordinate round, int exponent, std::vector<Point_2>& uv,
+                               const Loops& loops)
 {
   constexpr int most_passes = 10;
   const auto rounded = [=](const Point_2& p) { return Point_2(round(p.x(), exponent), round(p.y(), exponent)); };
   for (Point_2& p : uv)
     p = rounded(p);
   Polygon_kernel_2 kernel;
-  for (int i = 0; i < most_passes && !is_map_valid(rings, uv); ++i)
+  for (int i = 0; i < most_passes && !is_map_valid(rings, uv, loops); ++i)
     for (Index v = 0; v < uv.size(); ++v)
       if (!is_star_valid(rings, uv, v))
         uv[v] = rounded(kernel_centroid(rings, uv, v, kernel));
-  return is_map_valid(rings, uv);
+  return is_map_valid(rings, uv, loops);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool round_map(const One_rings& rings, Round_coordinate round, int exponent, std::vector<Point_2>& uv)
+bool round_map(const One_rings& rings, Round_coordinate round, int exponent, std::vector<Point_2>& uv,
+               const Loops& loops)
 {
   if (!round)
     return true;
-  const bool is_mirrored = !uv.empty() && !is_star_positive(rings, uv, 0);
-  if (is_mirrored)
+  const bool must_mirror = is_mirrored(rings, uv);
+  if (must_mirror)
     mirror(uv);
-  const bool is_valid = round_positive_map(rings, round, exponent, uv);
-  if (is_mirrored)
+  const bool is_valid = round_positive_map(rings, round, exponent, uv, loops);
+  if (must_mirror)
     mirror(uv);
   return is_valid;
 }

@@ -127,6 +127,12 @@ inline bool is_fan_valid(const One_rings& rings, const std::vector<Point_2>& uv,
   return is_star_positive(rings, uv, v) && !turns_too_far(rings, Place_of_vertex{ uv }, v);
 }
 
+// Of a map that is valid, or whose mirror image is: whether it is the image that is.
+inline bool is_mirrored(const One_rings& rings, const std::vector<Point_2>& uv)
+{
+  return !uv.empty() && !is_star_positive(rings, uv, 0);
+}
+
 // Whether the invariant holds everywhere.
 inline bool is_map_valid(const One_rings& rings, const std::vector<Point_2>& uv, const Loops& loops = Loops())
 {

@@ -240,7 +240,7 @@ private:
   template <class Point>
   void round_and_copy(std::vector<Point_2>& map, std::vector<Point>& uv)
   {
-    if (!round_map(*m_rings, rounding_to<Point>(), 0, map))
+    if (!round_map(*m_rings, rounding_to<Point>(0), 0, map, m_options.loops()))
       fail(ERROR_NO_1_TO_1_MAPPING);
     for (std::size_t i = 0; i < uv.size(); ++i)
       uv[i] = Point(map[i].x(), map[i].y());

@@ -6,8 +6,6 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <vector>
 
@@ -20,7 +18,7 @@ std::vector<Point_2> flat_map(const std::vector<Point>& points)
   std::vector<Point_2> map;
   map.reserve(points.size());
   for (const Point& p : points)
-    map.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+    map.push_back(to_point_2(p));
   return map;
 }
 
@@ -28,9 +26,7 @@ std::vector<Point_2> flat_map(const std::vector<Point>& points)
 template <class Point>
 bool is_finite_map(const std::vector<Point>& points)
 {
-  return std::all_of(points.begin(), points.end(), [](const Point& p) {
-    return is_finite(Point_2(CGAL::to_double(p.x()), CGAL::to_double(p.y())));
-  });
+  return std::all_of(points.begin(), points.end(), [](const Point& p) { return is_finite(to_point_2(p)); });
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

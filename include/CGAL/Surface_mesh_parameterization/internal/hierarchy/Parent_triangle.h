@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HALFEDGE_COLLAPSE_H
-#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HALFEDGE_COLLAPSE_H
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_PARENT_TRIANGLE_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_PARENT_TRIANGLE_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
@@ -130,4 +130,4 @@ inline Parent_triangle find_parent_border_edge(const std::vector<Vector_2>& flat
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
-#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HALFEDGE_COLLAPSE_H
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_PARENT_TRIANGLE_H
