@@ -39,7 +39,7 @@ struct Numbers
 };
 
 // A number that an atlas is made with.
-struct Number_of_atlas
+struct Atlas_number
 {
   std::string name;
   std::optional<double> Method_options::*value;
@@ -47,15 +47,15 @@ struct Number_of_atlas
   std::string expected;
 };
 
-const std::vector<Number_of_atlas>& numbers_of_atlas()
+const std::vector<Atlas_number>& numbers_of_atlas()
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  static const std::vector<Number_of_atlas> numbers = {
-    { "least-used-part", &Options::least_used_part, 0, 1, "a number from 0 to 1" },
-    { "distortion-bound", &Options::distortion_bound, 4, infinity, "a number of at least 4" },
-    { "overlap-bound", &Options::overlap_bound, 0, 1, "a number from 0 to 1" },
-    { "hole-bound", &Options::hole_bound, 0, 1, "a number from 0 to 1" },
-    { "sharp-angle", &Options::sharp_angle, 0, 180, "a number of degrees from 0 to 180" } };
+  static const std::vector<Atlas_number> numbers = {
+    { "least-used-part", &Method_options::least_used_part, 0, 1, "a number from 0 to 1" },
+    { "distortion-bound", &Method_options::distortion_bound, 4, infinity, "a number of at least 4" },
+    { "overlap-bound", &Method_options::overlap_bound, 0, 1, "a number from 0 to 1" },
+    { "hole-bound", &Method_options::hole_bound, 0, 1, "a number from 0 to 1" },
+    { "sharp-angle", &Method_options::sharp_angle, 0, 180, "a number of degrees from 0 to 180" } };
   return numbers;
 }
 
@@ -239,7 +239,7 @@ std::string option_of_atlas(const std::string& components, const std::string& cu
     return "--components all";
   if (cut == "auto")
     return "--cut auto";
-  for (const Number_of_atlas& number : numbers_of_atlas())
+  for (const Atlas_number& number : numbers_of_atlas())
     if (options.*number.value)
       return "--" + number.name;
   return options.makes_atlas ? "--atlas" : "";
@@ -269,7 +269,7 @@ void read_part(const std::string& components, const std::string& cut, Options& o
     throw Usage_error{ atlas + ": not with " + one_chart + ", for which there is one chart" };
   options.takes_all_components = components.empty() ? one_chart.empty() : components == "all";
   options.cuts = cut.empty() ? one_chart.empty() : cut == "auto";
-  for (const Number_of_atlas& number : numbers_of_atlas())
+  for (const Atlas_number& number : numbers_of_atlas())
     options.makes_atlas = options.makes_atlas || options.*number.value;
   options.avoids_overlaps = options.cuts && options.method->is_flip_free;
   if (!options.cuts)
@@ -322,7 +322,7 @@ void check_options(const Options& options)
   }
   if (!options.start.empty() && !options.levels.empty())
     throw Usage_error{ "--start: the levels below the finest, which --levels writes, have no maps then" };
-  for (const Number_of_atlas& number : numbers_of_atlas())
+  for (const Atlas_number& number : numbers_of_atlas())
     if (const std::optional<double> value = options.*number.value;
         value && !(*value >= number.least && *value <= number.greatest))
       throw Usage_error{ "--" + number.name + ": " + number.expected + " expected" };
@@ -391,7 +391,7 @@ bool read_options(int argc, char** argv, Options& options)
     options.tolerance = options.method->tolerance;
   if (!values.count("iterations"))
     options.iterations = options.method->iterations;
-  for (const Number_of_atlas& number : numbers_of_atlas())
+  for (const Atlas_number& number : numbers_of_atlas())
     if (values.count(number.name))
       options.*number.value = values[number.name].as<double>();
   read_part(words.components, words.cut, options);

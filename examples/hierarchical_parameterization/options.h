@@ -17,7 +17,7 @@ struct Options : Method_options, Input_options
   std::vector<std::string> inputs;
   const Method* method = nullptr;
   std::string output, picture;      // see name_for_input()
-  bool is_output_binary = false;            // if it is PLY
+  bool is_output_binary = false;    // if it is PLY
   std::string report;
   int threads = 0;
 };

@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/best_chord.h>
-#include <CGAL/Surface_mesh_parameterization/internal/pack/Path_in_plane.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Plane_path.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Polygon_2.h>
@@ -148,7 +148,7 @@ struct Flat_corners
 
   std::vector<Index> path(const Point_2& from, const Point_2& to) const
   {
-    return internal::Path_in_plane(mesh, uv, internal::outer_border(mesh, uv), vertex_at(from), vertex_at(to))
+    return internal::Plane_path(mesh, uv, internal::outer_border(mesh, uv), vertex_at(from), vertex_at(to))
         .halfedges();
   }
   Index vertex_at(const Point_2& p) const { return Index(std::find(uv.begin(), uv.end(), p) - uv.begin()); }
@@ -156,7 +156,7 @@ struct Flat_corners
 };
 
 // Over a square whose edges and diagonals lie along three directions, the shortest path is as long as in the plane.
-TEST(Path_in_plane, is_shortest_and_avoids_the_border)
+TEST(Plane_path, is_shortest_and_avoids_the_border)
 {
   constexpr Index n = 8;
   const Flat_corners corners(grid(n, n, flat));
@@ -185,7 +185,7 @@ Flat_mesh frame(Index n, double width)
   return part(grid(n, n, flat), [&](const Point_3& p) { return !is_inside(p.x()) || !is_inside(p.y()); });
 }
 
-TEST(Path_in_plane, takes_what_is_cut_already_for_nothing)
+TEST(Plane_path, takes_what_is_cut_already_for_nothing)
 {
   constexpr double width = 0.125;
   Flat_corners corners(frame(8, width));

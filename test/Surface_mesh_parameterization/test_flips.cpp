@@ -27,6 +27,11 @@
 
 #include <gtest/gtest.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -102,6 +107,22 @@ TEST(Flip_policies_of_edge_energies, tell_the_energy_of_the_repaired_map)
 }
 
 // ---- repair ----
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST(Flip_policies, repair_the_same_for_every_number_of_threads)
+{
+  typedef Discrete_conformal_map_parameterizer_3<Mesh, Circle>   Method;
+  Mapped_mesh m(crumpled_grid(80, 1));
+  EXPECT_EQ(m.parameterize(Hierarchical_parameterizer_3<Method>(parameters::summary(std::ref(m.summary)))), OK);
+  EXPECT_GT(20 * m.summary.moved_vertices, num_vertices(m.mesh));      // by hierarchies, not by patches
+  const auto expected = m.uv();
+  for (const int threads : { 1, 2, 5 }) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+    EXPECT_EQ(m.parameterize(Hierarchical_parameterizer_3<Method, CGAL::Parallel_tag>()), OK);
+    EXPECT_EQ(m.uv(), expected);
+  }
+}
+#endif
 
 // The plane's map of a grid, in which some vertices have lost their places.
 struct Spoiled_map : Mapped_mesh
@@ -231,9 +252,10 @@ TEST(Settle_flips, turns_triangles_as_the_border_runs)
     }
     const auto before = m.uv();
     ASSERT_EQ(m.quality().is_mirrored, sign > 0);
-    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR), OK);
+    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR, parameters::summary(std::ref(m.summary))), OK);
     EXPECT_TRUE(m.is_locally_one_to_one());
     EXPECT_EQ(m.quality().is_mirrored, sign < 0);
+    EXPECT_GT(2 * m.summary.flips, num_faces(m.mesh));
     std::size_t border_vertices = 0, moved = 0;
     for (const auto v : vertices(m.mesh))
       if (m.mesh.is_border(v)) {
@@ -242,6 +264,47 @@ TEST(Settle_flips, turns_triangles_as_the_border_runs)
       }
     EXPECT_LT(2 * moved, border_vertices);
   }
+}
+
+Flat_mesh cap_without_pole()
+{
+  Flat_mesh m = cap(9, 60, 1.2);
+  m.points.erase(m.points.begin());
+  m.triangles.erase(std::remove_if(m.triangles.begin(), m.triangles.end(),
+                                   [](const auto& t) { return std::find(t.begin(), t.end(), 0u) != t.end(); }),
+                    m.triangles.end());
+  for (auto& t : m.triangles)
+    for (Index& v : t)
+      --v;
+  return m;
+}
+
+// Flips at one of two borders do not turn the map: it is turned as most triangles are.
+TEST(Settle_flips, moves_few_vertices_of_a_ring_whose_borders_cross)
+{
+  for (const double sign : { 1., -1. })
+    for (const bool is_at_hole : { false, true })
+      for (const double factor : { -0.7, -3., -1e6, 1e6 }) {
+        Mapped_mesh m(cap_without_pole());
+        Mesh::Vertex_index on_border;
+        for (const auto v : vertices(m.mesh)) {
+          const Kernel::Point_3& p = m.mesh.point(v);
+          m.uvmap[v] = Kernel::Point_2(sign * p.x(), p.y());
+          if (m.mesh.is_border(v) && (p.z() > 0.9) == is_at_hole)
+            on_border = v;
+        }
+        ASSERT_TRUE(m.is_locally_one_to_one());
+        const bool is_mirrored = m.quality().is_mirrored;
+        Kernel::Point_2& p = m.uvmap[on_border];
+        p = Kernel::Point_2(factor * p.x(), factor * p.y());
+        if (m.is_locally_one_to_one())      // where a border vertex may be far away
+          continue;
+        EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR, parameters::summary(std::ref(m.summary))),
+                  OK);
+        EXPECT_TRUE(m.is_locally_one_to_one());
+        EXPECT_EQ(m.quality().is_mirrored, is_mirrored);
+        EXPECT_LE(m.summary.moved_vertices, 10u) << sign << ' ' << is_at_hole << ' ' << factor;
+      }
 }
 
 TEST(Settle_flips, repairs_a_map_of_any_size_the_same_way)

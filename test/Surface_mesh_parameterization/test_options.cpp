@@ -4,6 +4,8 @@
 // Named parameters in any order, the summary of every call, meshes that are const. What must not compile is in
 // refused_programs.cpp.
 
+#include "hierarchies.h"
+#include "level_maps.h"
 #include "mapped_model.h"
 #include "mesh_conversions.h"
 #include "test_meshes.h"
@@ -230,6 +232,14 @@ TYPED_TEST(Tolerance, is_at_least_zero)
     EXPECT_EQ(error_message(hierarchical.summary.error).find("tolerance") != std::string::npos, expected != OK);
     EXPECT_EQ(flat.uv() == before, expected != OK);
     EXPECT_EQ(hierarchical.uv() == before, expected != OK);
+
+    const Finest_level f(grid(12, 9, wavy));
+    Level::Uv uv = first_map(f.level);
+    const Level::Uv start = uv;
+    Level_summary summary;
+    EXPECT_EQ(TypeParam(np::tolerance(tolerance)).refine(f.level, uv, summary) == ERROR_WRONG_PARAMETER,
+              expected != OK);
+    EXPECT_TRUE(uv == start || expected == OK);
   }
 }
 

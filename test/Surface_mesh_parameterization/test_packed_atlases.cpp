@@ -59,13 +59,16 @@ TEST(Scale_to_size_in_space, flips_no_triangle)
     return internal::is_left_turn(uv[0], uv[1], uv[2]);
   };
   Random random(1);
+  std::size_t spoilt = 0;
   for (int i = 0; i < 200; ++i) {
     const double x = random(0.5, 1), y = random(0.5, 1);
     std::vector<internal::Point_2> uv = { { 0, 0 }, { x, y }, { 2 * x, std::nextafter(2 * y, 3.) } };
     ASSERT_TRUE(is_positive(uv));
+    spoilt += !is_positive(internal::scaled(uv, 1. / 3));
     internal::scale_to_size_in_space(chart, uv);
     EXPECT_TRUE(is_positive(uv));
   }
+  EXPECT_GT(spoilt, 0u);
 }
 
 TEST(Packing, keeps_the_margin)

@@ -35,6 +35,7 @@ public:
   ///        border, which is that of a hole if the outer border is fixed
   /// \param weights receives a finite number for each neighbor, in the order of the ring. It may have any size at the
   ///        call. If the sum of the weights is not positive, or overflows, as next to degenerate triangles, uniform
-  ///        weights replace them
+  ///        weights replace them; also if there are more or fewer than neighbors, which is an assertion where these are
+  ///        checked
   void operator()(const Point_3& v, const std::vector<Point_3>& ring, bool is_closed, std::vector<double>& weights);
 };

@@ -11,7 +11,9 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
 /// The treatment of flips in a map that a method made. A flip is a triangle that is not positive by exact predicates,
-/// or a vertex around which its triangles wind more than once. A map that is mirrored as a whole has no flips.
+/// or a vertex around which its triangles wind more than once. A map that is mirrored as a whole has no flips: if its
+/// outermost border runs clockwise and no two border edges cross, or if there are crossings and more triangles are
+/// negative than positive, flips are triangles that are not negative, and a repair makes all of them negative.
 enum class Flip_policy
 {
   FAIL,     ///< flips are an error, `ERROR_NO_1_TO_1_MAPPING`

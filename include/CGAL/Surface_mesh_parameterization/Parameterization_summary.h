@@ -89,9 +89,9 @@ struct Parameterization_summary
   /// from the coarsest level to the finest; the finest only where the run started from a map, be it the user's or one
   /// with cracks closed or many small holes filled; none for the linear methods of CGAL
   std::vector<Level_summary> levels;
-  /// triangles that the method flipped, before a repair; if there are none, interior vertices around which its map
-  /// winds more than once, and border vertices whose angles make a full turn or more. Not counted if the `Flip_policy`
-  /// is `KEEP`
+  /// triangles that the method flipped, before a repair, see `Flip_policy`; if there are none, interior vertices around
+  /// which its map winds more than once, and border vertices whose angles make a full turn or more. Not counted if the
+  /// policy is `KEEP`
   std::size_t flips = 0;
   std::size_t moved_vertices = 0;         ///< vertices that the repair moved; all if the map was replaced
   /// whether the repair would have left little of the map, so that a method without flips made another one

@@ -14,7 +14,6 @@
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Kernel/global_functions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,10 +74,8 @@ inline double greatest_length_of_small_holes(const Level& level)
 {
   constexpr double part_of_root_of_area = 0.1;
   double area = 0;
-  for (const Level::Triangle& t : level.triangles()) {
-    const Point_3& p = level.point(t[0]);
-    area += 0.5 * std::sqrt(CGAL::cross_product(level.point(t[1]) - p, level.point(t[2]) - p).squared_length());
-  }
+  for (const Level::Triangle& t : level.triangles())
+    area += 0.5 * doubled_area(level.point(t[0]), level.point(t[1]), level.point(t[2]));
   return part_of_root_of_area * std::sqrt(area);
 }
 

@@ -21,7 +21,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Patch_repair
 {
 public:
-  // Precondition: most triangles are positive, and all places are finite.
+  // Precondition: all places are finite. Triangles that are not positive are flips.
   Patch_repair(const One_rings& rings, const std::vector<Point_3>& points, std::vector<Point_2>& uv)
     : m_rings(rings), m_uv(uv), m_unfolder(rings, points, uv)
   { }

@@ -34,7 +34,7 @@ void scale_to_energy(const Level_energy& energy, Level::Uv& uv);
 // instead, which is exact. Where `borders_must_not_meet`, that counts as spoilt, too.
 void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv);
 
-// The same where an energy has to stay finite, too. Returns it.
+// The same where an energy that is finite has to stay so, too. Returns it.
 double scale_to_area(const Level_energy& energy, bool borders_must_not_meet, Level::Uv& uv);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -114,7 +114,10 @@ double scale_to_area(const Level_energy& energy, bool borders_must_not_meet, Lev
   const Level& level = energy.level();
   double value = (std::numeric_limits<double>::infinity)();
   const auto is_good = [&](const Level::Uv& result) {
-    return !(borders_must_not_meet && has_crossings(level.rings(), result)) && std::isfinite(value = energy(result));
+    if (borders_must_not_meet && has_crossings(level.rings(), result))
+      return false;
+    value = energy(result);
+    return std::isfinite(value) || !std::isfinite(energy(uv));
   };
   if (const double scale = scale_of_area(level, uv); scale > 0)
     scale_map(level, scale, is_good, uv);

@@ -23,8 +23,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Whether a map has no flips, or its mirror image has none.
 bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const Loops& loops = Loops());
 
-// Makes a map of a surface one without flips: by a Patch_repair, and where that is not enough, by a Map_repair. A map
-// that is mirrored as a whole stays so. Adds the number of vertices that it moves to `moved_vertices`. It may give up
+// Makes a map of a surface one without flips: by a Patch_repair, and where that is not enough, by a Map_repair. Its
+// triangles are all positive or all negative then, see `Flip_policy`. Adds the number of vertices that it moves to `moved_vertices`. It may give up
 // where little of the map would be left.
 Error_code repair_map(const Triangulated_surface_3& surface, bool may_give_up, const Loops& loops,
                       std::vector<Point_2>& uv, std::size_t& moved_vertices);
@@ -36,7 +36,7 @@ struct Flip_settlement
   Flip_policy policy = Flip_policy::FAIL;
   decltype(&repair_map) repair = nullptr;
   bool may_give_up = false;       // whether the repair may fail early, since another method can take its place
-  Loops loops;
+  Loops loops;                    // of the search for flips and of the repair
 };
 
 // Whether a repair that moves so many vertices leaves so little of a map that another method should take its place.

@@ -39,7 +39,7 @@ bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const 
 {
   if (!are_finite(uv))
     return false;
-  return is_map_valid(rings, is_mirrored(rings, uv) ? mirrored(uv) : uv, loops);
+  return is_map_valid(rings, is_mirrored_if_valid(rings, uv) ? mirrored(uv) : uv, loops);
 }
 
 // How many triangles are turned to the left, and to the right. The others are degenerate, or have a coordinate that is
@@ -47,8 +47,6 @@ bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const 
 struct Numbers_of_turns
 {
   std::size_t left = 0, right = 0, all = 0;
-
-  std::size_t flips() const { return all - (std::max)(left, right); }
 };
 
 inline Numbers_of_turns count_turns(const One_rings& rings, const std::vector<Point_2>& uv)
@@ -67,39 +65,30 @@ inline Numbers_of_turns count_turns(const One_rings& rings, const std::vector<Po
 }
 
 // The vertices whose triangles do not wind around them once, in a map whose triangles are turned alike.
-inline std::size_t count_windings(const One_rings& rings, const std::vector<Point_2>& uv, bool has_right_turns)
+inline std::size_t count_windings(const One_rings& rings, const std::vector<Point_2>& uv, bool is_mirrored)
 {
-  const std::vector<Point_2> map = has_right_turns ? mirrored(uv) : uv;
+  const std::vector<Point_2> map = is_mirrored ? mirrored(uv) : uv;
   std::size_t result = 0;
   for (Index v = 0; v < map.size(); ++v)
     result += !is_fan_valid(rings, map, v);
   return result;
 }
 
-// The area that a border encloses, negative if it is clockwise, if it is a simple polygon; else 0.
-inline double area_of_simple_polygon(const std::vector<Index>& border, const std::vector<Point_2>& uv)
+// Whether a map is that of a mirrored surface, but for flips. Where no two border edges cross, the border around all
+// others tells: no map without flips has it the other way around. Else it is what most triangles are.
+inline bool is_mostly_mirrored(const One_rings& rings, const std::vector<Point_2>& uv, const Numbers_of_turns& turns)
 {
-  double doubled = 0;
-  std::vector<Border_edge> edges;
-  for (std::size_t i = 0; i < border.size(); ++i) {
-    const Border_edge e{ border[i], border[next_in_cycle(i, border.size())] };
-    edges.push_back(e);
-    doubled += doubled_area(uv[border.front()], uv[e.source], uv[e.target]);
+  double greatest = 0, sum = 0;      // of what borders enclose, negative if they are clockwise; doubled
+  for (const std::vector<Index>& border : rings.borders()) {
+    double area = 0;
+    for (std::size_t i = 0; i < border.size(); ++i)
+      area += doubled_area(uv[border[0]], uv[border[i]], uv[border[next_in_cycle(i, border.size())]]);
+    sum += std::abs(area);
+    if (std::abs(area) > std::abs(greatest))
+      greatest = area;
   }
-  return std::isfinite(doubled) && !has_crossings(edges, uv) ? 0.5 * doubled : 0;
-}
-
-// Whether a map is that of a mirrored surface, but for flips. No map without flips has a border that is a simple
-// polygon, and encloses all others, the other way around; where there is none, most triangles tell.
-inline bool is_mostly_mirrored(const One_rings& rings, const std::vector<Point_2>& uv)
-{
-  double area = 0;
-  for (const std::vector<Index>& border : rings.borders())
-    if (const double other = area_of_simple_polygon(border, uv); std::abs(other) > std::abs(area))
-      area = other;
-  if (area != 0)
-    return area < 0;
-  const Numbers_of_turns turns = count_turns(rings, uv);
+  if (greatest != 0 && std::isfinite(sum) && !has_crossings(rings, uv))
+    return greatest < 0;
   return turns.right > turns.left;
 }
 
@@ -165,8 +154,10 @@ Error_code repair_map(const Triangulated_surface_3& surface, bool may_give_up, c
   std::vector<Point_2> map = uv;
   for (Point_2& p : map)
     p = times_power_of_two(p, exponent);
-  One_rings rings(uv.size(), surface.triangles);
-  const bool must_mirror = is_mostly_mirrored(rings, map);
+  One_rings rings;
+  rings.build(uv.size(), surface.triangles, loops);
+  rings.release_scratch();
+  const bool must_mirror = is_mostly_mirrored(rings, map, count_turns(rings, map));
   if (must_mirror)
     mirror(map);
   const std::vector<Point_2> start = map;
@@ -196,7 +187,9 @@ Error_code settle_flips(const Flip_settlement& settlement, const One_rings& ring
   if (settlement.policy == Flip_policy::KEEP || has_no_flips(rings, uv, settlement.loops))
     return OK;
   const Numbers_of_turns turns = count_turns(rings, uv);
-  summary.flips = turns.flips() > 0 ? turns.flips() : count_windings(rings, uv, turns.right > turns.left);
+  const bool is_mirrored = is_mostly_mirrored(rings, uv, turns);
+  const std::size_t flips = turns.all - (is_mirrored ? turns.right : turns.left);
+  summary.flips = flips > 0 ? flips : count_windings(rings, uv, is_mirrored);
   if (settlement.policy == Flip_policy::FAIL)
     return ERROR_NO_1_TO_1_MAPPING;
   const Error_code status = settlement.repair(make_surface(), settlement.may_give_up, settlement.loops, uv,
@@ -207,7 +200,7 @@ Error_code settle_flips(const Flip_settlement& settlement, const One_rings& ring
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void mirror_back(const One_rings& rings, std::vector<Point_2>& uv)
 {
-  if (is_mirrored(rings, uv))
+  if (is_mirrored_if_valid(rings, uv))
     mirror(uv);
 }
 

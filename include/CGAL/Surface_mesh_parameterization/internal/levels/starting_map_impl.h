@@ -20,6 +20,7 @@ bool make_starting_map(const Triangulated_surface_3& surface, const Loops& loops
 {
   One_rings rings;
   rings.build(uv.size(), surface.triangles, loops);
+  rings.release_scratch();
   std::size_t unused = 0;
   if (!has_no_flips(rings, uv, loops) && repair_map(surface, false, loops, uv, unused) != OK)
     return false;

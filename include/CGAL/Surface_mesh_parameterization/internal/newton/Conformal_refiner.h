@@ -32,10 +32,7 @@ public:
   // Returns false if a visitor stopped the run.
   bool run()
   {
-    // The energy is quadratic: what the linear system finds, no second step has to find.
-    Newton_options newton_options;
-    newton_options.forcing_with_flips = 1e-6;
-    Newton_method newton(m_energy, nullptr, newton_options);
+    Newton_method newton(m_energy);
     newton.fix_vertices(vertices_to_hold());
     double current = m_energy(m_uv);
     bool may_go_on = tell(current, 0);

@@ -42,19 +42,19 @@ struct Jacobian
 // singular where w vanishes.
 struct Energy_derivatives
 {
-  double a, b;            // |z|^2 and |w|^2
-  Distortion_derivatives_2 e;
+  double a, b;                          // |z|^2 and |w|^2
+  Distortion_derivatives_2 given;       // by the squared norm and the determinant
 
   template <class Energy>
   Energy_derivatives(const Energy& energy, const Jacobian& j)
-    : a(j.squared_z()), b(j.squared_w()), e(energy.derivatives(2 * (a + b), j.determinant))
+    : a(j.squared_z()), b(j.squared_w()), given(energy.derivatives(2 * (a + b), j.determinant))
   { }
 
-  double by_a() const { return 2 * e.f + e.d; }
-  double by_b() const { return 2 * e.f - e.d; }
-  double by_aa() const { return 4 * e.ff + 4 * e.fd + e.dd; }
-  double by_ab() const { return 4 * e.ff - e.dd; }
-  double by_bb() const { return 4 * e.ff - 4 * e.fd + e.dd; }
+  double by_a() const { return 2 * given.f + given.d; }
+  double by_b() const { return 2 * given.f - given.d; }
+  double by_aa() const { return 4 * given.ff + 4 * given.fd + given.dd; }
+  double by_ab() const { return 4 * given.ff - given.dd; }
+  double by_bb() const { return 4 * given.ff - 4 * given.fd + given.dd; }
 };
 
 // The Hessian of an energy in the space of Jacobians, made positive semidefinite but for a part of what makes it

@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/best_chord.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/divide_charts.h>
-#include <CGAL/Surface_mesh_parameterization/internal/pack/Path_in_plane.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Plane_path.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/turn_chart.h>
 
 #include <algorithm>
@@ -185,7 +185,7 @@ private:
   bool divide(Divided_part& part)
   {
     const std::vector<Index> cut =
-        Path_in_plane(part.mesh, part.uv, outer_border(part.mesh, part.uv), part.start, part.goal).halfedges();
+        Plane_path(part.mesh, part.uv, outer_border(part.mesh, part.uv), part.start, part.goal).halfedges();
     std::vector<Divided_part> sides;
     for (Chart_part& side : sides_of(part, cut))
       static_cast<Chart_part&>(sides.emplace_back()) = std::move(side);

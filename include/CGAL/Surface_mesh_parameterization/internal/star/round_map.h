@@ -20,7 +20,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 typedef double (*Round_coordinate)(double x, int exponent);
 
 // That for a point type of the user's, null if its number type holds the doubles of a map of about size 1 in units of
-// 2^-exponent times the user's: where these are so small that they are denormal, it does not.
+// 2^-exponent times the user's: where these are denormal, it does not. 0 is for maps that are in the user's units.
 template <class User_point_2>
 Round_coordinate rounding_to(int exponent)
 {

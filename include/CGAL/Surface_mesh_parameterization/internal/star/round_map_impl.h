@@ -31,7 +31,7 @@ bool round_map(const One_rings& rings, Round_coordinate round, int exponent, std
 {
   if (!round)
     return true;
-  const bool must_mirror = is_mirrored(rings, uv);
+  const bool must_mirror = is_mirrored_if_valid(rings, uv);
   if (must_mirror)
     mirror(uv);
   const bool is_valid = round_positive_map(rings, round, exponent, uv, loops);

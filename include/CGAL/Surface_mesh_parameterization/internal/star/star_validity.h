@@ -127,8 +127,8 @@ inline bool is_fan_valid(const One_rings& rings, const std::vector<Point_2>& uv,
   return is_star_positive(rings, uv, v) && !turns_too_far(rings, Place_of_vertex{ uv }, v);
 }
 
-// Of a map that is valid, or whose mirror image is: whether it is the image that is.
-inline bool is_mirrored(const One_rings& rings, const std::vector<Point_2>& uv)
+// Whether it is the mirror image of a map that is valid; of a map that is not valid in either way this tells nothing.
+inline bool is_mirrored_if_valid(const One_rings& rings, const std::vector<Point_2>& uv)
 {
   return !uv.empty() && !is_star_positive(rings, uv, 0);
 }

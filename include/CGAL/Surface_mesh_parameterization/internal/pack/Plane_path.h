@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PATH_IN_PLANE_H
-#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PATH_IN_PLANE_H
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PLANE_PATH_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PLANE_PATH_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/Distance_queue.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
@@ -36,10 +36,10 @@ inline std::vector<Index> outer_border(const Corner_mesh& mesh, const std::vecto
 // Searches the path along edges from one vertex on the outer border to another for which least has to be cut in the
 // plane: edges at holes are cut already. Of the edges that lead to other vertices on the outer border, a multiple
 // counts. Without holes the search prefers what is near to the goal (A*).
-class Path_in_plane
+class Plane_path
 {
 public:
-  Path_in_plane(const Corner_mesh& mesh, const std::vector<Point_2>& uv, const std::vector<Index>& outer_border,
+  Plane_path(const Corner_mesh& mesh, const std::vector<Point_2>& uv, const std::vector<Index>& outer_border,
                 Index start, Index goal)
     : m_mesh(mesh), m_uv(uv), m_start(start), m_goal(goal), m_is_on_outer_border(mesh.number_of_vertices(), false),
       m_leaving(mesh.number_of_vertices()), m_queue(mesh.number_of_vertices()),
@@ -122,4 +122,4 @@ private:
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
-#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PATH_IN_PLANE_H
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PLANE_PATH_H
