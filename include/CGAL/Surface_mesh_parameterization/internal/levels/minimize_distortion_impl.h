@@ -36,6 +36,7 @@ inline Error_code minimize_from(const Level_energy& energy, Level::Uv& uv, const
   const bool borders_must_not_meet = options.is_globally_injective;
   if (!borders_must_not_meet)
     return refine_map(energy, uv, options, summary);
+  summary.energy_start = energy(uv) / energy.unit();      // told where there is no refinement, too
   if (!separate_borders(energy.level(), uv))
     return ERROR_NO_1_TO_1_MAPPING;
   const Level::Uv start = uv;
