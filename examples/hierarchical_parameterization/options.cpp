@@ -393,7 +393,7 @@ bool read_options(int argc, char** argv, Options& options)
     options.iterations = options.method->iterations;
   for (const Atlas_number& number : numbers_of_atlas())
     if (values.count(number.name))
-      options.*number.value = values[number.name].as<double>();
+      (options.*number.value).emplace(values[number.name].as<double>());
   read_part(words.components, words.cut, options);
   check_options(options);
   if (options.inputs.empty())
