@@ -24,8 +24,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 bool has_no_flips(const One_rings& rings, const std::vector<Point_2>& uv, const Loops& loops = Loops());
 
 // Makes a map of a surface one without flips: by a Patch_repair, and where that is not enough, by a Map_repair. Its
-// triangles are all positive or all negative then, see `Flip_policy`. Adds the number of vertices that it moves to `moved_vertices`. It may give up
-// where little of the map would be left.
+// triangles are all positive or all negative then, see `Flip_policy`. Adds the number of vertices that it moves to
+// `moved_vertices`. It may give up where little of the map would be left.
 Error_code repair_map(const Triangulated_surface_3& surface, bool may_give_up, const Loops& loops,
                       std::vector<Point_2>& uv, std::size_t& moved_vertices);
 
