@@ -40,7 +40,7 @@ class Plane_path
 {
 public:
   Plane_path(const Corner_mesh& mesh, const std::vector<Point_2>& uv, const std::vector<Index>& outer_border,
-                Index start, Index goal)
+             Index start, Index goal)
     : m_mesh(mesh), m_uv(uv), m_start(start), m_goal(goal), m_is_on_outer_border(mesh.number_of_vertices(), false),
       m_leaving(mesh.number_of_vertices()), m_queue(mesh.number_of_vertices()),
       m_last_halfedge(mesh.number_of_vertices(), no_index)
