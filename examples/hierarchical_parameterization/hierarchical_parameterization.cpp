@@ -263,9 +263,11 @@ Exit_status run(const std::string& file, const Options& options, std::string& re
 
 int main(int argc, char** argv)
 {
-  // A failed assertion of CGAL is an exception, told in one line as every error; a file that may not grow further is a
-  // failed write, not the end.
-  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) { });
+  // A failed assertion of CGAL is an exception, told in one line as every error, and its warnings are for those who
+  // write methods; a file that may not grow further is a failed write, not the end.
+  const auto be_silent = [](const char*, const char*, const char*, int, const char*) { };
+  CGAL::set_error_handler(be_silent);
+  CGAL::set_warning_handler(be_silent);
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     Options options;

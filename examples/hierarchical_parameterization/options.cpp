@@ -11,6 +11,7 @@
 
 #include <CGAL/version.h>
 
+#include <boost/any.hpp>
 #include <boost/program_options.hpp>
 
 #include <algorithm>
@@ -219,6 +220,25 @@ void read_numbers(const Numbers& numbers, Options& options)
   options.seed = static_cast<unsigned int>(numbers.seed);
 }
 
+void read_atlas_numbers(const po::variables_map& values, Options& options)
+{
+  for (const Atlas_number& number : numbers_of_atlas())
+    if (values.count(number.name)) {
+      const double value = values[number.name].as<double>();
+      if (!(value >= number.least && value <= number.greatest))
+        throw Usage_error{ "--" + number.name + ": " + number.expected + " expected" };
+      (options.*number.value).emplace(value);
+    }
+}
+
+// A name or word that is empty, as of a variable that is not set, is not taken for one that was not given.
+void check_texts(const po::variables_map& values)
+{
+  for (const auto& [option, value] : values)
+    if (const auto* text = boost::any_cast<std::string>(&value.value()); text && text->empty())
+      throw Usage_error{ "--" + option + ": the value is empty" };
+}
+
 // Options that the method would not look at.
 void check_effects(const po::variables_map& values, const Options& options)
 {
@@ -322,10 +342,6 @@ void check_options(const Options& options)
   }
   if (!options.start.empty() && !options.levels.empty())
     throw Usage_error{ "--start: the levels below the finest, which --levels writes, have no maps then" };
-  for (const Atlas_number& number : numbers_of_atlas())
-    if (const std::optional<double> value = options.*number.value;
-        value && !(*value >= number.least && *value <= number.greatest))
-      throw Usage_error{ "--" + number.name + ": " + number.expected + " expected" };
   if (options.flat && options.fills_holes && options.method->run_shipped)
     throw Usage_error{ "--fill-holes: not with --flat, which runs " + options.method->name + " as CGAL ships it" };
   if (options.threads < 0)
@@ -381,9 +397,7 @@ bool read_options(int argc, char** argv, Options& options)
     std::cout << "hierarchical_parameterization " PROGRAM_VERSION " with CGAL " << CGAL_STR(CGAL_VERSION) << '\n';
     return false;
   }
-  for (const std::string option : { "output", "picture", "report", "levels", "start", "hold" })
-    if (values.count(option) && values[option].as<std::string>().empty())
-      throw Usage_error{ "--" + option + ": the name is empty" };
+  check_texts(values);
   read_words(words, options);
   read_numbers(numbers, options);
   check_effects(values, options);
@@ -391,9 +405,7 @@ bool read_options(int argc, char** argv, Options& options)
     options.tolerance = options.method->tolerance;
   if (!values.count("iterations"))
     options.iterations = options.method->iterations;
-  for (const Atlas_number& number : numbers_of_atlas())
-    if (values.count(number.name))
-      (options.*number.value).emplace(values[number.name].as<double>());
+  read_atlas_numbers(values, options);
   read_part(words.components, words.cut, options);
   check_options(options);
   if (options.inputs.empty())

@@ -268,6 +268,12 @@ expect 0 --threads 2147483647 --quiet
 expect 1 --seed 4294967296
 expect 0 --seed 4294967295
 expect 1 --iterations -1
+for option in method weights flips components cut output picture report levels start hold; do
+  expect 1 --$option ''
+done
+for value in -5 2 nan; do
+  expect 1 --cut none --least-used-part $value
+done
 
 # Options without an effect.
 for method in uniform mean-value lscm arap; do

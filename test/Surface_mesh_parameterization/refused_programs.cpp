@@ -481,3 +481,10 @@ auto wrong(Mesh& m, Halfedge h, UV_map uv)
   return SMP::settle_flips(m, h, uv, SMP::Flip_policy::FAIL, np::flip_policy(true));
 }
 }
+
+namespace Number_given_twice { // a number of ARAP_parameterizer_3 is given as an argument and as a named parameter
+auto wrong()
+{
+  return SMP::Hierarchical_parameterizer_3<SMP::ARAP_parameterizer_3<Mesh>>(500., np::lambda(7.));
+}
+}

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/Distortion_derivatives_2.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
@@ -113,15 +114,42 @@ TEST(Map_invariants, agree_with_the_singular_values)
   Random random(6);
   for (int k = 0; k < 500; ++k) {
     const std::array<Point_3, 3> p = { random_point_3(random), random_point_3(random), random_point_3(random) };
-    std::array<Point_2, 3> q = { random_point_2(random), random_point_2(random), random_point_2(random) };
-    if (!turns_left(q[0], q[1], q[2]))
-      std::swap(q[0], q[1]);
+    const std::array<Point_2, 3> q = { random_point_2(random), random_point_2(random), random_point_2(random) };
     const Map_invariants map(Mapped_triangle(p, q));
     const Singular_values s = singular_values(p[0], p[1], p[2], q[0], q[1], q[2]);
-    EXPECT_NEAR(map.greatest_singular_value() / s.greatest, 1, 1e-8);
-    EXPECT_NEAR(map.angle_distortion() / (0.5 * s.mips()), 1, 1e-6);
-    EXPECT_NEAR(map.area / s.area, 1, 1e-10);
+    const double s1 = s.greatest, s2 = s.least;
+    EXPECT_NEAR(map.mips() / s.mips(), 1, 1e-6);
+    EXPECT_NEAR(map.greatest_stretch() * s2, 1, 1e-6);
+    EXPECT_NEAR(map.area() / s.area, 1, 1e-10);
+    EXPECT_NEAR(map.area_of_image() / (s.area * s1 * s2), 1, 1e-6);
+    EXPECT_NEAR(map.dirichlet() / (s.area * (s1 * s1 + s2 * s2)), 1, 1e-6);
+    EXPECT_NEAR(map.inverse_dirichlet() / (s.area * (1 / (s1 * s1) + 1 / (s2 * s2))), 1, 1e-6);
+    EXPECT_NEAR(map.angle() / (0.5 * s.area * s.mips()), 1, 1e-6);
+    EXPECT_NEAR(map.inverse_determinant() / (s.area / (s1 * s2)), 1, 1e-6);
   }
+}
+
+TEST(Map_invariants, of_a_triangle_of_any_size_are_those_of_one_of_size_1)
+{
+  const std::array<Point_3, 3> p = { Point_3(0, 0, 0), Point_3(1, 0.25, 0), Point_3(0.5, 1.5, 0.125) };
+  const std::array<Point_2, 3> q = { Point_2(0, 0), Point_2(0.5, 0.125), Point_2(1, 1.75) };
+  const Map_invariants map(Mapped_triangle(p, q));
+  for (const int k : { -1000, -600, -300, 0, 300, 1000 })
+    for (const int l : { -1000, -600, -300, 0, 300, 1000 }) {
+      std::array<Point_3, 3> points;
+      std::array<Point_2, 3> image;
+      for (int i = 0; i < 3; ++i) {
+        points[i] = times_power_of_two(p[i], k);
+        image[i] = times_power_of_two(q[i], l);
+      }
+      const Map_invariants scaled(Mapped_triangle(points, image));
+      EXPECT_EQ(scaled.mips(), map.mips());
+      EXPECT_EQ(scaled.greatest_stretch(), std::ldexp(map.greatest_stretch(), k - l));
+      EXPECT_EQ(scaled.area(), std::ldexp(map.area(), 2 * k));
+      EXPECT_EQ(scaled.area_of_image(), std::ldexp(map.area_of_image(), 2 * l));
+      EXPECT_EQ(scaled.dirichlet(), std::ldexp(map.dirichlet(), 2 * l));
+      EXPECT_EQ(scaled.inverse_dirichlet(), std::ldexp(map.inverse_dirichlet(), 4 * k - 2 * l));
+    }
 }
 
 // Compares an energy's derivatives with differences over 2 h. An error of the value, by rounding, is divided by h.

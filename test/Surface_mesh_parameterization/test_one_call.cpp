@@ -93,6 +93,22 @@ TEST(One_call, the_longest_border_is_the_outer_one_at_any_scale)
   }
 }
 
+// An edge without faces is no border, however long it is.
+TEST(One_call, the_outer_border_is_one_of_faces)
+{
+  Mapped<Surface_mesh> usual(grid(4, 3, flat)), run(grid(4, 3, flat));
+  const auto a = run.mesh.add_vertex(Kernel::Point_3(0, 0, 9)), b = run.mesh.add_vertex(Kernel::Point_3(0, 1e6, 9));
+  const auto h = run.mesh.add_edge(a, b);
+  run.mesh.set_next(h, run.mesh.opposite(h));
+  run.mesh.set_next(run.mesh.opposite(h), h);
+  run.mesh.set_halfedge(b, h);
+  run.mesh.set_halfedge(a, run.mesh.opposite(h));
+  ASSERT_TRUE(hierarchical_parameterization(usual.mesh, usual.uvmap).is_ok());
+  ASSERT_TRUE(hierarchical_parameterization(run.mesh, run.uvmap).is_ok());
+  for (const auto v : vertices(usual.mesh))
+    EXPECT_EQ(get(run.uvmap, v), get(usual.uvmap, v));
+}
+
 TEST(One_call, tells_what_cannot_be_laid_out)
 {
   Mapped<Surface_mesh> closed(sphere(6, 8)), empty{ Flat_mesh() }, handle(torus_with_hole(8));

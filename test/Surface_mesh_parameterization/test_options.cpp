@@ -269,6 +269,26 @@ TEST(Counts, are_not_negative)
   EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(np::number_of_iterations(50).coarsest_size(5))).code, OK);
 }
 
+// As large as can be asked for is as good as no limit; what is no number is refused.
+TEST(Counts, may_be_infinite)
+{
+  typedef Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Surface_mesh>>   Barycentric;
+  const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  Mapped<Surface_mesh> usual(grid(12, 9, wavy)), mapped(grid(12, 9, wavy));
+  const auto summary = std::ref(mapped.summary);
+  ASSERT_EQ(usual.parameterize(Hierarchical_MIPS(np::tolerance(1e-6))).code, OK);
+  for (const double count : { infinity, 1e30 }) {
+    EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(np::number_of_iterations(count).summary(summary))).code, OK);
+    EXPECT_EQ(mapped.uv(), usual.uv());
+    EXPECT_TRUE(mapped.summary.converged);
+    EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(np::coarsest_size(count).summary(summary))).code, OK);
+    EXPECT_EQ(mapped.summary.levels.size(), 1u);
+    EXPECT_EQ(mapped.parameterize(Barycentric(np::number_of_iterations(count))).code, OK);
+  }
+  expect_refused(Hierarchical_MIPS(np::number_of_iterations(nan).summary(summary)), mapped, "number_of_iterations");
+  expect_refused(Hierarchical_MIPS(np::coarsest_size(nan).summary(summary)), mapped, "coarsest_size");
+}
+
 TEST(Options, of_methods_of_CGAL_are_checked)
 {
   typedef Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Surface_mesh>>   Barycentric;

@@ -183,6 +183,7 @@ TEST(Parameterization_quality, of_a_mirrored_map_is_that_of_the_mirror_image)
     EXPECT_EQ(q.mips, r.mips);
     EXPECT_EQ(q.symmetric_dirichlet, r.symmetric_dirichlet);
     EXPECT_EQ(q.linf_stretch, r.linf_stretch);
+    EXPECT_EQ(q.angle, r.angle);
     EXPECT_EQ(q.area, r.area);
   };
   expect_equal();
@@ -229,7 +230,92 @@ TEST(Parameterization_quality, counts_what_is_not_positive)
   EXPECT_NEAR(parameterization_quality(mapped.mesh, others, mapped.uvmap).mips, 14, 1e-12);
 }
 
+// A triangle that is tiny beside the others counts as little as its area does, and keeps its shape.
+TEST(Parameterization_quality, is_finite_with_triangles_of_any_size)
+{
+  const Parameterization_quality usual = quality_of_linear_map(1, 1.5, 0, 1);
+  for (const int exponent : { -200, -340, -500, -540, -600, -1000 }) {
+    Mapped_mesh mapped(delaunay_patch(100, 1, flat));
+    std::vector<Surface_mesh::Vertex_index> corners;
+    for (const Kernel::Point_3& p : { Kernel::Point_3(0, 0, 0), Kernel::Point_3(std::ldexp(1., exponent), 0, 0),
+                                      Kernel::Point_3(0, std::ldexp(1., exponent), 0) })
+      corners.push_back(mapped.mesh.add_vertex(p));
+    mapped.mesh.add_face(corners[0], corners[1], corners[2]);
+    for (const auto v : vertices(mapped.mesh)) {
+      const Kernel::Point_3& p = mapped.mesh.point(v);
+      mapped.uvmap[v] = Kernel::Point_2(p.x() + 1.5 * p.y(), p.y());
+    }
+    const Parameterization_quality q = mapped.quality();
+    EXPECT_EQ(q.flips, 0u);
+    EXPECT_NEAR(q.mips - usual.mips, 2 + 1.5 * 1.5, 1e-8);
+    for (const auto measure : { &Parameterization_quality::symmetric_dirichlet, &Parameterization_quality::l2_stretch,
+                                &Parameterization_quality::linf_stretch, &Parameterization_quality::angle,
+                                &Parameterization_quality::area })
+      EXPECT_NEAR(q.*measure / usual.*measure, 1, 1e-6);
+  }
+}
+
+// A quadrangle, which another component of a mesh may have.
+struct Triangle_and_quadrangle
+{
+  Surface_mesh mesh;
+  Surface_mesh::Property_map<Surface_mesh::Vertex_index, Kernel::Point_2> uvmap;
+  Surface_mesh::Face_index triangle, quadrangle;
+
+  Triangle_and_quadrangle() : uvmap(mesh.add_property_map<Surface_mesh::Vertex_index, Kernel::Point_2>("uv").first)
+  {
+    const auto add = [&](double x, double y) {
+      const auto v = mesh.add_vertex(Kernel::Point_3(x, y, 0));
+      uvmap[v] = Kernel::Point_2(x, y);
+      return v;
+    };
+    triangle = mesh.add_face(add(0, 0), add(1, 0), add(0, 1));
+    quadrangle = mesh.add_face(add(2, 0), add(3, 0), add(3, 1), add(2, 1));
+  }
+};
+
+TEST(Parameterization_quality, counts_faces_that_are_no_triangles_as_flips)
+{
+  const Triangle_and_quadrangle m;
+  const Parameterization_quality q = parameterization_quality(m.mesh, m.uvmap);
+  EXPECT_EQ(q.flips, 1u);
+  EXPECT_EQ(q.degenerate + q.overlaps, 0u);
+  const std::vector<Surface_mesh::Face_index> triangles = { m.triangle };
+  EXPECT_EQ(parameterization_quality(m.mesh, triangles, m.uvmap).flips, 0u);
+  EXPECT_FALSE(Hierarchical_MIPS().is_one_to_one_mapping(m.mesh, faces(m.mesh), m.uvmap));
+  EXPECT_TRUE(Hierarchical_MIPS().is_one_to_one_mapping(m.mesh, triangles, m.uvmap));
+}
+
 // ---- files ----
+
+TEST(Write_SVG, leaves_out_what_is_no_triangle)
+{
+  const Triangle_and_quadrangle m;
+  std::ostringstream drawing, drawing_of_triangle;
+  SMP::IO::write_SVG(drawing, m.mesh, m.uvmap);
+  SMP::IO::write_SVG(drawing_of_triangle, m.mesh, std::vector<Surface_mesh::Face_index>{ m.triangle }, m.uvmap);
+  EXPECT_EQ(drawing.str(), drawing_of_triangle.str());
+}
+
+// Triangles of the mirror image of a map have its colors.
+TEST(Write_SVG, draws_a_mirrored_map_as_its_mirror_image)
+{
+  const auto colors = [](double sign) {
+    Mapped_mesh mapped(grid(4, 3, flat));
+    for (const auto v : vertices(mapped.mesh)) {
+      const Kernel::Point_3& p = mapped.mesh.point(v);
+      mapped.uvmap[v] = Kernel::Point_2(sign * p.x() * p.x() + sign, 3 * p.y());
+    }
+    std::ostringstream drawing;
+    SMP::IO::write_SVG(drawing, mapped.mesh, mapped.uvmap);
+    const std::string text = drawing.str();
+    std::vector<std::string> result;
+    for (std::size_t at = text.find("rgb("); at != std::string::npos; at = text.find("rgb(", at + 1))
+      result.push_back(text.substr(at, text.find(')', at) - at));
+    return result;
+  };
+  EXPECT_EQ(colors(1), colors(-1));
+}
 
 TEST(Write_SVG, draws_every_triangle)
 {

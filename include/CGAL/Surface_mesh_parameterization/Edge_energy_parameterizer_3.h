@@ -101,8 +101,7 @@ public:
     using parameters::get_parameter;
     internal::assert_names<Option_names>(np);
     m_tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), m_tolerance);
-    m_number_of_iterations =
-        choose_parameter(get_parameter(np, internal_np::number_of_iterations), m_number_of_iterations);
+    m_number_of_iterations = internal::chosen_count(np, internal_np::number_of_iterations, m_number_of_iterations);
     m_fault_of_counts = internal::fault_of_counts(np);
   }
 

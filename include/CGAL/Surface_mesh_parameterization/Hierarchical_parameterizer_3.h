@@ -148,8 +148,9 @@ public:
   ///   an LSCM map fails or has to move more than a tenth of the vertices, the map of `MIPS_parameterizer_3` takes its
   ///   place, with the same two pins
   /// - `fill_holes`: not for an orbifold; whether every border except the outer one is closed by a virtual vertex in
-  ///   its middle; default `false`: the borders of holes are free. It works on a `Surface_mesh`, and on a
-  ///   `Polyhedron_3` if there are no `arguments`; otherwise the result is `ERROR_WRONG_PARAMETER`
+  ///   its middle; default `false`: the borders of holes are free. It works on a `Surface_mesh`, and,
+  ///   if there are no `arguments`, on any model of `MutableFaceGraph` that can be copied; otherwise the result is
+  ///   `ERROR_WRONG_PARAMETER`
   /// - `visitor`: a model of `HierarchyVisitor_3`, of which `hierarchy_built()` and `progressed()` are called
   /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did. It must live as
   ///   long as the parameterizer runs

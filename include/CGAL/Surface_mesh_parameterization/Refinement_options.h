@@ -46,8 +46,8 @@ struct Refinement_options
   /// the map reaches the minimum to rounding, not only to the square root of it. `globally_injective` prevents them;
   /// where it keeps borders apart, a level has converged when a step lowers the excess by less than 1e-4, if that is
   /// greater.
-  /// A tolerance or a count that is negative, or a tolerance that is no number, makes a method return
-  /// `ERROR_WRONG_PARAMETER`
+  /// A tolerance or a count that is negative or no number makes a method return `ERROR_WRONG_PARAMETER`; a count may be
+  /// infinite
   double tolerance = 1e-6;
 
   /// named parameter `number_of_iterations`: the most iterations on a level, from each start: Newton steps, or sweeps
@@ -89,9 +89,8 @@ struct Refinement_options
     using parameters::get_parameter;
     optimizer = choose_parameter(get_parameter(np, internal_np::optimizer), optimizer);
     tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), tolerance);
-    number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), number_of_iterations);
-    number_of_local_steps =
-        choose_parameter(get_parameter(np, internal_np::number_of_local_steps), number_of_local_steps);
+    number_of_iterations = internal::chosen_count(np, internal_np::number_of_iterations, number_of_iterations);
+    number_of_local_steps = internal::chosen_count(np, internal_np::number_of_local_steps, number_of_local_steps);
     triangle_weight = choose_parameter(get_parameter(np, internal_np::triangle_weight), triangle_weight);
     is_globally_injective = choose_parameter(get_parameter(np, internal_np::globally_injective), is_globally_injective);
     random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), random_seed);

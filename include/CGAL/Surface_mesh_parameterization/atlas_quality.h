@@ -22,7 +22,6 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -92,8 +91,7 @@ inline Parameterization_quality quality(const Atlas& atlas, const std::vector<In
 // That of so many faces whose places are not known.
 inline Parameterization_quality quality_of_no_map(std::size_t number_of_faces)
 {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const Point_2 p(nan, nan);
+  const Point_2 p = Mapped_triangle::nowhere();
   const Mapped_triangle nowhere({}, { p, p, p });
   Quality_sums sums{ Unit_scale() };
   for (std::size_t i = 0; i < number_of_faces; ++i)
@@ -106,7 +104,6 @@ inline Parameterization_quality quality_of_no_map(std::size_t number_of_faces)
 template <class TriangleMesh, class FaceRange, class HalfedgeUVMap>
 std::vector<Index> read_map(const TriangleMesh& mesh, const FaceRange& face_range, HalfedgeUVMap uvmap, Atlas& atlas)
 {
-  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();     // shares no place with a neighbor
   std::vector<Index> measured;
   if (read_corner_mesh(mesh, atlas.mesh).code != OK)
     return measured;
@@ -119,7 +116,7 @@ std::vector<Index> read_map(const TriangleMesh& mesh, const FaceRange& face_rang
   std::vector<Point_2> corners;
   for_each_corner(mesh, [&](auto h, Index i) {
     if (!get(is_measured, face(h, mesh))) {
-      corners.emplace_back(nowhere, nowhere);
+      corners.push_back(Mapped_triangle::nowhere());      // shares no place with a neighbor
       return;
     }
     corners.push_back(to_point_2(get(uvmap, h)));

@@ -73,16 +73,15 @@ public:
     m_quality.degenerate += turn == COLLINEAR;
     if (turn == COLLINEAR)
       return;
-    const Map_invariants map(m_scale(t));
-    const double f = map.frobenius, d = std::abs(map.determinant);
-    m_area += map.area;
-    m_image_area += map.area * d;
-    m_quality.mips += MIPS_energy_2::value(f, d);
-    m_dirichlet += map.area * f;
-    m_inverse_dirichlet += map.area * f / (d * d);
-    m_angle += map.area * map.angle_distortion();
-    m_inverse_determinant += map.area / d;
-    m_quality.linf_stretch = (std::max)(m_quality.linf_stretch, map.greatest_singular_value() / d);
+    const Map_invariants map(t, m_scale);
+    m_area += map.area();
+    m_image_area += map.area_of_image();
+    m_quality.mips += map.mips();
+    m_dirichlet += map.dirichlet();
+    m_inverse_dirichlet += map.inverse_dirichlet();
+    m_angle += map.angle();
+    m_inverse_determinant += map.inverse_determinant();
+    m_quality.linf_stretch = (std::max)(m_quality.linf_stretch, map.greatest_stretch());
   }
 
   Parameterization_quality quality() const
@@ -208,7 +207,8 @@ bool is_map_one_to_one(const TriangleMesh& mesh, const FaceRange& face_range, Ve
 /// measures the map of some faces.
 ///
 /// \param mesh a triangle mesh, a model of `FaceListGraph` with an internal vertex point map
-/// \param face_range the faces to measure, at least one
+/// \param face_range the faces to measure, at least one; of a mesh with several components, for instance those of
+///        `Mesh_component::faces_of_component()`. A face that is no triangle counts as a flip
 /// \param uvmap a readable property map from vertices to points of the plane
 template <class TriangleMesh, class FaceRange, class VertexUVMap>
 Parameterization_quality parameterization_quality(const TriangleMesh& mesh, const FaceRange& face_range,

@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <algorithm>
@@ -142,25 +141,6 @@ private:
   CGAL::Bbox_2 m_box;
 };
 
-// A face with its image, by a map from halfedges or from vertices.
-template <class Face, class TriangleMesh, class UVMap>
-Mapped_triangle mapped_triangle(Face f, const TriangleMesh& mesh, UVMap uvmap)
-{
-  if constexpr (Readable_uv_map_check<UVMap, TriangleMesh>::value)
-    return Mapped_triangle(f, mesh, uvmap);
-  else {
-    const auto point_map = get(CGAL::vertex_point, mesh);
-    std::array<Point_3, 3> points;
-    std::array<Point_2, 3> uv;
-    std::size_t i = 0;
-    for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh)) {
-      points[i] = to_point_3(get(point_map, target(h, mesh)));
-      uv[i++] = to_point_2(get(uvmap, h));
-    }
-    return Mapped_triangle(points, uv);
-  }
-}
-
 } // namespace internal
 
 namespace IO {
@@ -172,7 +152,8 @@ namespace IO {
 ///
 /// \param os the stream; its state tells whether writing succeeded
 /// \param mesh a triangle mesh, a model of `FaceListGraph` with an internal vertex point map
-/// \param face_range the faces to draw; their map must be positive. Those with a place that is not finite are left out
+/// \param face_range the faces to draw. A triangle that is mirrored has the color of its mirror image. What is no
+///        triangle, or has a place that is not finite, is left out
 /// \param uvmap a readable property map from vertices to points of the plane, or from halfedges: then it has the place
 ///        of the corner to which a halfedge leads in its face, as `atlas_parameterization()` makes it
 template <class TriangleMesh, class FaceRange, class UVMap>
@@ -184,9 +165,9 @@ void write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face
   if constexpr (Check::value) {
     internal::Triangle_drawing drawing;
     for (const auto f : face_range) {
-      const internal::Mapped_triangle t = internal::mapped_triangle(f, mesh, uvmap);
+      const internal::Mapped_triangle t(f, mesh, uvmap);
       if (t.is_finite())
-        drawing.add(t.uv, internal::Map_invariants(t).angle_distortion());
+        drawing.add(t.uv, 0.5 * internal::Map_invariants(t).mips());
     }
     internal::Text_writer writer(os);
     drawing.write(writer);

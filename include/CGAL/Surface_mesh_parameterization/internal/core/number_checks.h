@@ -6,7 +6,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <cstddef>
 #include <initializer_list>
+#include <limits>
 #include <type_traits>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -22,11 +24,27 @@ bool is_negative_or_nan([[maybe_unused]] const NamedParameters& np, [[maybe_unus
   return false;
 }
 
+// A count among the named parameters, or the given one. One that is greater than any std::size_t, as infinity, is the
+// greatest; which are none, the functions below tell.
+template <class NamedParameters, class Tag>
+std::size_t chosen_count([[maybe_unused]] const NamedParameters& np, [[maybe_unused]] Tag tag, std::size_t count)
+{
+  if constexpr (!parameters::is_default_parameter<NamedParameters, Tag>::value) {
+    const auto value = parameters::get_parameter(np, tag);
+    if constexpr (std::is_floating_point<std::decay_t<decltype(value)>>::value) {
+      constexpr std::size_t greatest = (std::numeric_limits<std::size_t>::max)();
+      count = !(value > 0) ? 0 : value < double(greatest) ? std::size_t(value) : greatest;
+    } else
+      count = std::size_t(value);
+  }
+  return count;
+}
+
 // What is wrong with the named parameters of a hierarchy; null if nothing is.
 template <class NamedParameters>
 const char* fault_of_hierarchy(const NamedParameters& np)
 {
-  return is_negative_or_nan(np, internal_np::coarsest_size) ? "coarsest_size is negative" : nullptr;
+  return is_negative_or_nan(np, internal_np::coarsest_size) ? "coarsest_size is negative or no number" : nullptr;
 }
 
 // What is wrong with the counts among the named parameters of a method or solver, which are std::size_t afterwards:
@@ -34,8 +52,8 @@ const char* fault_of_hierarchy(const NamedParameters& np)
 template <class NamedParameters>
 const char* fault_of_counts(const NamedParameters& np)
 {
-  return is_negative_or_nan(np, internal_np::number_of_iterations)    ? "number_of_iterations is negative"
-         : is_negative_or_nan(np, internal_np::number_of_local_steps) ? "number_of_local_steps is negative"
+  return is_negative_or_nan(np, internal_np::number_of_iterations)    ? "number_of_iterations is negative or no number"
+         : is_negative_or_nan(np, internal_np::number_of_local_steps) ? "number_of_local_steps is negative or no number"
                                                                       : nullptr;
 }
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HIERARCHY_OPTIONS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_HIERARCHY_OPTIONS_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/number_checks.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <cstddef>
@@ -33,7 +34,7 @@ Hierarchy_options hierarchy_options_of(const NamedParameters& np,
   using parameters::choose_parameter;
   using parameters::get_parameter;
   Hierarchy_options options = defaults;
-  options.coarsest_size = choose_parameter(get_parameter(np, internal_np::coarsest_size), options.coarsest_size);
+  options.coarsest_size = chosen_count(np, internal_np::coarsest_size, options.coarsest_size);
   options.random_seed = choose_parameter(get_parameter(np, internal_np::random_seed), options.random_seed);
   options.has_unit_edges = choose_parameter(get_parameter(np, internal_np::unit_edges), options.has_unit_edges);
   return options;

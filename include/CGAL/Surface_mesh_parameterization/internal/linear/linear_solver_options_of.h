@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_LINEAR_SOLVER_OPTIONS_OF_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_LINEAR_SOLVER_OPTIONS_OF_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/number_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -17,8 +18,7 @@ Linear_solver_options linear_solver_options_of(const NamedParameters& np)
   using parameters::get_parameter;
   Linear_solver_options options;
   options.tolerance = choose_parameter(get_parameter(np, internal_np::tolerance), options.tolerance);
-  options.most_iterations =
-      choose_parameter(get_parameter(np, internal_np::number_of_iterations), options.most_iterations);
+  options.most_iterations = chosen_count(np, internal_np::number_of_iterations, options.most_iterations);
   return options;
 }
 

@@ -26,7 +26,8 @@ struct Longest_border
 };
 
 // The longest of the borders whose halfedges are wanted; a null halfedge if there is none. Unlike that of
-// Polygon_mesh_processing, it also finds a border whose squared lengths overflow, or are all zero.
+// Polygon_mesh_processing, it also finds a border whose squared lengths overflow, or are all zero, and takes none of
+// edges without faces. One whose length is no number is the longest, so that its fault is told.
 template <class TriangleMesh, class Is_wanted>
 Longest_border<TriangleMesh> longest_border(const TriangleMesh& mesh, const Is_wanted& is_wanted)
 {
@@ -38,16 +39,20 @@ Longest_border<TriangleMesh> longest_border(const TriangleMesh& mesh, const Is_w
   for (const halfedge_descriptor start : halfedges(mesh)) {
     if (!is_border(start, mesh) || visited.count(start) || !is_wanted(start))
       continue;
-    ++longest.number_of_borders;
     double length = 0;
+    bool has_face = false;
     for (const halfedge_descriptor h : halfedges_around_face(start, mesh)) {
       visited.insert(h);
+      has_face = has_face || !is_border(opposite(h, mesh), mesh);
       const auto& p = get(point_map, source(h, mesh));
       const auto& q = get(point_map, target(h, mesh));
       length +=
           std::hypot(CGAL::to_double(q.x()) - CGAL::to_double(p.x()), CGAL::to_double(q.y()) - CGAL::to_double(p.y()),
                      CGAL::to_double(q.z()) - CGAL::to_double(p.z()));
     }
+    if (!has_face)
+      continue;
+    ++longest.number_of_borders;
     if (!(length <= greatest_length)) {
       greatest_length = length;
       longest.halfedge = start;

@@ -71,6 +71,8 @@ private:
   template <class Tag, class Value, class NamedParameters>
   static Named_function_parameters<Value, Tag, NamedParameters> with(const Value& value, const NamedParameters& np)
   {
+    static_assert(parameters::is_default_parameter<NamedParameters, Tag>::value,
+                  "a number of ARAP_parameterizer_3 is given as an argument and as a named parameter");
     return { value, np };
   }
 };

@@ -71,8 +71,12 @@ public:
       put(m_index, m_vertices[i], int(i));
     m_surface = std::move(component.surface());
     m_border_size = m_surface.outer_border.size();
-    if (dimension_of_box(m_surface.points) < least_dimension)
+    const int dimension = dimension_of_box(m_surface.points);
+    if (dimension < least_dimension) {
       summary().error.code = ERROR_BORDER_TOO_SHORT;
+      if (dimension > 0)
+        summary().error.cause = "all points are on a line parallel to an axis, which has no place for CGAL's two pins";
+    }
     m_progress.start_stage(0, 0, 1, m_vertices.size());
     summary().seconds_hierarchy = m_timer.time();
   }
