@@ -42,9 +42,12 @@ inline Singular_values singular_values(const Point_3& p, const Point_3& q, const
 template <class Function>
 double least_value(const Function& f, double from, double to)
 {
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 100; ++i) {     // to rounding
     const double left = from + (to - from) / 3, right = to - (to - from) / 3;
-    (f(left) < f(right) ? to : from) = f(left) < f(right) ? right : left;
+    if (f(left) < f(right))
+      to = right;
+    else
+      from = left;
   }
   return f(0.5 * (from + to));
 }

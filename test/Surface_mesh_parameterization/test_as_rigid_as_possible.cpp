@@ -255,14 +255,19 @@ TEST(As_rigid_as_possible, is_the_least_squares_conformal_map_for_lambda_0)
       std::vector<Kernel::Point_2> uv = mapped.uv();
       const double h = 1e-4, energy = mapped.energy(0);
       std::size_t held = 0;
-      for (Kernel::Point_2& p : uv) {
+      for (Index v = 0; v < uv.size(); ++v) {
+        Flat_mesh star = m;      // what moves with the vertex
+        const auto is_apart = [&](const Index_triangle& t) { return std::find(t.begin(), t.end(), v) == t.end(); };
+        star.triangles.erase(std::remove_if(star.triangles.begin(), star.triangles.end(), is_apart),
+                             star.triangles.end());
+        Kernel::Point_2& p = uv[v];
         const Kernel::Point_2 place = p;
         double slope = 0;
         for (const Kernel::Vector_2& step : { Kernel::Vector_2(h, 0), Kernel::Vector_2(0, h) }) {
           p = place + step;
-          const double plus = energy_by_definition(m, uv, 0);
+          const double plus = energy_by_definition(star, uv, 0);
           p = place - step;
-          slope = (std::max)(slope, std::abs(plus - energy_by_definition(m, uv, 0)) / (2 * h));
+          slope = (std::max)(slope, std::abs(plus - energy_by_definition(star, uv, 0)) / (2 * h));
           p = place;
         }
         held += slope > 1e-4 * std::sqrt(energy);

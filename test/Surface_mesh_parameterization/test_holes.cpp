@@ -95,28 +95,21 @@ Flat_mesh with_random_holes(Flat_mesh m, std::size_t number_of_triangles, unsign
   return m;
 }
 
-// The number of vertices with one triangle that are not on the longest border.
-std::size_t number_of_inner_ears(const Flat_mesh& m)
-{
-  const One_rings rings(m.points.size(), m.triangles);
-  const Surface_mesh mesh = make<Surface_mesh>(m);
-  std::vector<bool> is_outer(m.points.size(), false);
-  for (const auto h : CGAL::halfedges_around_face(test_meshes::longest_border(mesh), mesh))
-    is_outer[target(h, mesh)] = true;
-  std::size_t result = 0;
-  for (Index v = 0; v < m.points.size(); ++v)
-    result += !is_outer[v] && rings.number_of_triangles(v) == 1;
-  return result;
-}
-
-// A grid with an ear in one of its holes.
+// A grid without the triangles around a vertex in its middle but one, of which that is an ear then.
 Flat_mesh grid_with_ear()
 {
-  for (unsigned int seed = 0;; ++seed) {
-    const Flat_mesh m = with_random_holes(grid(9, 9, wavy), 20, seed);
-    if (number_of_inner_ears(m) > 0)
-      return m;
+  constexpr Index size = 8, middle = (size + 1) * (size / 2) + size / 2;
+  Flat_mesh m = grid(size, size, wavy);
+  std::vector<Index_triangle> others;
+  bool has_ear = false;
+  for (const Index_triangle& t : m.triangles) {
+    const bool is_around = std::find(t.begin(), t.end(), middle) != t.end();
+    if (!is_around || !has_ear)
+      others.push_back(t);
+    has_ear = has_ear || is_around;
   }
+  m.triangles = others;
+  return m;
 }
 
 template <class Parameterizer>
