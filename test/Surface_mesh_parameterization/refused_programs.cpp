@@ -5,6 +5,7 @@
 // behind the name must be in the program's only error. A compiler tells an error once where two programs instantiate
 // the same: each has types of its own.
 
+#include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Distortion_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
