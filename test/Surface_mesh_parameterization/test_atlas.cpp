@@ -124,7 +124,7 @@ TEST(Atlas, is_the_same_at_all_scales)
   for (const Uncut_surface& s : surfaces)
     for (const bool is_square : { true, false }) {
       SCOPED_TRACE(s.name);
-      const auto np = parameters::least_used_part(0.8).hole_bound(1.).unit_square(is_square);
+      const auto np = parameters::least_used_part(0.6).hole_bound(1.).unit_square(is_square);
       Surface surface(s.mesh);
       const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv, np);
       ASSERT_TRUE(summary.is_ok());

@@ -180,6 +180,7 @@ TEST(Energy_objects, are_refused_if_they_contradict_themselves)
   expect_refused(error_with(Energy_with_fault{ 1, 1, -1, 1 }), "derivative by d");
   expect_refused(error_with(Energy_with_fault{ 1, 1, std::nan(""), 1 }), "derivative by d");
   expect_refused(error_with(Energy_that_knows_no_scale()), "scale");
+  expect_refused(error_with(Power_of_MIPS{ std::nan("") }), "no number");
 }
 
 // Also where values are far from 1.

@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/fixed_places.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,10 +19,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // may go: what is left of the border still lies in its place.
 inline void pin_fixed_vertices(const Triangulated_surface_3& surface, std::vector<bool>& is_pinned)
 {
-  std::vector<bool> is_fixed(surface.points.size(), false);
-  for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices)
-    is_fixed[fixed.vertex] = true;
-
+  const std::vector<bool> is_fixed = are_fixed(surface);
   std::vector<std::pair<Index, Index>> edges;     // directed, between fixed vertices
   for (const Index_triangle& t : surface.triangles)
     for (int i = 0; i < 3; ++i)
@@ -39,7 +37,6 @@ inline void pin_fixed_vertices(const Triangulated_surface_3& surface, std::vecto
     if (fixed_border_neighbors[fixed.vertex] < 2)
       is_pinned[fixed.vertex] = true;
 }
-
 
 // The vertices that stay on every level: those that are constrained to, and of the given places those that are needed.
 inline std::vector<bool> pinned_vertices(const Triangulated_surface_3& surface, const std::vector<bool>& is_constrained)

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/fixed_places.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/position_in.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/read_map.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
@@ -85,9 +86,7 @@ inline void mirror_places(Triangulated_surface_3& surface)
 // nothing is said: the others may lie along a side, or in a bay.
 inline bool is_border_mirrored(const Triangulated_surface_3& surface)
 {
-  std::vector<const Point_2*> place(surface.points.size(), nullptr);
-  for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices)
-    place[fixed.vertex] = &fixed.place;
+  const std::vector<const Point_2*> place = fixed_places(surface);
   const std::vector<Index>& border = surface.outer_border;
   std::vector<Point_2> polygon;
   std::vector<double> at;                   // of the border's length, from its first vertex on
@@ -124,9 +123,7 @@ inline bool is_start_mirrored(const Triangulated_surface_3& surface, const std::
 // A triangle that its corners' given places turn over or make degenerate, or the number of triangles if there is none.
 inline std::size_t first_contradiction(const Triangulated_surface_3& surface)
 {
-  std::vector<const Point_2*> place(surface.points.size(), nullptr);
-  for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices)
-    place[fixed.vertex] = &fixed.place;
+  const std::vector<const Point_2*> place = fixed_places(surface);
   std::size_t f = 0;
   for (; f < surface.triangles.size(); ++f) {
     const Index_triangle& t = surface.triangles[f];

@@ -5,6 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_CRACKS_IMPL_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/cracks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/fixed_places.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/holes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
@@ -117,9 +118,7 @@ std::vector<Index> merge_sides(const std::vector<Border>& cracks, const std::vec
 
 inline std::vector<bool> are_bound_to_places(const Triangulated_surface_3& surface)
 {
-  std::vector<bool> result(surface.points.size(), false);
-  for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices)
-    result[fixed.vertex] = true;
+  std::vector<bool> result = are_fixed(surface);
   for (const Triangulated_surface_3::Spring& spring : surface.springs)
     result[spring.vertex] = true;
   return result;
@@ -213,9 +212,7 @@ std::vector<Point_2> open_cracks(const Triangulated_surface_3& surface, const Cl
     ++number_of_copies[v];
     uv.push_back(closed_map[v]);
   }
-  std::vector<bool> is_fixed(uv.size(), false);
-  for (const Triangulated_surface_3::Fixed_vertex& fixed : surface.fixed_vertices)
-    is_fixed[fixed.vertex] = true;
+  const std::vector<bool> is_fixed = are_fixed(surface);
   const One_rings rings(surface.points.size(), surface.triangles);
   for (Index v = 0; v < uv.size(); ++v)
     if (number_of_copies[closed.vertices[v]] > 1 && !is_fixed[v])

@@ -10,7 +10,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Where the values of an energy tell that one of its other members is wrong, that member; else null. A minimization
+// Where the values of an energy tell that they or one of its other members are wrong, which; else null. A minimization
 // with a wrong derivative ends anywhere, and says that it converged.
 template <class Energy>
 const char* fault_of_energy(const Energy& energy)
@@ -19,7 +19,9 @@ const char* fault_of_energy(const Energy& energy)
   constexpr double difference = 1e-6, greatest_error = 1e-3, rounding = 1e-12, scale = 2;
   for (const auto& s : singular_values) {
     const double f = s[0] * s[0] + s[1] * s[1], d = s[0] * s[1], value = energy.value(f, d);
-    if (!std::isfinite(value))
+    if (std::isnan(value))
+      return "value() of the energy is no number for a map without flips";
+    if (std::isinf(value))
       continue;
     const Distortion_derivatives_2 derivatives = energy.derivatives(f, d);
     const double hf = difference * f, hd = difference * d;
