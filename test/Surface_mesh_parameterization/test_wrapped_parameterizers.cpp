@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Two_vertices_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Scalar_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -342,8 +343,10 @@ TEST(Wrapped_LSCM, needs_two_places_for_its_vertices)
     for (Point_3& p : line.points)
       p = Point_3(1, length * p.y(), 3);
     Mapped_mesh m(line);
-    EXPECT_EQ(m.parameterize(Hierarchical_parameterizer_3<LSCM_parameterizer_3<Surface_mesh>>()),
+    EXPECT_EQ(m.parameterize(Hierarchical_parameterizer_3<LSCM_parameterizer_3<Surface_mesh>>(
+                  parameters::summary(std::ref(m.summary)))),
               ERROR_BORDER_TOO_SHORT);
+    EXPECT_NE(error_message(m.summary.error).find(length > 0 ? "on a line" : "no length"), std::string::npos);
   }
 }
 

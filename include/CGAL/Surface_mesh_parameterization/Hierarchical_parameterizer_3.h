@@ -160,7 +160,8 @@ public:
 
   /// @}
   /// \name Constructors for ARAP_parameterizer_3
-  /// They take the arguments of CGAL's constructors, except the solver.
+  /// They take the arguments of CGAL's constructors, except the solver. A number that is an argument is no named
+  /// parameter as well.
   /// @{
 
   /// takes `lambda`. The argument `np` may also stand alone.
@@ -253,7 +254,7 @@ public:
 
   /// tells the same of the map of some faces.
   ///
-  /// \param face_range the faces
+  /// \param face_range the faces; one that is no triangle has no one-to-one map
   template <class FaceRange, class VertexUVMap>
   bool is_one_to_one_mapping(const Triangle_mesh& mesh, const FaceRange& face_range, VertexUVMap uvmap) const;
 

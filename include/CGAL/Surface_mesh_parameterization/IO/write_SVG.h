@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/boost/graph/properties.h>
 
 #include <algorithm>
 #include <array>
