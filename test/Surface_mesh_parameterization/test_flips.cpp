@@ -241,6 +241,53 @@ TEST(Settle_flips, moves_few_vertices_for_one_that_is_far_away_or_inside)
       }
 }
 
+// Where scales differ much, a hierarchy would not bring the others back.
+TEST(Settle_flips, moves_no_vertex_but_those_without_a_place)
+{
+  constexpr double stretch = 12;      // scales go from 1 to e^12
+  Mapped_mesh m(grid(40, 32, flat));
+  for (const auto v : vertices(m.mesh)) {
+    const Kernel::Point_3& p = m.mesh.point(v);
+    const double radius = std::exp(stretch * p.x()), angle = stretch * p.y();
+    m.uvmap[v] = Kernel::Point_2(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  const auto good = m.uv();
+  std::size_t missing = 0;
+  for (const auto v : vertices(m.mesh))
+    if (v % 11 == 4 && v / 41 % 3 == 1) {
+      ++missing;
+      m.uvmap[v] = Kernel::Point_2(std::nan(""), std::nan(""));
+    }
+  ASSERT_GT(missing, 30u);
+  EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR, parameters::summary(std::ref(m.summary))), OK);
+  EXPECT_TRUE(m.is_locally_one_to_one());
+  EXPECT_EQ(m.summary.moved_vertices, missing);
+  std::size_t moved = 0;
+  for (const auto v : vertices(m.mesh))
+    moved += m.uvmap[v] != good[v];
+  EXPECT_EQ(moved, missing);
+}
+
+TEST(Settle_flips, keeps_as_much_of_a_map_that_is_far_away)
+{
+  const auto moved_at = [](double offset) {
+    Spoiled_map m;
+    Random random(4);
+    for (const auto v : vertices(m.mesh)) {
+      const bool is_spoiled = random(0, 1) < 0.2;      // too many for patches
+      const Kernel::Point_2 p = is_spoiled ? Kernel::Point_2(random(0, 1), random(0, 1)) : m.good[v];
+      m.uvmap[v] = Kernel::Point_2(p.x() + offset, p.y() - offset);
+    }
+    EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR, parameters::summary(std::ref(m.summary))), OK);
+    EXPECT_TRUE(m.is_locally_one_to_one());
+    return double(m.summary.moved_vertices);
+  };
+  const double moved = moved_at(0);
+  EXPECT_LT(moved, 0.5 * 25 * 21);
+  for (const double offset : { 1e4, 1e8 })
+    EXPECT_NEAR(moved_at(offset) / moved, 1, 0.2) << offset;
+}
+
 // A map without flips is turned as its border runs, however few triangles are.
 TEST(Settle_flips, turns_triangles_as_the_border_runs)
 {

@@ -18,6 +18,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
+#include <CGAL/Bbox_2.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -66,8 +68,8 @@ public:
 
 private:
   static constexpr int sweeps_of_level = 5, sweeps_of_result = 50;      // of the vertices that are not at their places
-  // Of the edges at a vertex: where they are shorter, the map has collapsed.
-  static constexpr double least_relative_length = 1e-9;
+  // Of the edges at a vertex, relative to the map and to its coordinates: where they are shorter, it has collapsed.
+  static constexpr double least_length_in_map = 1e-9, least_length_in_doubles = 1e-13;
 
   // Units in which the map has about the area of the surface: powers of two, so that no digit is lost.
   void set_units()
@@ -83,14 +85,25 @@ private:
     m_exponent = std::isfinite(scale) && scale > 0 ? std::ilogb(scale) : 0;
   }
 
+  // How long an edge must be for doubles to have room beside it: that depends on how large the map is and, little, on
+  // how far away from the origin.
+  double least_length() const
+  {
+    CGAL::Bbox_2 box;
+    double farthest = 0;
+    for (const Point_2& p : m_wanted)
+      if (is_finite(p)) {
+        box += p.bbox();
+        farthest = (std::max)({ farthest, std::abs(p.x()), std::abs(p.y()) });
+      }
+    return (std::max)(least_length_in_map * half_width_of(box), least_length_in_doubles * farthest);
+  }
+
   // Where a map has collapsed to almost a point, so that doubles have no room for vertices in between, no place is
   // wanted.
   void give_up_collapsed_places()
   {
-    double greatest = 0;
-    for (const Point_2& p : m_wanted)
-      if (is_finite(p))
-        greatest = (std::max)({ greatest, std::abs(p.x()), std::abs(p.y()) });
+    const double least = least_length();
     std::vector<double> longest(m_wanted.size(), 0.);
     for (const Index_triangle& t : m_level.triangles())
       for (int i = 0; i < 3; ++i) {
@@ -100,7 +113,7 @@ private:
         longest[w] = (std::max)(longest[w], squared_length);
       }
     for (Index v = 0; v < m_wanted.size(); ++v)
-      if (!(longest[v] > least_relative_length * least_relative_length * greatest * greatest)) {
+      if (!(longest[v] > least * least)) {
         const double nan = std::numeric_limits<double>::quiet_NaN();
         m_wanted[v] = Point_2(nan, nan);
       }

@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Map_repair.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Patch_repair.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/place_in_the_middle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
@@ -92,12 +93,25 @@ inline bool is_mostly_mirrored(const One_rings& rings, const std::vector<Point_2
   return turns.right > turns.left;
 }
 
+// Puts vertices whose places are not finite in the middle of their neighbors. Returns whether all are finite then: many
+// are left to the hierarchy.
+inline bool place_missing_vertices(const One_rings& rings, std::vector<Point_2>& uv)
+{
+  constexpr double greatest_part = 0.1;
+  std::vector<Index> missing;
+  for (Index v = 0; v < uv.size(); ++v)
+    if (!is_finite(uv[v]))
+      missing.push_back(v);
+  return missing.empty() || (double(missing.size()) <= greatest_part * double(uv.size()) &&
+                             place_in_the_middle(rings, missing, positions_in(missing, Index(uv.size())), {}, uv));
+}
+
 // Gives new places to vertices near the flips of a map, where that removes flips. Returns at how many vertices the map
-// is not valid then. A map with a place that is not finite is left to the hierarchy.
+// is not valid then.
 inline std::size_t repair_patches(const Triangulated_surface_3& surface, const One_rings& rings,
                                   std::vector<Point_2>& uv)
 {
-  return are_finite(uv) ? Patch_repair(rings, surface.points, uv).run() : uv.size();
+  return place_missing_vertices(rings, uv) ? Patch_repair(rings, surface.points, uv).run() : uv.size();
 }
 
 // Removes all flips from a map, see Map_repair.
