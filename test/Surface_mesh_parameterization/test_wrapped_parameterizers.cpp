@@ -188,6 +188,45 @@ TEST(Wrapped_borders, are_those_of_CGAL)
   EXPECT_NEAR(CGAL::squared_distance(get(mapped.uvmap, corner(0)), get(mapped.uvmap, corner(21 * 17 - 1))), 2, 1e-12);
 }
 
+// A circle whose center is so far away from the origin.
+template <class TriangleMesh>
+struct Far_circle : Circular_border_arc_length_parameterizer_3<TriangleMesh>
+{
+  double distance = 0;
+
+  template <class UVMap, class VertexIndexMap, class VertexParameterizedMap>
+  Error_code parameterize(const TriangleMesh& mesh, Halfedge<TriangleMesh> bhd, UVMap uvmap, VertexIndexMap vimap,
+                          VertexParameterizedMap vpmap)
+  {
+    const Error_code status =
+        Circular_border_arc_length_parameterizer_3<TriangleMesh>::parameterize(mesh, bhd, uvmap, vimap, vpmap);
+    for (const auto v : vertices_around_face(bhd, mesh))
+      put(uvmap, v, Kernel::Point_2(get(uvmap, v).x() + distance, get(uvmap, v).y() - distance));
+    return status;
+  }
+};
+
+TEST(Wrapped_borders, may_be_far_away)
+{
+  constexpr double rounding = 1e-16, growth = 1000;
+  Surface_mesh mesh = make<Surface_mesh>(cap(40, 80, 0.5 * CGAL_PI));
+  const auto run = [&](double distance) {
+    Far_circle<Surface_mesh> circle;
+    circle.distance = distance;
+    Wrapped_map<Surface_mesh> mapped(mesh);
+    Parameterization_summary summary;
+    typedef Hierarchical_parameterizer_3<Mean_value<Far_circle<Surface_mesh>>>   Method;
+    EXPECT_EQ(mapped.parameterize(Method(circle, parameters::summary(std::ref(summary))), longest_border(mesh)), OK);
+    EXPECT_EQ(summary.linear_solver.direct_solutions, 0u);
+    for (const auto v : vertices(mesh))
+      put(mapped.uvmap, v, Kernel::Point_2(get(mapped.uvmap, v).x() - distance, get(mapped.uvmap, v).y() + distance));
+    return mapped;
+  };
+  const Wrapped_map<Surface_mesh> near = run(0);
+  for (const double distance : { 1e3, 1e6, 1e9 })
+    run(distance).expect_equal(near, growth * rounding * distance + 1e-9);
+}
+
 TEST(Wrapped_borders, that_cannot_be_placed_are_errors_as_in_CGAL)
 {
   typedef Mean_value<Square_border_arc_length_parameterizer_3<Surface_mesh>> Parameterizer;

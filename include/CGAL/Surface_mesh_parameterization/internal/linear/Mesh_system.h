@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -142,6 +143,21 @@ public:
   double backward_error_of_free_unknowns(const Right_sides& b, const Vector& x) const
   {
     return backward_error(b, x, [this](Index i) { return !m_is_fixed[i]; });
+  }
+
+  // The middle of the fixed unknowns if it is far away for their extent, else 0.
+  double distance_from_origin(const double* b) const
+  {
+    constexpr double least_relative_distance = 10;
+    double least = (std::numeric_limits<double>::infinity)(), greatest = -least;
+    for (Index i = 0; i < size(); ++i)
+      if (m_is_fixed[i]) {
+        const double x = m_inverse_diagonal[i] * b[i];
+        least = (std::min)(least, x);
+        greatest = (std::max)(greatest, x);
+      }
+    const double middle = 0.5 * least + 0.5 * greatest, extent = 0.5 * greatest - 0.5 * least;
+    return std::isfinite(middle) && std::abs(middle) > least_relative_distance * extent ? middle : 0;
   }
 
   // The fixed unknowns, and 0 for the free ones.

@@ -60,8 +60,45 @@ public:
 
   const std::shared_ptr<const Sparse_rows<double>>& rows() const override { return m_system.rows(); }
 
+  // What is far from the origin is solved for near it: else a residual that is small for the distance would not be so
+  // for the solution's extent.
   Linear_solver_result solve(const std::vector<const double*>& right_sides, const std::vector<double*>& solutions,
-                             const Linear_solver_options& given_options) override
+                             const Linear_solver_options& options) override
+  {
+    std::vector<const double*> near_right_sides = right_sides;
+    std::vector<double> distances(right_sides.size());
+    std::vector<std::vector<double>> moved(right_sides.size());
+    for (std::size_t c = 0; c < right_sides.size(); ++c)
+      if (distances[c] = m_system.distance_from_origin(right_sides[c]); distances[c] != 0) {
+        moved[c] = moved_right_side(right_sides[c], distances[c]);
+        near_right_sides[c] = moved[c].data();
+      }
+    const Linear_solver_result result = solve_near_origin(near_right_sides, solutions, options);
+    for (std::size_t c = 0; c < right_sides.size() && result.is_solved; ++c)
+      if (distances[c] != 0)
+        for (Index i = 0; i < m_system.size(); ++i)
+          solutions[c][i] += distances[c];
+    return result;
+  }
+
+private:
+  typedef Scalar_multigrid<Real>             Multigrid;
+  typedef Scalar_multigrid<Complex<Real>>    Complex_multigrid;
+  typedef Values<double, columns>            Value;
+  typedef Value_vector<double, columns>      Vector;
+
+  // That of the solution less a number.
+  std::vector<double> moved_right_side(const double* right_side, double number) const
+  {
+    std::vector<double> result(right_side, right_side + m_system.size());
+    for (Index i = 0; i < m_system.size(); ++i)
+      rows()->for_each_entry(i, [&](Index, double value) { result[i] -= value * number; });
+    return result;
+  }
+
+  Linear_solver_result solve_near_origin(const std::vector<const double*>& right_sides,
+                                         const std::vector<double*>& solutions,
+                                         const Linear_solver_options& given_options)
   {
     Linear_solver_options options = given_options;
     options.tolerance = (std::max)(options.tolerance, options.rounding_error);
@@ -85,12 +122,6 @@ public:
           solutions[c][i] = x[i][int(c)] / b.scales[int(c)];
     return result;
   }
-
-private:
-  typedef Scalar_multigrid<Real>             Multigrid;
-  typedef Scalar_multigrid<Complex<Real>>    Complex_multigrid;
-  typedef Values<double, columns>            Value;
-  typedef Value_vector<double, columns>      Vector;
 
   // The grids are of complex numbers if the matrix is: they take half of the time and of the memory.
   void make_grids(const Hierarchy_interpolation& hierarchy, const std::vector<Mesh_unknown>& unknowns,
