@@ -16,7 +16,7 @@
 /// of one without may be `static`.
 ///
 /// At a few places a run compares the first derivatives with differences of values, and a scale-invariant energy at two
-/// scales. Where they are not the same it ends with `ERROR_WRONG_PARAMETER`, and the error tells which is wrong. Second
+/// scales, of a triangle of area 1. Where they are not the same it ends with `ERROR_WRONG_PARAMETER`, and the error tells which is wrong. Second
 /// derivatives are not checked: wrong ones make a run slow.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::As_rigid_as_possible_energy_2`

@@ -148,18 +148,19 @@ Error_code Nested_iteration::climb_with_borders_apart(Level& level, Level::Uv& u
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Nested_iteration::separate_borders_if_that_pays(Level& level, Level::Uv& uv)
 {
-  constexpr double greatest_ratio_of_energies = 1.02, hopeless_ratio_of_energies = 2;
+  constexpr double greatest_rise_of_energy = 0.02, hopeless_rise_of_energy = 1;      // relative
   const double covered = covered_part(level.triangles(), uv);
   if (covered > m_overlap_bound)
     return OK;
   Level::Uv free = uv;
   std::vector<Level_summary> levels = m_summary.levels;
   const double energy = levels.back().energy_end;
-  if (covered > 0 && energy > 0)
-    level.give_up_above(hopeless_ratio_of_energies * energy);
+  if (covered > 0 && energy != 0)
+    level.give_up_above(energy + hopeless_rise_of_energy * std::abs(energy));
   const Error_code status = climb_with_borders_apart(level, uv);
   level.give_up_above((std::numeric_limits<double>::infinity)());
-  const bool pays = status == OK && m_summary.levels.back().energy_end <= greatest_ratio_of_energies * energy;
+  const bool pays = status == OK && m_summary.levels.back().energy_end - energy <=
+                                        greatest_rise_of_energy * std::abs(energy);
   const bool has_failed = status == ERROR_NO_1_TO_1_MAPPING || status == GIVEN_UP;
   if (pays || covered == 0 || (status != OK && !has_failed))
     return status;

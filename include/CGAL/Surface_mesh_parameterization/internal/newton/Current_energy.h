@@ -41,18 +41,20 @@ public:
   }
 
   // Whether no triangle has more than the least energy, but for rounding.
-  bool is_least() const { return m_value - m_energy.minimum_of_map() <= m_options.rounding * m_energy.total_weight(); }
+  bool is_least() const { return m_value - m_energy.minimum_of_map() <= rounding(); }
 
   // A part of the excess energy.
   double little(double part) const
   {
-    return (std::max)(part * excess(), m_options.rounding * m_energy.total_weight());
+    return (std::max)(part * excess(), rounding());
   }
 
   // Whether a decrease that led to the current energy is next to nothing.
   bool is_little(double decrease, double part) const { return !(decrease > little(part)); }
 
 private:
+  double rounding() const { return m_options.rounding * m_energy.unit_of_values() * m_energy.total_weight(); }
+
   const Level_energy& m_energy;
   const Level::Uv& m_uv;
   const Level_refiner_options& m_options;

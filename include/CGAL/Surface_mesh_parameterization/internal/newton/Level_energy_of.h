@@ -14,6 +14,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/Star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/relax_vertex.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -29,8 +31,10 @@ class Level_energy_of final
 public:
   // `unit_of_area` is that in which the energy is told areas, in the unit of the level.
   Level_energy_of(const Level& level, Triangle_weight weight, const Energy& energy = Energy(), double unit_of_area = 1)
-    : Level_energy(level, weight, Energy::minimum, Energy::is_flip_free, Energy::is_scale_invariant), m_energy(energy),
-      m_unit_of_area(unit_of_area)
+    : Level_energy(level, weight, Energy::minimum,
+                   unit_of_values(energy.of_area(1 / (unit_of_area * level.rest_corners(0)[0].inverse_area))),
+                   Energy::is_flip_free, Energy::is_scale_invariant),
+      m_energy(energy), m_unit_of_area(unit_of_area)
   { }
 
   void gather(Index v, const Level::Uv& uv, Star<Energy>& star) const
@@ -58,6 +62,13 @@ private:
       return decrease;
     }
   };
+
+  // About the size of values if it is less than 1: of the least, or of what a stretch by 2 and 1/2 costs.
+  static double unit_of_values(const Energy& energy)
+  {
+    constexpr double f = 2 * 2 + 0.5 * 0.5, d = 2 * 0.5;
+    return (std::min)(1., (std::max)(std::abs(Energy::minimum), std::abs(energy.value(f, d) - Energy::minimum)));
+  }
 
   // The energy of the triangle of a corner.
   Energy triangle_energy(const Rest_corner& c) const

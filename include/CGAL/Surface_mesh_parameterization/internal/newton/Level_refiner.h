@@ -237,7 +237,7 @@ private:
   {
     double greatest_promise = (std::numeric_limits<double>::infinity)();
     while (m_status == OK && iterations() < m_refinement.number_of_iterations) {
-      const auto step = newton.last_step(m_uv, greatest_promise, m_options.rounding * m_current.value());
+      const auto step = newton.last_step(m_uv, greatest_promise, m_options.rounding * std::abs(m_current.value()));
       m_summary.cycles += step.cycles;
       if (step.length == 0)
         break;

@@ -13,8 +13,9 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Where the values of an energy tell that they or one of its other members are wrong, which; else null. A minimization
 // with a wrong derivative ends anywhere, and says that it converged.
 template <class Energy>
-const char* fault_of_energy(const Energy& energy)
+const char* fault_of_energy(const Energy& energy_of_any_area)
 {
+  const Energy energy = energy_of_any_area.of_area(1);
   constexpr double singular_values[][2] = { { 1.3, 0.9 }, { 2.7, 0.4 }, { 0.6, 0.35 } };
   constexpr double difference = 1e-6, greatest_error = 1e-3, rounding = 1e-12, scale = 2;
   for (const auto& s : singular_values) {
