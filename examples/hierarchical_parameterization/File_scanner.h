@@ -74,7 +74,7 @@ public:
   {
     skip_blanks();
     const auto [end, error] = std::from_chars(m_at, m_end, number);
-    return error == std::errc() && accept(end);
+    return error == std::errc() && accept(end, '/');
   }
 
   // The number behind a slash, as the second index at a corner of an OBJ file. Returns whether there was one.
@@ -83,7 +83,7 @@ public:
     if (m_at == m_end || *m_at != '/')
       return false;
     const auto [end, error] = std::from_chars(m_at + 1, m_end, number);
-    return error == std::errc() && accept(end);
+    return error == std::errc() && accept(end, '/');
   }
 
   // ---- binary ----
@@ -137,10 +137,11 @@ private:
     return result;
   }
 
-  // A number ends where the line or the word does, or at the slash between the indices of an OBJ file.
-  bool accept(const char* end)
+  // A number ends where the word does, at a separator, or at a comment. But '1.#INF' and '1.#QNAN' are what some
+  // compilers printed for what is no number.
+  bool accept(const char* end, char separator = ' ')
   {
-    if (end != m_end && !is_space(*end) && *end != '/' && *end != '#')
+    if (end != m_end && !is_space(*end) && *end != separator && (*end != '#' || end[-1] == '.'))
       return false;
     m_at = end;
     return true;

@@ -179,8 +179,8 @@ void write_files(const Options& options, const std::string& file, Input& input)
   files.commit();
   if (spoilt_triangles > 0 && !options.quiet)
     std::cerr << one_line(input.name) << ": "
-              << counted(spoilt_triangles, "triangle of the map has no area, or is",
-                         "triangles of the map have no area, or are")
+              << counted(spoilt_triangles, "triangle of the map has no area, there or in space, or is",
+                         "triangles of the map have no area, there or in space, or are")
               << " turned over, in the floats of glTF; OBJ and PLY hold doubles\n";
 }
 

@@ -77,18 +77,25 @@ std::string read_content(const std::string& file)
 
 namespace {
 
+// Whether that is how an OFF file begins: OFF behind letters that tell what its vertices have.
+bool is_OFF_keyword(const std::string& word)
+{
+  return has_suffix(word, "off") && word.find_first_not_of("STCN4stcn") == word.size() - 3;
+}
+
 // The ending that a file with that content would have.
 std::string guess_suffix(const std::string& content)
 {
   File_scanner scanner(content);
   scanner.skip_comments();
   const std::string first_word(scanner.word());
+  const bool is_text = content.find('\0') == std::string::npos;
   if (first_word == "ply")
     return ".ply";
-  if (has_suffix(first_word, "off"))      // COFF, NOFF, ...
+  if (is_OFF_keyword(first_word))
     return ".off";
-  const bool is_text = content.find('\0') == std::string::npos;
-  return first_word == "solid" || !is_text ? ".stl" : ".obj";
+  const bool is_solid = first_word.size() == 5 && has_suffix(first_word, "solid");      // in capitals, too
+  return is_solid || !is_text ? ".stl" : ".obj";
 }
 
 Kernel::Point_3 point_of(const Polygon_soup& soup, std::size_t v)

@@ -11,11 +11,15 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Corner_places.h>
+
+#include <CGAL/Bbox_3.h>
 
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -35,18 +39,36 @@ struct Primitive
   std::vector<float> positions, texture_coordinates;      // three, and two or none, for each vertex
   std::vector<std::uint32_t> indices;
 
-  void add_vertex(const Kernel::Point_3& p)
+  void add_vertex(const Kernel::Point_3& p, const Kernel::Vector_3& origin)
   {
-    for (const double coordinate : { p.x(), p.y(), p.z() })
-      positions.push_back(float(coordinate));
+    for (int i = 0; i < 3; ++i)
+      positions.push_back(float(p[i] - origin[i]));
   }
 };
 
-Primitive mapped_primitive(const Mesh& mesh, const internal::Corner_places& corners)
+// Where the mesh is put. That is the middle of one that is far from the origin, in floats, as readers have it: so points
+// do not lose the digits of the distance.
+Kernel::Vector_3 origin_of(const Mesh& mesh)
+{
+  constexpr double least_relative_distance = 10;
+  CGAL::Bbox_3 box;
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    if (!mesh.is_isolated(v))
+      box += mesh.point(v).bbox();
+  std::array<double, 3> origin{};
+  for (int i = 0; i < 3; ++i) {
+    const float middle = float(0.5 * box.min(i) + 0.5 * box.max(i));
+    if (std::isfinite(middle) && std::abs(middle) > least_relative_distance * internal::half_width_of(box))
+      origin[i] = middle;
+  }
+  return { origin[0], origin[1], origin[2] };
+}
+
+Primitive mapped_primitive(const Mesh& mesh, const internal::Corner_places& corners, const Kernel::Vector_3& origin)
 {
   Primitive result;
   for (const internal::Corner_places::Place& place : corners.places) {
-    result.add_vertex(mesh.point(Mesh::Vertex_index(place.vertex)));
+    result.add_vertex(mesh.point(Mesh::Vertex_index(place.vertex)), origin);
     result.texture_coordinates.insert(result.texture_coordinates.end(),
                                       { float(place.uv.x()), float(1 - place.uv.y()) });
   }
@@ -56,7 +78,7 @@ Primitive mapped_primitive(const Mesh& mesh, const internal::Corner_places& corn
   return result;
 }
 
-Primitive unmapped_primitive(const Mesh& mesh, const internal::Corner_places& corners)
+Primitive unmapped_primitive(const Mesh& mesh, const internal::Corner_places& corners, const Kernel::Vector_3& origin)
 {
   constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   Primitive result;
@@ -68,15 +90,26 @@ Primitive unmapped_primitive(const Mesh& mesh, const internal::Corner_places& co
         continue;
       if (index_of[v] == none) {
         index_of[v] = std::uint32_t(result.positions.size() / 3);
-        result.add_vertex(mesh.point(v));
+        result.add_vertex(mesh.point(v), origin);
       }
       result.indices.push_back(index_of[v]);
     }
   return result;
 }
 
-// How many triangles with an area have none in the floats of texture coordinates, or are turned over there.
-std::size_t number_of_spoilt_triangles(const Primitive& primitive, const internal::Corner_places& corners)
+// Whether two points are the same in floats only.
+bool do_points_meet(const Mesh& mesh, const Primitive& primitive, const internal::Corner_places& corners,
+                    std::uint32_t place, std::uint32_t other)
+{
+  const auto point = [&](std::uint32_t i) { return mesh.point(Mesh::Vertex_index(corners.places[i].vertex)); };
+  const float* const p = &primitive.positions[3 * place];
+  return std::equal(p, p + 3, &primitive.positions[3 * other]) && point(place) != point(other);
+}
+
+// How many triangles have corners that are the same in floats only, or have an area in the map, but none in floats, or
+// are turned over there.
+std::size_t number_of_spoilt_triangles(const Mesh& mesh, const Primitive& primitive,
+                                       const internal::Corner_places& corners)
 {
   const auto in_floats = [&](std::uint32_t place) {
     return internal::Point_2(primitive.texture_coordinates[2 * place],
@@ -89,8 +122,12 @@ std::size_t number_of_spoilt_triangles(const Primitive& primitive, const interna
   };
   std::size_t result = 0;
   for (std::size_t corner = 0; corner < primitive.indices.size(); corner += 3) {
+    const std::uint32_t* const place = &primitive.indices[corner];
     const CGAL::Orientation before = side(corner, in_doubles);
-    result += before != CGAL::COLLINEAR && side(corner, in_floats) != before;
+    result += (before != CGAL::COLLINEAR && side(corner, in_floats) != before) ||
+              do_points_meet(mesh, primitive, corners, place[0], place[1]) ||
+              do_points_meet(mesh, primitive, corners, place[1], place[2]) ||
+              do_points_meet(mesh, primitive, corners, place[2], place[0]);
   }
   return result;
 }
@@ -99,7 +136,7 @@ std::size_t number_of_spoilt_triangles(const Primitive& primitive, const interna
 class GLB_writer
 {
 public:
-  GLB_writer()
+  explicit GLB_writer(const Kernel::Vector_3& origin)
   {
     m_model.asset.version = "2.0";
     m_model.asset.generator = "hierarchical_parameterization";
@@ -107,6 +144,8 @@ public:
     m_model.meshes.resize(1);
     m_model.nodes.resize(1);
     m_model.nodes[0].mesh = 0;
+    if (origin != CGAL::NULL_VECTOR)
+      m_model.nodes[0].translation = { origin.x(), origin.y(), origin.z() };
     m_model.scenes.resize(1);
     m_model.scenes[0].nodes = { 0 };
     m_model.defaultScene = 0;
@@ -185,13 +224,15 @@ bool can_write_GLB() { return true; }
 std::size_t write_GLB(std::ostream& out, const Mesh& mesh, const Corner_map& corner_map)
 {
   const internal::Corner_places corners(mesh, corner_map);
-  const Primitive mapped = mapped_primitive(mesh, corners), unmapped = unmapped_primitive(mesh, corners);
-  GLB_writer writer;
+  const Kernel::Vector_3 origin = origin_of(mesh);
+  const Primitive mapped = mapped_primitive(mesh, corners, origin);
+  const Primitive unmapped = unmapped_primitive(mesh, corners, origin);
+  GLB_writer writer(origin);
   for (const Primitive* primitive : { &mapped, &unmapped })
     if (!primitive->indices.empty())
       writer.add(*primitive);
   writer.write(out);
-  return number_of_spoilt_triangles(mapped, corners);
+  return number_of_spoilt_triangles(mesh, mapped, corners);
 }
 
 #else

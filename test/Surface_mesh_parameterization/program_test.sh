@@ -58,6 +58,8 @@ for format in obj ply; do
 done
 printf '# a comment\n\nOFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' | "$program" - --quiet ||
   fail "a file that begins with a comment was not read from the standard input"
+printf 'SOLID A\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\nENDFACET\nENDSOLID\n' |
+  "$program" - --quiet || fail "an STL file in capitals was not read from the standard input"
 printf nonsense | "$program" - 2>stderr && fail "nonsense from the standard input was taken for a mesh"
 grep -q 'is not OFF, OBJ, PLY or STL' stderr || fail "nonsense is called something else: $(cat stderr)"
 "$program" - <. 2>stderr && fail "a folder was read as standard input"

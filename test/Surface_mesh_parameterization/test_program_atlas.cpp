@@ -746,6 +746,34 @@ TEST(Program_atlas_options, hold_for_each_of_several_inputs)
   EXPECT_FALSE(nlohmann::json::parse(reports.substr(line_end)).contains("atlas"));
 }
 
+// Its floats hold 24 bits.
+TEST(Program_GLB, has_the_points_of_a_mesh_that_is_far_away)
+{
+  if (!can_write_GLB())
+    return;
+  const Mesh m = scaled(torus(30, 60), 0.3, 4649776.25);
+  const Runs runs(m);
+  ASSERT_EQ(runs.run("in.off --output map.glb --quiet"), good);
+  EXPECT_EQ(runs.error(), "");
+  const GLB glb(runs.content("map.glb"));
+  const auto translation = glb.json.at("nodes").at(0).at("translation").get<Point>();
+  for (std::size_t f = 0; f < m.polygons.size(); ++f)
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double x = glb.mesh.points[std::size_t(glb.mesh.polygons[f][i])][k] + translation[k];
+        EXPECT_NEAR(x, m.points[std::size_t(m.polygons[f][i])][k], std::ldexp(1., -24));
+      }
+}
+
+TEST(Program_GLB, tells_of_triangles_that_floats_do_not_hold)
+{
+  if (!can_write_GLB())
+    return;
+  const Runs runs(scaled(octasphere(1), 1e-60));
+  EXPECT_EQ(runs.run("in.off --output map.glb"), good);
+  EXPECT_NE(runs.error().find("32 triangles of the map have no area"), std::string::npos) << runs.error();
+}
+
 TEST(Program_GLB, is_told_where_it_cannot_be_written)
 {
   const Runs runs(scaled(octasphere(1), 1e60));
