@@ -9,6 +9,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
@@ -313,6 +314,33 @@ TEST(Division, is_of_slender_surfaces_by_default)
   expect_one_to_one(slender);
   EXPECT_GE(whole.used_part, 0.25);
   EXPECT_EQ(whole.divisions, 0u);
+}
+
+// What the repair of a chart did is told once, whatever becomes of the chart.
+TEST(Division, does_not_multiply_what_was_repaired)
+{
+  Flat_mesh m = grid(80, 5, flat);
+  Random random(1);
+  for (Point_3& p : m.points)
+    p = Point_3(20 * p.x(), p.y(), random(0, 0.4));
+  Surface whole(m), divided(m);
+  const auto sums = [](const Atlas_summary& summary) {
+    EXPECT_TRUE(summary.is_ok());
+    std::pair<std::size_t, std::size_t> result;
+    for (const Atlas_summary::Chart& chart : summary.charts) {
+      result.first += chart.summary.flips;
+      result.second += chart.summary.moved_vertices;
+    }
+    return result;
+  };
+  const Atlas_summary before =
+      atlas_parameterization<LSCM_parameterizer_3>(whole.mesh, whole.uv, parameters::least_used_part(0.));
+  const Atlas_summary summary =
+      atlas_parameterization<LSCM_parameterizer_3>(divided.mesh, divided.uv, parameters::least_used_part(0.7));
+  EXPECT_GT(summary.divisions, 0u);
+  EXPECT_EQ(summary.charts.size(), before.charts.size() + summary.divisions);
+  EXPECT_GT(sums(before).second, 0u);
+  EXPECT_EQ(sums(summary), sums(before));
 }
 
 // Each part has its area in space, at the same scale.

@@ -130,14 +130,16 @@ inline std::vector<bool> take_parts(const std::vector<Parts_with_map>& parts, At
   return has_map;
 }
 
-// A part of a chart, of so many faces, with its share of the chart's seconds.
-inline Atlas_summary::Chart part_of(const Atlas_summary::Chart& chart, std::size_t faces)
+// Takes a part of so many faces from a chart: with its share of the chart's seconds, while all that the repair of flips
+// did is told of the first part.
+inline Atlas_summary::Chart take_part(Atlas_summary::Chart& chart, std::size_t faces)
 {
   Atlas_summary::Chart part = chart;
   const double share = double(faces) / double(chart.faces);
   part.faces = faces;
   part.summary.seconds_hierarchy *= share;
   part.summary.seconds_parameterize *= share;
+  chart.summary.flips = chart.summary.moved_vertices = 0;
   return part;
 }
 
@@ -153,13 +155,13 @@ inline void divide_charts(Atlas& atlas, std::vector<bool>& has_map, const Pack_o
   result.divisions += atlas.charts.size() - result.charts.size();
   result.chart_of_face = chart_of_face(atlas);
   const std::vector<bool> old_has_map = std::move(has_map);
-  const std::vector<Atlas_summary::Chart> old_charts = std::move(result.charts);
+  std::vector<Atlas_summary::Chart> old_charts = std::move(result.charts);
   has_map.clear();
   result.charts.clear();
   for (std::size_t i = 0; i < atlas.charts.size(); ++i) {
     const std::size_t old = chart_before[i];
     has_map.push_back(old_has_map[old]);
-    result.charts.push_back(part_of(old_charts[old], atlas.charts[i].size()));
+    result.charts.push_back(take_part(old_charts[old], atlas.charts[i].size()));
   }
 }
 
@@ -202,7 +204,7 @@ inline void open_holes(const Atlas& atlas, Atlas_summary& result)
 {
   if (!atlas.has_closed_holes())
     return;
-  const std::vector<Atlas_summary::Chart> old_charts = std::move(result.charts);
+  std::vector<Atlas_summary::Chart> old_charts = std::move(result.charts);
   const std::vector<std::size_t> old_chart_of_face = std::move(result.chart_of_face);
   const std::vector<std::vector<Index>> pieces = connected_components(atlas.surface());
   result.charts.clear();
@@ -210,7 +212,7 @@ inline void open_holes(const Atlas& atlas, Atlas_summary& result)
   for (const std::vector<Index>& faces : pieces) {
     for (const Index f : faces)
       result.chart_of_face[f] = result.charts.size();
-    result.charts.push_back(part_of(old_charts[old_chart_of_face[faces.front()]], faces.size()));
+    result.charts.push_back(take_part(old_charts[old_chart_of_face[faces.front()]], faces.size()));
     Parameterization_error& error = result.charts.back().summary.error;
     if (error.place == Parameterization_error::FACE &&
         !std::binary_search(faces.begin(), faces.end(), Index(error.index)))
