@@ -7,6 +7,8 @@ mkdir -p "$root/.build"
 export CCACHE_SLOPPINESS=pch_defines,time_macros
 # What a source includes ccache takes from the compiler, instead of preprocessing it first.
 export CCACHE_DEPEND=1
+# Precompiled headers have hundreds of megabytes: each is hashed once, not for every source.
+export CCACHE_INODECACHE=1
 
 # Two runs at a time would build in the same folder. Where there is no flock, nothing is locked.
 exec 9>"$root/.build/lock"
