@@ -234,6 +234,19 @@ TEST(As_rigid_as_possible, keeps_flips_in_floats)
   }
 }
 
+TEST(As_rigid_as_possible, is_not_written_where_floats_overflow)
+{
+  typedef CGAL::Simple_cartesian<float>::Point_2   Float_point;
+  Mapped_mesh m(affine_image(grid(8, 8, flat), 1e45, 0, 0, 1e45));
+  const Float_point untouched(-77, 77);
+  auto map = m.mesh.add_property_map<Surface_mesh::Vertex_index, Float_point>("v:float_uv", untouched).first;
+  const Hierarchical_method arap(parameters::flip_policy(Flip_policy::KEEP).summary(std::ref(m.summary)));
+  EXPECT_EQ(SMP::parameterize(m.mesh, arap, longest_border(m.mesh), map), ERROR_WRONG_PARAMETER);
+  EXPECT_NE(std::string(m.summary.error.cause).find("too large"), std::string::npos);
+  for (const auto v : vertices(m.mesh))
+    EXPECT_EQ(map[v], untouched);
+}
+
 // Where angles cannot be kept and a change of scale costs next to nothing, the cheapest map is a point.
 TEST(As_rigid_as_possible, shrinks_the_map_for_tiny_lambda)
 {

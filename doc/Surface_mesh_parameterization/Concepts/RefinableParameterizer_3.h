@@ -51,7 +51,7 @@ public:
   /// \param mesh the user's mesh
   /// \param bhd the user's halfedge on the outer border
   /// \param uvmap receives the places, in the user's units. The result has exactly these places, unless a coordinate
-  ///        under- or overflows in units of the level
+  ///        under- or overflows in units of the level, or the repair of flips moves one, see `Flip_policy`
   /// \param vimap the indices of the component's vertices, from 0 without gaps
   /// \param vpmap receives `true` for every vertex that is fixed
   ///

@@ -93,7 +93,8 @@ struct Parameterization_summary
   /// which its map winds more than once, and border vertices whose angles make a full turn or more. Not counted if the
   /// policy is `KEEP`
   std::size_t flips = 0;
-  std::size_t moved_vertices = 0;         ///< vertices that the repair moved; all if the map was replaced
+  /// vertices that the repair moved, those in the middle of filled holes included; all if the map was replaced
+  std::size_t moved_vertices = 0;
   /// whether the repair would have left little of the map, so that a method without flips made another one
   bool is_replaced = false;
   Linear_solver_summary linear_solver;    ///< of a method that solves linear systems by multigrid

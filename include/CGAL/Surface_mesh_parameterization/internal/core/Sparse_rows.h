@@ -7,6 +7,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
 #include <cstddef>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -37,13 +39,14 @@ struct Sparse_rows
       columns.push_back(column);
       values.push_back(Real(value));
     }
-    first.push_back(Index(columns.size()));
+    first.push_back(checked_end(columns.size()));
   }
 
   // Adds rows below the others.
   void append(const Sparse_rows& rows)
   {
     const Index shift = first.back();
+    checked_end(shift + rows.columns.size());
     for (Index i = 1; i < rows.first.size(); ++i)
       first.push_back(shift + rows.first[i]);
     columns.insert(columns.end(), rows.columns.begin(), rows.columns.end());
@@ -51,6 +54,14 @@ struct Sparse_rows
   }
 
   Index number_of_rows() const { return Index(first.size() - 1); }
+
+  // The end of a row as it is stored.
+  static Index checked_end(std::size_t end)
+  {
+    if (end > (std::numeric_limits<Index>::max)())
+      throw std::length_error("a sparse matrix has at most 2^32 - 1 entries");
+    return Index(end);
+  }
 
   // Calls f(column, value) for the entries of row i.
   template <class Function>

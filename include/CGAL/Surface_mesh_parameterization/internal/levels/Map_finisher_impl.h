@@ -92,7 +92,12 @@ Error_code Map_finisher::round(const Level& level, Level::Uv& uv)
   const bool must_stay_apart = m_must_keep_apart && !crosses_itself();
   const bool is_good = round_map(level.rings(), m_options.round, level.scale_exponent(), uv, level.loops()) &&
                        !(must_stay_apart && crosses_itself());
-  return is_good ? OK : ERROR_NO_1_TO_1_MAPPING;
+  if (is_good)
+    return OK;
+  if (std::all_of(uv.begin(), uv.end(), [](const Point_2& p) { return is_finite(p); }))
+    return ERROR_NO_1_TO_1_MAPPING;
+  m_summary.error.cause = cause_of_overflow;
+  return ERROR_WRONG_PARAMETER;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

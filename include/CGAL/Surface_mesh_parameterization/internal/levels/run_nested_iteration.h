@@ -236,8 +236,8 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
   if (status == OK) {
     status = summary.error.code = write_map(component, scale_exponent, uv, uvmap, vpmap);
     if (status != OK)
-      summary.error.cause = "the map is too large for doubles";
-  } else if (status == ERROR_WRONG_PARAMETER)
+      summary.error.cause = cause_of_overflow;
+  } else if (status == ERROR_WRONG_PARAMETER && !summary.error.cause)
     summary.error.cause = engine_method.cause();
   else if (summary.error.place == Parameterization_error::VERTEX)
     summary.error.index = position_in(vertices(mesh), component.vertices_of_component()[summary.error.index]);

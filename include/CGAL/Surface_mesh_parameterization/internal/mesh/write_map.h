@@ -6,10 +6,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 
 #include <boost/property_map/property_map.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -22,13 +22,16 @@ Error_code write_map(const Mesh_component<TriangleMesh>& component, int scale_ex
                      VertexUVMap uvmap, VertexParameterizedMap vpmap)
 {
   typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
-  const auto user_coordinate = [&](double x) { return std::ldexp(x, -scale_exponent); };
-  for (const Point_2& p : uv)
-    if (!std::isfinite(user_coordinate(p.x())) || !std::isfinite(user_coordinate(p.y())))
-      return ERROR_WRONG_PARAMETER;
+  const auto user_point = [&](const Point_2& p) {
+    const Point_2 q = times_power_of_two(p, -scale_exponent);
+    return User_point_2(q.x(), q.y());
+  };
   const auto& vertices = component.vertices_of_component();
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (!is_finite(times_power_of_two(uv[i], -scale_exponent)) || !is_finite(to_point_2(user_point(uv[i]))))
+      return ERROR_WRONG_PARAMETER;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    put(uvmap, vertices[i], User_point_2(user_coordinate(uv[i].x()), user_coordinate(uv[i].y())));
+    put(uvmap, vertices[i], user_point(uv[i]));
     put(vpmap, vertices[i], true);
   }
   return OK;

@@ -46,6 +46,9 @@ struct Rounding
   }
 };
 
+// Why a map cannot be written whose coordinates are infinite in the user's numbers.
+inline constexpr const char* cause_of_overflow = "the map is too large for the numbers of uvmap";
+
 // Rounds the coordinates of a valid map, or of the mirror image of one. A vertex whose star would not be valid any more
 // goes to the middle of the kernel of its star, rounded. Returns whether the result is valid, or its mirror image. If
 // `round` is null, there is nothing to do.
