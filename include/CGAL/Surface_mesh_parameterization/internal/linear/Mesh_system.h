@@ -145,10 +145,12 @@ public:
     return backward_error(b, x, [this](Index i) { return !m_is_fixed[i]; });
   }
 
-  // The middle of the fixed unknowns if it is far away for their extent, else 0.
+  // The middle of the fixed unknowns if it is far away for their extent, and moves with the solution; else 0.
   double distance_from_origin(const double* b) const
   {
     constexpr double least_relative_distance = 10;
+    if (!m_annihilates_constants)
+      return 0;
     double least = (std::numeric_limits<double>::infinity)(), greatest = -least;
     for (Index i = 0; i < size(); ++i)
       if (m_is_fixed[i]) {
@@ -202,8 +204,9 @@ private:
     m_is_fixed.assign(size(), true);
     double sum_of_signs = 0;
     for (Index i = 0; i < size(); ++i) {
-      double diagonal = 0, others = 0;
+      double diagonal = 0, others = 0, sum = 0;
       m_rows->for_each_entry(i, [&](Index column, double value) {
+        sum += value;
         if (column == i)
           diagonal = value;
         else if (value != 0) {
@@ -214,6 +217,7 @@ private:
       double inverse = 1 / diagonal;
       m_is_regular = m_is_regular && std::isfinite(inverse) && inverse != 0;
       m_is_diagonally_dominant = m_is_diagonally_dominant && others * std::abs(inverse) <= 1 + rounding;
+      m_annihilates_constants = m_annihilates_constants && (m_is_fixed[i] || std::abs(sum) <= rounding * others);
       sum_of_signs += m_is_fixed[i] ? 0 : std::copysign(1., inverse);
       if (others * std::abs(inverse) > greatest_row_sum)      // the diagonal does not tell how large the row is
         inverse = std::copysign(1 / others, inverse);
@@ -285,6 +289,7 @@ private:
   double m_free_part_scale = 1;
   double m_sign = 1;        // of most diagonals of free unknowns
   bool m_is_regular = true, m_is_symmetric = false, m_is_diagonally_dominant = true;
+  bool m_annihilates_constants = true;      // the sum of each row of a free unknown is 0
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
