@@ -154,12 +154,7 @@ public:
     Grid& grid = m_grids[g];
     v_cycle(*this, g, grid.right_side, grid.solution);
     if (m_options.has_k_cycles && !is_coarsest(g))
-      take_second_step<double>(
-          m_loops, [&](const Block_vectors& x, Block_vectors& ax) { grid.matrix.multiply(x, ax, m_loops); },
-          [&](Index i, const Block_vectors& x) { return grid.matrix.energy_of_row(i, x); },
-          [](const Block_vector& a, const Block_vector& b) { return inner_product(a, b); },
-          [&](const Block_vectors& r, Block_vectors& z) { v_cycle(*this, g, r, z); }, grid.solution, grid.right_side,
-          grid.second_solution, grid.product);
+      take_second_step(*this, g);
   }
 
   // The right side of the coarse grid: S_c P^T S^-1 (b - A x). The sweeps have left A x - b, and want 0 back.
@@ -199,6 +194,21 @@ public:
     });
   }
 
+  // What take_second_step() needs.
+  typedef double   Scalar;
+  const Loops& loops() const { return m_loops; }
+  Block_vectors& second_solution(std::size_t g) { return m_grids[g].second_solution; }
+  Block_vectors& image(std::size_t g) { return m_grids[g].image; }
+  static double product(const Block_vector& a, const Block_vector& b) { return inner_product(a, b); }
+  double energy_of_row(std::size_t g, Index i, const Block_vectors& x) const
+  {
+    return m_grids[g].matrix.energy_of_row(i, x);
+  }
+  void multiply(std::size_t g, const Block_vectors& x, Block_vectors& ax) const
+  {
+    m_grids[g].matrix.multiply(x, ax, m_loops);
+  }
+
 private:
   struct Grid
   {
@@ -209,7 +219,7 @@ private:
     std::unique_ptr<Galerkin_product> galerkin_product;
     Block_vectors right_side, solution;
     Block_vectors right;                        // see Block_matrix::relax_forward()
-    Block_vectors second_solution, product;     // see take_second_step()
+    Block_vectors second_solution, image;       // see take_second_step()
 
     explicit Grid(Row_parts parts_) : parts(std::move(parts_)) { }
 

@@ -117,7 +117,7 @@ public:
         for (auto* vectors : { &m_right_side, &m_solution, &m_scratch })
           vectors->emplace_back(grid.size());
       m_second_solution.resize(m_solution.size());
-      m_product.resize(m_solution.size());
+      m_image.resize(m_solution.size());
     }
 
     // From now on, cycles take two steps of conjugate gradients on each coarse grid, see take_second_step(). The matrix
@@ -142,15 +142,8 @@ public:
     {
       v_cycle(*this, g, m_right_side[g], m_solution[g]);
       if constexpr (columns == 1)
-        if (m_has_k_cycles && !is_coarsest(g)) {
-          const Incomplete_LU<Number>& grid = m_multigrid.m_grids[g];
-          const auto product = [](const Value& a, const Value& b) { return double(inner_product(a[0], b[0])); };
-          take_second_step<Number>(
-              m_multigrid.m_loops, [&](const Vector& x, Vector& ax) { grid.multiply(x, ax); },
-              [&](Index i, const Vector& x) { return product(x[i], grid.row_times(i, x)); }, product,
-              [&](const Vector& r, Vector& z) { v_cycle(*this, g, r, z); }, m_solution[g], m_right_side[g],
-              m_second_solution[g], m_product[g]);
-        }
+        if (m_has_k_cycles && !is_coarsest(g))
+          take_second_step(*this, g);
     }
 
     void add_correction(std::size_t g, Vector& x) const
@@ -158,10 +151,21 @@ public:
       m_multigrid.m_transfers[g].add_prolongation(m_solution[g + 1], x);
     }
 
+    // What take_second_step() needs.
+    typedef Number   Scalar;
+    const Loops& loops() const { return m_multigrid.m_loops; }
+    Vector& second_solution(std::size_t g) { return m_second_solution[g]; }
+    Vector& image(std::size_t g) { return m_image[g]; }
+    void multiply(std::size_t g, const Vector& x, Vector& ax) const { m_multigrid.m_grids[g].multiply(x, ax); }
+    static double product(const Value& a, const Value& b) { return inner_product(a[0], b[0]); }
+    double energy_of_row(std::size_t g, Index i, const Vector& x) const
+    {
+      return product(x[i], m_multigrid.m_grids[g].row_times(i, x));
+    }
+
   private:
     const Scalar_multigrid& m_multigrid;
-    std::vector<Vector> m_right_side, m_solution, m_scratch;
-    std::vector<Vector> m_second_solution, m_product;     // see take_second_step()
+    std::vector<Vector> m_right_side, m_solution, m_scratch, m_second_solution, m_image;
     bool m_has_k_cycles = false;
   };
 
