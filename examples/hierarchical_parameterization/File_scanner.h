@@ -137,11 +137,12 @@ private:
     return result;
   }
 
-  // A number ends where the word does, at a separator, or at a comment. But '1.#INF' and '1.#QNAN' are what some
-  // compilers printed for what is no number.
+  // A number ends where the word does, at a separator, or at a comment. But '1.#INF', '1.#IND', '1.#QNAN' and '1.#SNAN'
+  // are what some compilers printed for what is no number.
   bool accept(const char* end, char separator = ' ')
   {
-    if (end != m_end && !is_space(*end) && *end != separator && (*end != '#' || end[-1] == '.'))
+    const bool is_comment = *end == '#' && !(end[-1] == '.' && (end[1] == 'I' || end[1] == 'Q' || end[1] == 'S'));
+    if (end != m_end && !is_space(*end) && *end != separator && !is_comment)
       return false;
     m_at = end;
     return true;

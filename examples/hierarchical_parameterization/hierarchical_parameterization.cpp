@@ -95,7 +95,7 @@ void print_warnings(const Input& input, const Options& options, const Run_record
   else if (run.summary.moved_vertices > 0) {
     const std::vector<bool> is_mapped = vertices_of_faces(input);
     const std::size_t vertices = std::size_t(std::count(is_mapped.begin(), is_mapped.end(), true));
-    const std::size_t moved = (std::min)(run.summary.moved_vertices, vertices);      // without those in filled holes
+    const std::size_t moved = (std::min)(run.summary.moved_vertices, vertices);      // others are in filled holes
     if (double(moved) > great_part * double(vertices))
       std::cerr << name << ": to repair the flips of " << options.method->name << ", " << moved << " of " << vertices
                 << " vertices were moved: the map is hardly its own\n";

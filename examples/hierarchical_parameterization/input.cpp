@@ -89,11 +89,11 @@ std::string guess_suffix(const std::string& content)
   File_scanner scanner(content);
   scanner.skip_comments();
   const std::string first_word(scanner.word());
-  const bool is_text = content.find('\0') == std::string::npos;
   if (first_word == "ply")
     return ".ply";
   if (is_OFF_keyword(first_word))
     return ".off";
+  const bool is_text = content.find('\0') == std::string::npos;
   const bool is_solid = first_word.size() == 5 && has_suffix(first_word, "solid");      // in capitals, too
   return is_solid || !is_text ? ".stl" : ".obj";
 }

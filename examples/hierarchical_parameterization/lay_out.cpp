@@ -116,8 +116,8 @@ SMP::Atlas_summary run_atlas(Input& input, const Options& options)
   return atlas;
 }
 
-// Of all charts that have a map: the levels and the linear solver are those of the chart with the most triangles, and
-// the map is replaced if that of any chart is.
+// Of all charts that have a map: the levels and the linear solver are those of the chart with the most triangles, as it
+// was laid out, and the map is replaced if that of any chart is.
 SMP::Parameterization_summary summary_of(const SMP::Atlas_summary& atlas)
 {
   SMP::Parameterization_summary result;
@@ -128,8 +128,9 @@ SMP::Parameterization_summary summary_of(const SMP::Atlas_summary& atlas)
   for (const SMP::Atlas_summary::Chart& chart : atlas.charts) {
     if (!chart.summary.is_ok())
       continue;
-    if (chart.faces > most_faces) {
-      most_faces = chart.faces;
+    const std::size_t faces = chart.summary.levels.empty() ? chart.faces : chart.summary.levels.back().faces;
+    if (faces > most_faces) {
+      most_faces = faces;
       result = chart.summary;
     }
     seconds_hierarchy += chart.summary.seconds_hierarchy;

@@ -46,8 +46,8 @@ struct Primitive
   }
 };
 
-// Where the mesh is put. That is the middle of one that is far from the origin, in floats, as readers have it: so points
-// do not lose the digits of the distance.
+// Where the mesh is put: along an axis on which it is far from the origin, in its middle, so that points do not lose
+// the digits of the distance. In floats, as readers have it.
 Kernel::Vector_3 origin_of(const Mesh& mesh)
 {
   constexpr double least_relative_distance = 10;
@@ -97,17 +97,22 @@ Primitive unmapped_primitive(const Mesh& mesh, const internal::Corner_places& co
   return result;
 }
 
-// Whether two points are the same in floats only.
-bool do_points_meet(const Mesh& mesh, const Primitive& primitive, const internal::Corner_places& corners,
-                    std::uint32_t place, std::uint32_t other)
+// Whether three points do not lie on a line: their images in one of the planes of the axes do not.
+template <class Point_of>
+bool has_area(const std::uint32_t* corners, const Point_of& point)
 {
-  const auto point = [&](std::uint32_t i) { return mesh.point(Mesh::Vertex_index(corners.places[i].vertex)); };
-  const float* const p = &primitive.positions[3 * place];
-  return std::equal(p, p + 3, &primitive.positions[3 * other]) && point(place) != point(other);
+  for (int i = 0; i < 3; ++i) {
+    const auto image = [&](std::uint32_t place) {
+      const Kernel::Point_3 p = point(place);
+      return internal::Point_2(p[i], p[(i + 1) % 3]);
+    };
+    if (internal::exact_orientation(image(corners[0]), image(corners[1]), image(corners[2])) != CGAL::COLLINEAR)
+      return true;
+  }
+  return false;
 }
 
-// How many triangles have corners that are the same in floats only, or have an area in the map, but none in floats, or
-// are turned over there.
+// How many triangles with an area, in space or in the map, have none there in floats, or are turned over in the map.
 std::size_t number_of_spoilt_triangles(const Mesh& mesh, const Primitive& primitive,
                                        const internal::Corner_places& corners)
 {
@@ -120,14 +125,17 @@ std::size_t number_of_spoilt_triangles(const Mesh& mesh, const Primitive& primit
     const std::uint32_t* const place = &primitive.indices[corner];
     return internal::exact_orientation(point(place[0]), point(place[1]), point(place[2]));
   };
+  const auto point = [&](std::uint32_t i) { return mesh.point(Mesh::Vertex_index(corners.places[i].vertex)); };
+  const auto point_in_floats = [&](std::uint32_t i) {
+    const float* const p = &primitive.positions[3 * i];
+    return Kernel::Point_3(p[0], p[1], p[2]);
+  };
   std::size_t result = 0;
   for (std::size_t corner = 0; corner < primitive.indices.size(); corner += 3) {
-    const std::uint32_t* const place = &primitive.indices[corner];
+    const std::uint32_t* const places = &primitive.indices[corner];
     const CGAL::Orientation before = side(corner, in_doubles);
     result += (before != CGAL::COLLINEAR && side(corner, in_floats) != before) ||
-              do_points_meet(mesh, primitive, corners, place[0], place[1]) ||
-              do_points_meet(mesh, primitive, corners, place[1], place[2]) ||
-              do_points_meet(mesh, primitive, corners, place[2], place[0]);
+              (!has_area(places, point_in_floats) && has_area(places, point));
   }
   return result;
 }

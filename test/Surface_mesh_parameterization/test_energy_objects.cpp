@@ -177,6 +177,22 @@ TEST(Energy_objects, have_the_same_minimum_in_all_units)
     EXPECT_NEAR(energy / expected, 1, 1e-6);
 }
 
+struct From_0       { static constexpr double factor = 1, shift = -4 * factor; };
+struct Great_from_0 { static constexpr double factor = 1e60, shift = -4 * factor; };
+struct Small_from_0 { static constexpr double factor = 1e-60, shift = -4 * factor; };
+
+// What is left of an energy near the isometry is rounding, which must be told from it.
+TEST(Energy_objects, find_an_isometry_in_all_units)
+{
+  for (const Flat_mesh& m : { grid(30, 30, flat), grid(30, 30, rolled) }) {
+    const Parameterization_quality found[] = { quality_in_unit<Unit>(m), quality_in_unit<Below_0>(m),
+                                               quality_in_unit<From_0>(m), quality_in_unit<Great_from_0>(m),
+                                               quality_in_unit<Small_from_0>(m) };
+    for (const Parameterization_quality& quality : found)
+      EXPECT_NEAR(quality.symmetric_dirichlet, 4, 1e-9);
+  }
+}
+
 TEST(Energy_objects, keep_borders_apart_below_0)
 {
   const auto bound = parameters::globally_injective(true).overlap_bound(0.2);
@@ -206,13 +222,16 @@ struct Energy_times_area
 
 TEST(Energy_objects, need_no_value_before_the_area)
 {
-  Mapped_mesh mapped(grid(8, 8, wavy));
-  typedef Distortion_parameterizer_3<Surface_mesh, Energy_times_area>   Method;
-  EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Method>(
-                parameters::triangle_weight(Triangle_weight::ONE).summary(std::ref(mapped.summary)))),
-            OK);
-  EXPECT_TRUE(mapped.summary.converged);
-  EXPECT_TRUE(mapped.is_valid());
+  for (const double width : { 1e-3, 1., 1e3 })
+    for (const Flat_mesh& m : { grid(8, 8, wavy), grid(30, 30, flat) }) {
+      Mapped_mesh mapped(affine_image(m, width, 0, 0, width));
+      typedef Distortion_parameterizer_3<Surface_mesh, Energy_times_area>   Method;
+      EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Method>(
+                    parameters::triangle_weight(Triangle_weight::ONE).summary(std::ref(mapped.summary)))),
+                OK);
+      EXPECT_TRUE(mapped.summary.converged);
+      EXPECT_TRUE(mapped.is_valid());
+    }
 }
 
 // Symmetric Dirichlet, of which every member but the second derivatives may be made wrong.

@@ -95,7 +95,7 @@ const Row off_files[] = {
   { "nan.off", [] { return OFF(with_coordinate(patch(), 11, NaN)); }, bad_input, no_number, "vertex 11" },
   { "infinite.off", [] { return OFF(with_coordinate(patch(), 11, -infinity)); }, bad_input, no_number, "vertex 11" },
   { "old_nan.off", as_is("OFF\n3 1 0\n0 0 0\n1 0 1.#QNAN\n0 1 0\n3 0 1 2\n"), bad_input, unreadable, "vertex 1" },
-  { "comment_at_number.off", as_is("OFF\n3 1 0\n0 0 0#first\n1 0 0.5#second\n0 1 0\n3 0 1 2#all\n"), good, any },
+  { "comment_at_number.off", as_is("OFF\n3 1 0\n0 0 0.#first\n1 0 0.5#second\n0 1 0\n3 0 1 2#all\n"), good, any },
   { "overflowing.off", as_is("OFF\n3 1 0\n0 0 0\n1e999 0 0\n0 1 0\n3 0 1 2\n"), bad_input, no_number, "vertex 1" },
   { "index_n.off", [] { return OFF(with_index(patch(), 5, 49)); }, bad_input, unreadable,
     "face 5 refers to vertex 49" },

@@ -15,9 +15,9 @@
 /// with parameters of its own is passed to the constructor of `Distortion_parameterizer_3` as an object; the functions
 /// of one without may be `static`.
 ///
-/// At a few places a run compares the first derivatives with differences of values, and a scale-invariant energy at two
-/// scales, of a triangle of area 1. Where they are not the same it ends with `ERROR_WRONG_PARAMETER`, and the error tells which is wrong. Second
-/// derivatives are not checked: wrong ones make a run slow.
+/// For a triangle of area 1, a run compares the first derivatives at a few places with differences of values, and a
+/// scale-invariant energy at two scales. Where they are not the same it ends with `ERROR_WRONG_PARAMETER`, and the error
+/// tells which is wrong. Second derivatives are not checked: wrong ones make a run slow.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::As_rigid_as_possible_energy_2`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::MIPS_energy_2`
@@ -35,7 +35,8 @@ public:
   static constexpr bool is_flip_free;
 
   /// the energy of a triangle with the given area in space, in the square of the mesh's units: 0 or infinite if squares
-  /// of lengths under- or overflow; returns itself if the energy does not depend on the area
+  /// of lengths under- or overflow; returns itself if the energy does not depend on the area. The functions below are
+  /// called for what it returns
   DistortionEnergy_2 of_area(double area) const;
 
   /// the energy

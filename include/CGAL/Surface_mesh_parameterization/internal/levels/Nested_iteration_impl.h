@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/insert_new_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/starting_map.h>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>

@@ -60,8 +60,8 @@ public:
 
   const std::shared_ptr<const Sparse_rows<double>>& rows() const override { return m_system.rows(); }
 
-  // What is far from the origin is solved for near it: else a residual that is small for the distance would not be so
-  // for the solution's extent.
+  // What is far from the origin is solved for near it, if that is so for all unknowns of a right side: else a residual
+  // that is small for the distance would not be so for the solution's extent.
   Linear_solver_result solve(const std::vector<const double*>& right_sides, const std::vector<double*>& solutions,
                              const Linear_solver_options& options) override
   {
@@ -69,9 +69,12 @@ public:
     std::vector<double> distances(right_sides.size());
     std::vector<std::vector<double>> moved(right_sides.size());
     for (std::size_t c = 0; c < right_sides.size(); ++c)
-      if (distances[c] = m_system.distance_from_origin(right_sides[c]); distances[c] != 0) {
-        moved[c] = moved_right_side(right_sides[c], distances[c]);
-        near_right_sides[c] = moved[c].data();
+      if (const double distance = m_system.distance_from_origin(right_sides[c]); distance != 0) {
+        moved[c] = moved_right_side(right_sides[c], distance);
+        if (std::all_of(moved[c].begin(), moved[c].end(), [](double b) { return std::isfinite(b); })) {
+          near_right_sides[c] = moved[c].data();
+          distances[c] = distance;
+        }
       }
     const Linear_solver_result result = solve_near_origin(near_right_sides, solutions, options);
     for (std::size_t c = 0; c < right_sides.size() && result.is_solved; ++c)

@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -22,16 +23,15 @@ Error_code write_map(const Mesh_component<TriangleMesh>& component, int scale_ex
                      VertexUVMap uvmap, VertexParameterizedMap vpmap)
 {
   typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
-  const auto user_point = [&](const Point_2& p) {
-    const Point_2 q = times_power_of_two(p, -scale_exponent);
-    return User_point_2(q.x(), q.y());
-  };
-  const auto& vertices = component.vertices_of_component();
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    if (!is_finite(times_power_of_two(uv[i], -scale_exponent)) || !is_finite(to_point_2(user_point(uv[i]))))
+  const Rounding round{ rounding_to<User_point_2>(0) };
+  const auto in_user_units = [&](const Point_2& p) { return times_power_of_two(p, -scale_exponent); };
+  for (const Point_2& p : uv)
+    if (!is_finite(round(in_user_units(p))))
       return ERROR_WRONG_PARAMETER;
+  const auto& vertices = component.vertices_of_component();
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    put(uvmap, vertices[i], user_point(uv[i]));
+    const Point_2 p = in_user_units(uv[i]);
+    put(uvmap, vertices[i], User_point_2(p.x(), p.y()));
     put(vpmap, vertices[i], true);
   }
   return OK;

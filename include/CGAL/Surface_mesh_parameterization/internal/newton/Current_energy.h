@@ -29,7 +29,7 @@ public:
   void lower_by(double decrease)
   {
     m_value -= decrease;
-    if (!(decrease < m_value && m_value < (std::numeric_limits<double>::infinity)()))
+    if (!(decrease < std::abs(m_value) && m_value < (std::numeric_limits<double>::infinity)()))
       compute();
   }
 
@@ -37,7 +37,7 @@ public:
   double excess() const
   {
     const double minimum = m_energy.minimum_of_map();
-    return (std::max)(m_value - minimum, m_options.least_excess * minimum);
+    return (std::max)(m_value - minimum, m_options.least_excess * std::abs(minimum));
   }
 
   // Whether no triangle has more than the least energy, but for rounding.
@@ -53,7 +53,7 @@ public:
   bool is_little(double decrease, double part) const { return !(decrease > little(part)); }
 
 private:
-  double rounding() const { return m_options.rounding * m_energy.unit_of_values() * m_energy.total_weight(); }
+  double rounding() const { return m_options.rounding * m_energy.size_of_values() * m_energy.total_weight(); }
 
   const Level_energy& m_energy;
   const Level::Uv& m_uv;

@@ -42,8 +42,8 @@ public:
   bool is_scale_invariant() const { return m_is_scale_invariant; }
 
   double weight(const Rest_corner& c) const { return m_weight == Triangle_weight::AREA ? 1 / c.inverse_area : 1; }
-  // About the size of the energy's values, if that is less than 1.
-  double unit_of_values() const { return m_unit_of_values; }
+  // About how large the energies of triangles of weight 1 are; 1 if that is not far from it.
+  double size_of_values() const { return m_size_of_values; }
 
   double total_weight() const { return m_total_weight; }
   double minimum_of_map() const { return m_minimum * m_total_weight; }      // no map has less
@@ -72,11 +72,17 @@ public:
   virtual std::unique_ptr<Vertex_relaxer> make_vertex_relaxer() const = 0;
 
 protected:
-  Level_energy(const Level& level, Triangle_weight weight, double minimum, double unit_of_values, bool is_flip_free,
-               bool is_scale_invariant)
-    : m_level(level), m_weight(weight), m_minimum(minimum), m_unit_of_values(unit_of_values),
-      m_is_flip_free(is_flip_free), m_is_scale_invariant(is_scale_invariant), m_total_weight(sum_of_weights())
+  Level_energy(const Level& level, Triangle_weight weight, double minimum, bool is_flip_free, bool is_scale_invariant)
+    : m_level(level), m_weight(weight), m_minimum(minimum), m_is_flip_free(is_flip_free),
+      m_is_scale_invariant(is_scale_invariant), m_total_weight(sum_of_weights())
   { }
+
+  void set_size_of_values(double size)
+  {
+    constexpr double far = 10;
+    if (size > far || (size > 0 && size < 1 / far))
+      m_size_of_values = size;
+  }
 
   Level_energy(const Level_energy&) = default;
 
@@ -98,7 +104,7 @@ private:
 
   const Level& m_level;
   Triangle_weight m_weight;
-  double m_minimum, m_unit_of_values, m_unit = 0;
+  double m_minimum, m_size_of_values = 1, m_unit = 0;
   bool m_is_flip_free, m_is_scale_invariant;
   double m_total_weight;
 };

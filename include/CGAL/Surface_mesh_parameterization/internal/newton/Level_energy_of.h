@@ -31,11 +31,11 @@ class Level_energy_of final
 public:
   // `unit_of_area` is that in which the energy is told areas, in the unit of the level.
   Level_energy_of(const Level& level, Triangle_weight weight, const Energy& energy = Energy(), double unit_of_area = 1)
-    : Level_energy(level, weight, Energy::minimum,
-                   unit_of_values(energy.of_area(1 / (unit_of_area * level.rest_corners(0)[0].inverse_area))),
-                   Energy::is_flip_free, Energy::is_scale_invariant),
-      m_energy(energy), m_unit_of_area(unit_of_area)
-  { }
+    : Level_energy(level, weight, Energy::minimum, Energy::is_flip_free, Energy::is_scale_invariant), m_energy(energy),
+      m_unit_of_area(unit_of_area)
+  {
+    set_size_of_values(mean_size_of_values());
+  }
 
   void gather(Index v, const Level::Uv& uv, Star<Energy>& star) const
   {
@@ -63,11 +63,22 @@ private:
     }
   };
 
-  // About the size of values if it is less than 1: of the least, or of what a stretch by 2 and 1/2 costs.
-  static double unit_of_values(const Energy& energy)
+  // How large the energies of some triangles are: the least, or what it costs to double or halve lengths.
+  double mean_size_of_values() const
   {
-    constexpr double f = 2 * 2 + 0.5 * 0.5, d = 2 * 0.5;
-    return (std::min)(1., (std::max)(std::abs(Energy::minimum), std::abs(energy.value(f, d) - Energy::minimum)));
+    constexpr Index most_triangles = 100;
+    constexpr double invariants[][2] = { { 4.25, 1 }, { 8, 4 }, { 0.5, 0.25 } };      // f and d
+    const Index n = level().number_of_vertices(), step = 1 + n / most_triangles;
+    double sum = 0;
+    for (Index v = 0; v < n; v += step) {
+      const Energy energy = triangle_energy(level().rest_corners(v)[0]);
+      double size = std::abs(Energy::minimum);
+      for (const auto& i : invariants)
+        if (const double excess = std::abs(energy.value(i[0], i[1]) - Energy::minimum); std::isfinite(excess))
+          size = (std::max)(size, excess);
+      sum += size;
+    }
+    return sum * double(step) / double(n);
   }
 
   // The energy of the triangle of a corner.
