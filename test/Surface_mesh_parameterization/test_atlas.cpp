@@ -27,6 +27,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -328,6 +329,41 @@ TEST(Atlas, is_the_same_with_several_threads)
   expect_same_with_several_threads<LSCM_parameterizer_3>(uncut_surfaces().back().mesh);
   expect_same_with_several_threads<Symmetric_Dirichlet_parameterizer_3>(grid(60, 60, wavy));
   expect_same_with_several_threads<LSCM_parameterizer_3>(grid(60, 60, wavy));
+}
+
+struct Throwing_visitor : Hierarchy_visitor_3
+{
+  struct Exception { };
+
+  std::atomic<int>* calls_left;
+
+  explicit Throwing_visitor(std::atomic<int>& calls_left) : calls_left(&calls_left) { }
+
+  bool level_parameterized(const Level&, const Level::Uv&, const Level_summary&)
+  {
+    if (--*calls_left == 0)
+      throw Exception();
+    return true;
+  }
+};
+
+// The charts that other threads lay out meanwhile go on to their ends.
+TEST(Atlas, ends_by_an_exception_of_a_visitor_in_several_threads)
+{
+  const Flat_mesh part = cap(30, 80, 0.8 * CGAL_PI);
+  Flat_mesh m = part;
+  for (int i = 1; i < 4; ++i)
+    m = with_component(m, part, 1 + i, 20 * i);
+  for (int calls = 3; calls < 40; calls += 4) {
+    Surface surface(m);
+    std::atomic<int> calls_left(calls);
+    typedef CGAL::Parallel_tag   Tag;
+    EXPECT_THROW((atlas_parameterization<Symmetric_Dirichlet_parameterizer_3, Tag>(
+                     surface.mesh, surface.uv, parameters::distortion_bound(1e9),
+                     parameters::visitor(Throwing_visitor(calls_left)))),
+                 Throwing_visitor::Exception)
+        << calls;
+  }
 }
 #endif
 

@@ -251,6 +251,29 @@ TEST(Packing, packs_a_map_from_elsewhere_and_refuses_what_is_none)
   EXPECT_EQ(pack_charts(surface.mesh, surface.uv), ERROR_WRONG_PARAMETER);
 }
 
+// Each chart fits into the user's numbers, but not all of them beside each other.
+TEST(Packing, is_not_written_where_the_users_numbers_overflow)
+{
+  constexpr double size = 1e308;
+  Flat_mesh m = grid(3, 3, flat);
+  for (int i = 1; i < 9; ++i)
+    m = with_component(m, grid(3, 3, flat), 1, 0);
+  Surface surface(affine_image(m, size, 0, 0, size));
+  const std::vector<Kernel::Point_2> untouched = surface.corners();
+  const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv, parameters::unit_square(false));
+  EXPECT_FALSE(summary.is_ok());
+  EXPECT_EQ(surface.corners(), untouched);
+
+  for (const auto h : surface.mesh.halfedges()) {
+    const Kernel::Point_3& p = surface.mesh.point(surface.mesh.target(h));
+    surface.uv[h] = Kernel::Point_2(p.x(), p.y());
+  }
+  const std::vector<Kernel::Point_2> before = surface.corners();
+  EXPECT_EQ(pack_charts(surface.mesh, surface.uv, parameters::unit_square(false)), ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(surface.corners(), before);
+  EXPECT_EQ(pack_charts(surface.mesh, surface.uv), OK);
+}
+
 // Rounding to the user's numbers makes no flips, not even in a chart whose triangles are a few of their steps wide.
 TEST(Packing, keeps_triangles_positive_in_floats)
 {

@@ -109,7 +109,8 @@ Atlas read_atlas(const TriangleMesh& mesh, EdgeSeamMap seams, const Atlas_option
 ///        `CGAL::Parallel_tag` of several at the same time, in their threads; if it stops one, no other one begins, and
 ///        there is no atlas. It is not asked while the surface is cut and while charts are packed
 ///
-/// \return what was done, with the first error. It is `ERROR_WRONG_PARAMETER` where a number is out of its bounds
+/// \return what was done, with the first error. It is `ERROR_WRONG_PARAMETER` where a number is out of its bounds, or
+///         `unit_square` is `false` and a coordinate would be infinite: then nothing is written
 template <template <class...> class Method = Symmetric_Dirichlet_parameterizer_3, class ConcurrencyTag = Sequential_tag,
           class TriangleMesh, class HalfedgeUVMap, class NamedParameters = parameters::Default_named_parameters,
           class Chart_parameters = parameters::Default_named_parameters>
@@ -150,7 +151,8 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
       typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
       internal::pack(atlas, has_map, options.pack, internal::rounding_to<User_point_2>(atlas.scale_exponent),
                      result);
-      internal::write_corners(mesh, atlas, has_map, uvmap);
+      if (const Error_code code = internal::write_corners(mesh, atlas, has_map, uvmap); code != OK)
+        result.error = { code, Parameterization_error::NOWHERE, 0, internal::cause_of_overflow };
     }
     result.cut.seam_edges += atlas.seam.edges;
     result.cut.seam_length += atlas.seam.length;

@@ -44,22 +44,31 @@ Pack_options pack_options_of(const NamedParameters& np)
   return options;
 }
 
-// Writes the places of the corners of some charts.
+// Writes the places of the corners of some charts. Returns `OK`, or `ERROR_WRONG_PARAMETER` if one is infinite in the
+// user's numbers: then nothing is written.
 template <class TriangleMesh, class HalfedgeUVMap>
-void write_corners(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<bool>& is_wanted,
-                   HalfedgeUVMap uvmap)
+Error_code write_corners(const TriangleMesh& mesh, const Atlas& atlas, const std::vector<bool>& is_wanted,
+                         HalfedgeUVMap uvmap)
 {
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
+  const auto in_user_units = [&](Index corner) {
+    return times_power_of_two(atlas.uv[atlas.mesh.vertex[corner]], -atlas.scale_exponent);
+  };
   std::vector<bool> is_written(atlas.mesh.number_of_faces(), false);
   for (std::size_t i = 0; i < atlas.charts.size(); ++i)
-    for (const Index f : atlas.charts[i])
+    for (const Index f : atlas.charts[i]) {
       is_written[f] = is_wanted[i];
+      for (Index corner = 3 * f; corner < 3 * f + 3; ++corner)
+        if (is_wanted[i] && !is_finite_in_users_numbers<User_point_2>(in_user_units(corner)))
+          return ERROR_WRONG_PARAMETER;
+    }
   for_each_corner(mesh, [&](auto h, Index i) {
     if (!is_written[i / 3])
       return;
-    const Point_2 p = times_power_of_two(atlas.uv[atlas.mesh.vertex[i]], -atlas.scale_exponent);
+    const Point_2 p = in_user_units(i);
     put(uvmap, h, User_point_2(p.x(), p.y()));
   });
+  return OK;
 }
 
 } // namespace internal
@@ -82,8 +91,8 @@ void write_corners(const TriangleMesh& mesh, const Atlas& atlas, const std::vect
 ///   they keep their sizes, and the square begins at the origin
 ///
 /// \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NO_1_TO_1_MAPPING` if the charts have no area
-///         or flips by rounding could not be repaired, or `ERROR_WRONG_PARAMETER` if a coordinate is not finite or the
-///         margin is out of range
+///         or flips by rounding could not be repaired, or `ERROR_WRONG_PARAMETER` if a coordinate is not finite, or
+///         would not be, or the margin is out of range
 template <class TriangleMesh, class HalfedgeUVMap, class NamedParameters = parameters::Default_named_parameters>
 Error_code pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uvmap,
                        const NamedParameters& np = parameters::default_values())
@@ -116,7 +125,7 @@ Error_code pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uvmap,
         internal::pack_atlas(atlas, is_packed, options, internal::rounding_to<User_point_2>(atlas.scale_exponent));
     if (packing.side == 0 || std::find(is_packed.begin(), is_packed.end(), false) != is_packed.end())
       return ERROR_NO_1_TO_1_MAPPING;
-    internal::write_corners(mesh, atlas, is_packed, uvmap);
+    error.code = internal::write_corners(mesh, atlas, is_packed, uvmap);
   } else
     Check::tell();
   return error.code;

@@ -31,7 +31,8 @@ bool Loops::has_several_threads() const
 }
 
 // Several threads only where that is wished, and the engine was compiled with TBB. A thread that waits for the end of a
-// loop may take blocks of that loop only: one of a loop around it, or of the caller's, would be a whole chart.
+// loop may take blocks of that loop only: one of a loop around it, or of the caller's, would be a whole chart. Where an
+// exception cancels a loop around it, this one goes on: what comes next relies on all of its blocks.
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Loops::for_each_block(Index first, Index last, Function_ref<void(Index, Index)> f, Index block_size) const
 {
@@ -42,7 +43,8 @@ void Loops::for_each_block(Index first, Index last, Function_ref<void(Index, Ind
   };
 #ifdef CGAL_LINKED_WITH_TBB
   if (m_is_parallel && blocks > 1) {
-    tbb::this_task_arena::isolate([&] { tbb::parallel_for(Index(0), blocks, run); });
+    tbb::task_group_context context(tbb::task_group_context::isolated);
+    tbb::this_task_arena::isolate([&] { tbb::parallel_for(Index(0), blocks, run, context); });
     return;
   }
 #endif

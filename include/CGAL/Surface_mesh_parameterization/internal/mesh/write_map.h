@@ -23,10 +23,9 @@ Error_code write_map(const Mesh_component<TriangleMesh>& component, int scale_ex
                      VertexUVMap uvmap, VertexParameterizedMap vpmap)
 {
   typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
-  const Rounding round{ rounding_to<User_point_2>(0) };
   const auto in_user_units = [&](const Point_2& p) { return times_power_of_two(p, -scale_exponent); };
   for (const Point_2& p : uv)
-    if (!is_finite(round(in_user_units(p))))
+    if (!is_finite_in_users_numbers<User_point_2>(in_user_units(p)))
       return ERROR_WRONG_PARAMETER;
   const auto& vertices = component.vertices_of_component();
   for (std::size_t i = 0; i < vertices.size(); ++i) {

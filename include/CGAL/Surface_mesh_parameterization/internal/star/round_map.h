@@ -46,7 +46,14 @@ struct Rounding
   }
 };
 
-// Why a map cannot be written whose coordinates are infinite in the user's numbers.
+// Whether the coordinates of a point, in the user's units, are finite in the user's numbers.
+template <class User_point_2>
+bool is_finite_in_users_numbers(const Point_2& p)
+{
+  return is_finite(Rounding{ rounding_to<User_point_2>(0) }(p));
+}
+
+// Why a map cannot be written where they are not.
 inline constexpr const char* cause_of_overflow = "the map is too large for the numbers of uvmap";
 
 // Rounds the coordinates of a valid map, or of the mirror image of one. A vertex whose star would not be valid any more
