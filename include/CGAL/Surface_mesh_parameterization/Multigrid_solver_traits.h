@@ -57,7 +57,8 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   Parameterizer().parameterize(mesh, bhd, uvmap, vimap, vpmap);
 /// \endcode
 ///
-/// Copies share their state, so several threads must not use them at once.
+/// Copies share their state, so several threads must not use them at once. CGAL's heat method asks for more than the
+/// concept, and does not take this solver.
 ///
 /// \cgalModels `SparseLinearAlgebraWithFactorTraits_d`
 class Multigrid_solver_traits
