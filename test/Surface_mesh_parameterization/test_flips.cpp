@@ -169,7 +169,7 @@ TEST(Settle_flips, moves_hardly_more_than_the_vertices_that_are_wrong)
     EXPECT_GE(m.summary.flips, spoiled);
     EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR, parameters::summary(std::ref(m.summary))), OK);
     EXPECT_TRUE(m.is_locally_one_to_one());
-    EXPECT_GE(m.number_of_changes(), spoiled);
+    EXPECT_GE(m.number_of_changes_since(before), spoiled);      // one may be where it was at first
     EXPECT_LE(m.number_of_changes(), 3 * spoiled);
     EXPECT_EQ(m.summary.moved_vertices, m.number_of_changes_since(before));
   }
