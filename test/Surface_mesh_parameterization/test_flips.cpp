@@ -164,12 +164,14 @@ TEST(Settle_flips, moves_hardly_more_than_the_vertices_that_are_wrong)
         m.good[v] = Kernel::Point_2(-m.good[v].x(), m.good[v].y());
       }
     const auto before = m.uv();
+    const std::size_t missing = std::size_t(
+        std::count_if(before.begin(), before.end(), [](const Kernel::Point_2& p) { return std::isnan(p.x()); }));
     EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::FAIL, parameters::summary(std::ref(m.summary))),
               ERROR_NO_1_TO_1_MAPPING);
     EXPECT_GE(m.summary.flips, spoiled);
     EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR, parameters::summary(std::ref(m.summary))), OK);
     EXPECT_TRUE(m.is_locally_one_to_one());
-    EXPECT_GE(m.number_of_changes_since(before), spoiled);      // one may be where it was at first
+    EXPECT_GE(m.number_of_changes() + missing, spoiled);      // one without a place may be put where it was
     EXPECT_LE(m.number_of_changes(), 3 * spoiled);
     EXPECT_EQ(m.summary.moved_vertices, m.number_of_changes_since(before));
   }
