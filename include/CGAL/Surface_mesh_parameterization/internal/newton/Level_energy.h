@@ -42,6 +42,7 @@ public:
   bool is_scale_invariant() const { return m_is_scale_invariant; }
 
   double weight(const Rest_corner& c) const { return m_weight == Triangle_weight::AREA ? 1 / c.inverse_area : 1; }
+
   // About how large the energies of triangles of weight 1 are; 1 if that is not far from it.
   double size_of_values() const { return m_size_of_values; }
 

@@ -63,7 +63,7 @@ private:
     }
   };
 
-  // How large the energies of some triangles are: the least, or what it costs to double or halve lengths.
+  // The mean of how large the energies of some triangles are: the least, or what it costs to double or halve lengths.
   double mean_size_of_values() const
   {
     constexpr Index most_triangles = 100;
