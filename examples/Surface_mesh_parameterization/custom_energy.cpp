@@ -4,11 +4,10 @@
 // An energy of one's own with a parameter: distortion of angles and of areas, each with a weight, minimized coarse to
 // fine without a flip.
 
-#include "face_mesh.h"
+#include "input_surface.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/OFF.h>
 
 #include <CGAL/Surface_mesh_parameterization/Distortion_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
@@ -69,12 +68,12 @@ bool run(const Angles_and_areas_energy_2& energy, Mesh& mesh)
 int main(int argc, char** argv)
 {
   Mesh mesh;
-  if (argc > 2 || (argc == 2 && !CGAL::IO::read_OFF(argv[1], mesh))) {
+  if (argc > 2) {
     std::cerr << "usage: custom_energy_example [INPUT.off]\n";
     return 1;
   }
-  if (argc == 1)
-    make_face(mesh);
+  if (!read_surface(argv[1], mesh))
+    return 1;
   for (const double weight : { 0.1, 0.5, 0.9 })
     if (!run({ weight }, mesh))
       return 1;

@@ -3,11 +3,10 @@
 //
 // A method of one's own, run coarse to fine: MIPS, whose worst triangles are then made better one vertex at a time.
 
-#include "face_mesh.h"
+#include "input_surface.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/OFF.h>
 
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
@@ -122,12 +121,12 @@ private:
 int main(int argc, char** argv)
 {
   Mesh mesh;
-  if (argc > 2 || (argc == 2 && !CGAL::IO::read_OFF(argv[1], mesh))) {
+  if (argc > 2) {
     std::cerr << "usage: custom_parameterizer_example [INPUT.off]\n";
     return 1;
   }
-  if (argc == 1)
-    make_face(mesh);
+  if (!read_surface(argv[1], mesh))
+    return 1;
   const auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   const auto result = SMP::hierarchical_parameterization<Minimax_parameterizer_3>(mesh, uvmap);
   if (!result.is_ok()) {

@@ -1,9 +1,9 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What atlas_parameterization() does, by hand: finds seams that make a surface a disk, hands them to a seam mesh, which
-// any parameterizer takes, and moves the map into the unit square. Writes OBJ with texture coordinates by corner, and
-// the seams as lines. Without INPUT, a sphere with bumps.
+// What atlas_parameterization() does with a distortion_bound, by hand: finds seams that make a surface a disk, hands
+// them to a seam mesh, which any parameterizer takes, and moves the map into the unit square. Writes OBJ with texture
+// coordinates by corner, and the seams as lines. Without INPUT, a sphere with bumps.
 
 #include "example_utilities.h"
 #include "write_file.h"
@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <ostream>
+#include <string>
 
 namespace {
 
@@ -50,6 +51,7 @@ Mesh make_sphere_with_bumps()
 void run(const Arguments& arguments)
 {
   const double bound = arguments.number<double>("distortion-bound", 4.5, 4, 1000);
+  const std::string output = output_name(arguments, "cut_open.obj");
   Mesh mesh = arguments.input().empty() ? make_sphere_with_bumps() : read_surface(arguments);
 
   // The more branches the seams have, the smaller is the distortion.
@@ -78,7 +80,7 @@ void run(const Arguments& arguments)
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(seam_mesh, uvmap);
   std::printf("%zu handles, %zu seam edges, %zu flips, %zu overlapping pairs, symmetric Dirichlet %.4f\n",
               cut.components[0].genus, cut.seam_edges, quality.flips, quality.overlaps, quality.symmetric_dirichlet);
-  write_file(arguments.text("output", "cut_open.obj"), [&](std::ostream& out) {
+  write_file(output, [&](std::ostream& out) {
     SMP::IO::write_OBJ(out, mesh, corners);
     for (const Mesh::Edge_index e : mesh.edges())
       if (is_seam[e])

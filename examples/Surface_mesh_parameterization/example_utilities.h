@@ -6,6 +6,7 @@
 
 #include "face_mesh.h"
 
+#include "File_place.h"
 #include "errors.h"
 #include "input.h"
 
@@ -88,6 +89,15 @@ private:
   std::string m_input;
   std::map<std::string, std::string> m_values;
 };
+
+// The name after `--output`, which must not be that of the input.
+inline std::string output_name(const Arguments& arguments, const std::string& default_name)
+{
+  const std::string name = arguments.text("output", default_name);
+  if (!arguments.input().empty() && is_same_file(output_place(name), input_place(arguments.input())))
+    throw Usage_error{ "--output: '" + name + "' is the input" };
+  return name;
+}
 
 // Runs an application and tells errors in one line. `usage` starts with its name.
 // Returns the exit status: 0 all files written, 1 wrong usage, 2 the input cannot be read or is no surface to

@@ -6,11 +6,10 @@
 // second order, which the grids are made for. With continuity 1, of fourth order, the iteration does not arrive, and
 // the direct solver that stands by gives the result: later, but the same.
 
-#include "face_mesh.h"
+#include "input_surface.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/OFF.h>
 
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 
@@ -49,12 +48,13 @@ int main(int argc, char** argv)
 {
   Mesh mesh;
   const int continuity = argc > 2 ? std::atoi(argv[2]) : 0;
-  if (argc > 3 || continuity < 0 || continuity > 1 || (argc > 1 && !CGAL::IO::read_OFF(argv[1], mesh))) {
+  if (argc > 3 || continuity < 0 || continuity > 1) {
     std::cerr << "usage: fair_with_multigrid_example [INPUT.off [CONTINUITY]], which is 0 or 1\n";
     return 1;
   }
+  if (!read_surface(argv[1], mesh))
+    return 1;
   if (argc == 1) {
-    make_face(mesh);
     CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(3));
     mesh.collect_garbage();
   }

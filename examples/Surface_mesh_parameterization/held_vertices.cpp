@@ -3,11 +3,10 @@
 //
 // Parameterizes a mesh by MIPS with its border on a circle and one of its vertices held in the middle, without a flip.
 
-#include "face_mesh.h"
+#include "input_surface.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/OFF.h>
 
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
@@ -15,7 +14,6 @@
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
-#include <algorithm>
 #include <fstream>
 #include <iostream>
 
@@ -28,12 +26,12 @@ namespace np = SMP::parameters;
 int main(int argc, char** argv)
 {
   Mesh mesh;
-  if (argc > 3 || (argc > 1 && !CGAL::IO::read_OFF(argv[1], mesh))) {
+  if (argc > 3) {
     std::cerr << "usage: held_vertices_example [INPUT.off [OUTPUT.obj]]\n";
     return 1;
   }
-  if (argc == 1)
-    make_face(mesh);
+  if (!read_surface(argv[1], mesh))
+    return 1;
 
   // The circle in the unit square.
   const Mesh::Halfedge_index bhd = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
@@ -41,15 +39,20 @@ int main(int argc, char** argv)
   auto is_held = mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_held", false).first;
   auto index = mesh.add_property_map<Mesh::Vertex_index, int>("v:index").first;
   SMP::Circular_border_arc_length_parameterizer_3<Mesh> circle;
-  if (bhd == Mesh::null_halfedge() || circle.parameterize(mesh, bhd, uvmap, index, is_held) != SMP::OK) {
-    std::cerr << "the surface has no border that could be placed on a circle\n";
+  if (circle.parameterize(mesh, bhd, uvmap, index, is_held) != SMP::OK) {
+    std::cerr << "the border could not be placed on a circle\n";
     return 1;
   }
 
-  // The highest vertex, the tip of the nose of the built-in face, in its middle.
-  const Mesh::Vertex_index tip = *std::max_element(
-      mesh.vertices().begin(), mesh.vertices().end(),
-      [&](Mesh::Vertex_index v, Mesh::Vertex_index w) { return mesh.point(v).z() < mesh.point(w).z(); });
+  // The highest vertex inside, the tip of the nose of the built-in face, in its middle.
+  Mesh::Vertex_index tip = Mesh::null_vertex();
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    if (!mesh.is_border(v) && (tip == Mesh::null_vertex() || mesh.point(v).z() > mesh.point(tip).z()))
+      tip = v;
+  if (tip == Mesh::null_vertex()) {
+    std::cerr << "all vertices are on borders\n";
+    return 1;
+  }
   is_held[tip] = true;
   uvmap[tip] = Kernel::Point_2(0.5, 0.5);
 
@@ -63,5 +66,10 @@ int main(int argc, char** argv)
     return 0;
   std::ofstream out(argv[2]);
   SMP::IO::write_OBJ(out, mesh, uvmap);
-  return out ? 0 : 1;
+  out.close();
+  if (!out) {
+    std::cerr << argv[2] << ": cannot be written\n";
+    return 1;
+  }
+  return 0;
 }

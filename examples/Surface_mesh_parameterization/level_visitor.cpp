@@ -3,11 +3,10 @@
 //
 // A visitor: tells of every level as soon as it is done, and stops the run when its time is up, within a level, too.
 
-#include "face_mesh.h"
+#include "input_surface.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/OFF.h>
 
 #include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
 
@@ -64,12 +63,12 @@ int main(int argc, char** argv)
 {
   Mesh mesh;
   const double most_seconds = argc > 2 ? std::atof(argv[2]) : 60;
-  if (argc > 3 || !(most_seconds > 0) || (argc > 1 && !CGAL::IO::read_OFF(argv[1], mesh))) {
+  if (argc > 3 || !(most_seconds > 0)) {
     std::cerr << "usage: level_visitor_example [INPUT.off [SECONDS]]\n";
     return 1;
   }
-  if (argc == 1)
-    make_face(mesh);
+  if (!read_surface(argv[1], mesh))
+    return 1;
 
   CGAL::Real_timer timer;
   timer.start();

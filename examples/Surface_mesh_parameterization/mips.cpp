@@ -1,7 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Parameterizes a mesh with border by MIPS, coarse to fine, and writes it as OBJ with texture coordinates.
+// Parameterizes a mesh with border by MIPS, coarse to fine, and writes it as OBJ with texture coordinates. Of several
+// components, the one with the longest border.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -13,25 +14,36 @@
 #include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
+#include <array>
 #include <fstream>
 #include <iostream>
 
 typedef CGAL::Simple_cartesian<double>          Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3>     Mesh;
 
+namespace PMP = CGAL::Polygon_mesh_processing;
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
 int main(int argc, char** argv)
 {
   Mesh mesh;
-  if (argc != 3 || !CGAL::IO::read_OFF(argv[1], mesh)) {
+  if (argc != 3) {
     std::cerr << "usage: mips_example INPUT.off OUTPUT.obj\n";
     return 1;
   }
-
-  const Mesh::Halfedge_index border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+  if (!CGAL::IO::read_OFF(argv[1], mesh)) {
+    std::cerr << argv[1] << ": cannot be read as an OFF file of a manifold surface\n";
+    return 1;
+  }
+  const Mesh::Halfedge_index border = PMP::longest_border(mesh).first;
+  if (border == Mesh::null_halfedge()) {
+    std::cerr << argv[1] << ": the surface has no border\n";
+    return 1;
+  }
+  PMP::keep_connected_components(mesh, std::array{ mesh.face(mesh.opposite(border)) });
   auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
 
   SMP::Hierarchical_parameterizer_3<SMP::MIPS_parameterizer_3<Mesh>> mips;
@@ -46,5 +58,10 @@ int main(int argc, char** argv)
 
   std::ofstream out(argv[2]);
   SMP::IO::write_OBJ(out, mesh, uvmap);
-  return out ? 0 : 1;
+  out.close();
+  if (!out) {
+    std::cerr << argv[2] << ": cannot be written\n";
+    return 1;
+  }
+  return 0;
 }

@@ -21,6 +21,7 @@
 #include <cstdio>
 #include <ostream>
 #include <set>
+#include <string>
 #include <utility>
 
 namespace {
@@ -43,6 +44,7 @@ void run(const Arguments& arguments)
 {
   const std::size_t subdivisions = arguments.number<std::size_t>("subdivisions", 3, 0, 8),
                     coarsest = arguments.number<std::size_t>("coarsest", 100, 4, 1000000);
+  const std::string output = output_name(arguments, "remeshing.obj");
   Mesh mesh = read_surface(arguments);
   const Vertex_uv_map uvmap = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
   throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(
@@ -60,7 +62,7 @@ void run(const Arguments& arguments)
               "from them, in diagonals of its box: %.3g\n",
               std::size_t(result.number_of_faces()) >> 2 * subdivisions, subdivisions,
               std::size_t(result.number_of_faces()), distance / box_diagonal(mesh));
-  write_file(arguments.text("output", "remeshing.obj"), [&](std::ostream& out) {
+  write_file(output, [&](std::ostream& out) {
     SMP::IO::write_OBJ(out, result, new_uvmap);
     write_coarse_edges(out, subdivided);
   });

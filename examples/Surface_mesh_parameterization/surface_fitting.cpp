@@ -21,6 +21,7 @@
 #include <cstdio>
 #include <ostream>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace {
@@ -141,6 +142,7 @@ void run(const Arguments& arguments)
   const std::size_t columns = arguments.number<std::size_t>("columns", 24, 4, 1000),
                     rows = arguments.number<std::size_t>("rows", 32, 4, 1000);
   const double smoothing = arguments.number("smoothing", 1e-6, 1e-12, 1e6);
+  const std::string output = output_name(arguments, "surface_fitting.obj");
   Mesh mesh = read_surface(arguments);
   const Vertex_uv_map uvmap = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
   throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(
@@ -163,7 +165,7 @@ void run(const Arguments& arguments)
   std::printf(
       "%zu points, %zu x %zu control points, error in diagonals of the box: greatest %.3g, root mean square %.3g\n",
       points.size(), columns, rows, std::sqrt(greatest) / unit, std::sqrt(sum / double(points.size())) / unit);
-  write_file(arguments.text("output", "surface_fitting.obj"), [&](std::ostream& out) {
+  write_file(output, [&](std::ostream& out) {
     SMP::IO::write_OBJ(out, mesh, uvmap);
   });
 }

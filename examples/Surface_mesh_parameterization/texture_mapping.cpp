@@ -3,10 +3,9 @@
 //
 // Texture mapping: lays any surface in the unit square with least distortion of lengths, all of it at one scale, and
 // writes it as OBJ with a material and a checker board as its texture. What needs a cut gets one: closed components,
-// and those with handles. Without INPUT, a face.
+// those with handles, and those whose map would be distorted far. Without INPUT, a face.
 
 #include "Checker_board.h"
-#include "File_place.h"
 #include "errors.h"
 #include "example_utilities.h"
 #include "has_suffix.h"
@@ -43,20 +42,11 @@ void write_files(const std::string& name, const Mesh& mesh, Corner_uv_map uv, co
   write_file(texture.string(), [&](std::ostream& out) { write_TGA(out, board, pixels); });
 }
 
-// The other files are named after this one.
-std::string output_name(const Arguments& arguments)
-{
-  const std::string name = arguments.text("output", "texture_mapping.obj");
-  if (!has_suffix(name, ".obj"))
-    throw Usage_error{ "--output must be named .obj" };
-  if (!arguments.input().empty() && is_same_file(output_place(name), input_place(arguments.input())))
-    throw Usage_error{ "--output: '" + name + "' is the input" };
-  return name;
-}
-
 void run(const Arguments& arguments)
 {
-  const std::string output = output_name(arguments);
+  const std::string output = output_name(arguments, "texture_mapping.obj");
+  if (!has_suffix(output, ".obj"))       // the other files are named after this one
+    throw Usage_error{ "--output must be named .obj" };
   const std::size_t squares = arguments.number<std::size_t>("squares", 40, 1, 1024);
   Mesh mesh = read_mesh_or(arguments, built_in_face);
 

@@ -12,7 +12,6 @@ expect_counts() {
   [ "$counts" = "$2/$3/$4" ] || fail "$1 has $counts lines of v/vt/f instead of $2/$3/$4"
 }
 
-is_in_output() { grep -q -- "$1" stdout || fail "'$1' is not in: $(cat stdout)"; }
 holds() { awk "BEGIN { exit !($1) }" || fail "$2: not $1"; }
 number_after() { sed "s/.*$1 \([-+.0-9e]*\).*/\1/" stdout; }
 
@@ -162,6 +161,9 @@ expect 2 truncated.off
 expect 1 --no-such-option 1
 expect 1 --output
 expect 1 one.off two.off
+cp square.off before.off
+expect 1 square.off --output ./square.off
+cmp -s square.off before.off || fail "the input was changed"
 [ -z "$(find . -name '*.obj' -o -name '.part*' -o -name '*.mtl' -o -name '*.tga')" ] || fail "files were left: $(ls)"
 expect 3 --output no/such/folder/out.obj
 

@@ -17,6 +17,9 @@ expect() {
     fail "'$*' printed $(wc -l <stderr) lines on stderr instead of one"
 }
 
+is_in_output() { grep -q -- "$1" stdout || fail "'$1' is not in: $(cat stdout)"; }
+told() { grep -q -- "$1" stderr || fail "'$1' is not in: $(cat stderr)"; }
+
 # make_tube N: a tube of N storeys of three squares, closed at one end. A conformal map shrinks along it.
 make_tube() {
   awk -v n=3 -v m="$1" 'BEGIN {

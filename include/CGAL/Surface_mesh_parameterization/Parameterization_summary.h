@@ -84,7 +84,8 @@ struct Parameterization_summary
   /// guarantees about flips do not depend on it
   bool converged = false;
   /// the method's energy of the result: the sum over the triangles, or the mean over the area; after a repair, if the
-  /// method tells the energy of any map, see `RefinableParameterizer_3`; 0 for the linear methods of CGAL
+  /// method tells the energy of any map, see `RefinableParameterizer_3`; 0 for the linear methods of CGAL, unless
+  /// another method's map replaced theirs: then it is that method's energy, and `levels` are its levels
   double energy = 0;
   /// from the coarsest level to the finest; the finest only where the run started from a map, be it the user's or one
   /// with cracks closed or many small holes filled; none for the linear methods of CGAL

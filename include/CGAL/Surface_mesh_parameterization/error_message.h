@@ -31,7 +31,7 @@ inline std::string error_message(const Parameterization_error& error)
                                "a seam along a path of edges; a handle needs two loops";
       break;
     case ERROR_NO_TOPOLOGICAL_BALL: message = "the surface is no sphere"; break;
-    case ERROR_BORDER_TOO_SHORT: message = "the border has no length"; break;
+    case ERROR_BORDER_TOO_SHORT: message = "the border has no length, or too few edges for its shape"; break;
     case ERROR_NON_CONVEX_BORDER:
       message = "the border of the map crosses itself, or vertices that a border parameterizer was given are not on "
                 "the outer border, or not in the component";
