@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Edge weights of one's own: springs that are the softer the greater the triangles beside them, so that coarse parts
-// get more room than with uniform weights. On the built-in face that makes the map better. On most scans it is too much:
-// this shows how weights are written, not which to take.
+// get more room than with uniform weights. On the built-in face that makes the map better. On most scans it is too
+// much: this shows how weights are written, not which to take.
 
 #include "input_surface.h"
 

@@ -8,6 +8,9 @@
 #include "seam_meshes.h"
 #include "test_meshes.h"
 
+#include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
@@ -17,6 +20,7 @@
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
@@ -33,6 +37,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <type_traits>
 
 namespace test_face_graphs {
 
@@ -113,6 +118,24 @@ TYPED_TEST(FaceGraph, is_parameterized_into_own_property_maps)
   for (const auto& entry : is_parameterized)
     EXPECT_TRUE(entry.second);
   EXPECT_TRUE(is_valid(mesh, bhd, by_index(uv)));
+}
+
+// A copy of a linear cell complex has its vertices in another order.
+TYPED_TEST(FaceGraph, is_parameterized_with_holes_filled_in_a_copy)
+{
+  if constexpr (!std::is_same_v<TypeParam, Seam_mesh>) {
+    typedef Barycentric_mapping_parameterizer_3<TypeParam>                                     Method;
+    typedef typename boost::property_map<TypeParam, CGAL::vertex_point_t>::type                Point_map;
+    typedef typename CGAL::Kernel_traits<typename Point_map::value_type>::Kernel::Point_2      User_point_2;
+    TypeParam mesh = make<TypeParam>(grid_with_holes(20));
+    const Halfedge<TypeParam> bhd = longest_border(mesh);
+    const auto uvmap = get(CGAL::dynamic_vertex_property_t<User_point_2>(), mesh);
+    const Hierarchical_parameterizer_3<Method> parameterizer(
+        parameters::fill_holes(true).flip_policy(Flip_policy::FAIL));
+    EXPECT_EQ(SMP::parameterize(mesh, parameterizer, bhd, uvmap), OK);
+    EXPECT_TRUE(is_valid(mesh, bhd, uvmap));
+    EXPECT_EQ(parameterization_quality(mesh, uvmap).flips, 0u);
+  }
 }
 
 // ---- maps of floats ----

@@ -356,6 +356,74 @@ TEST(Settle_flips, moves_few_vertices_of_a_ring_whose_borders_cross)
       }
 }
 
+// A flat square with an ear behind an edge of its border: a disk of the given radius, all of whose vertices are on the
+// border, cut into triangles that share a vertex or halve it again and again. The map has the ear on the line of its
+// chord, as where fixed borders are convex.
+struct Square_with_ear : Mapped_mesh
+{
+  static constexpr Index n = 20;
+
+  Square_with_ear(Index vertices_of_ear, double radius, bool is_halved)
+    : Mapped_mesh(make_surface(vertices_of_ear, radius, is_halved))
+  {
+    for (const auto v : vertices(mesh))
+      uvmap[v] = Kernel::Point_2(mesh.point(v).x(), mesh.point(v).y());
+    const Index first = (n + 1) * (n + 1);
+    const Kernel::Point_2 a = uvmap[Mesh::Vertex_index(chord_start())], b = uvmap[Mesh::Vertex_index(chord_end())];
+    for (Index i = 0; i < vertices_of_ear; ++i)
+      uvmap[Mesh::Vertex_index(first + i)] = a + (i + 1.) / (vertices_of_ear + 1) * (b - a);
+  }
+
+  static Index chord_start() { return (n + 1) * 7 + n; }
+  static Index chord_end() { return chord_start() + n + 1; }
+
+  static Flat_mesh make_surface(Index vertices_of_ear, double radius, bool is_halved)
+  {
+    Flat_mesh m = grid(n, n, flat);
+    std::vector<Index> ear = { chord_start() };
+    const Point_3 middle = CGAL::midpoint(m.points[chord_start()], m.points[chord_end()]);
+    for (Index i = 0; i < vertices_of_ear; ++i) {
+      const double angle = CGAL_PI * (2. * (i + 1) / (vertices_of_ear + 1) - 1);
+      ear.push_back(Index(m.points.size()));
+      m.points.emplace_back(middle.x() + 0.2 / n + radius * (1 + std::cos(angle)),
+                            middle.y() + radius * std::sin(angle), 0.);
+    }
+    ear.push_back(chord_end());
+    add_triangles(m, ear, 0, ear.size() - 1, is_halved);
+    return m;
+  }
+
+  static void add_triangles(Flat_mesh& m, const std::vector<Index>& ear, std::size_t a, std::size_t b, bool is_halved)
+  {
+    if (b - a < 2)
+      return;
+    const std::size_t c = is_halved ? (a + b) / 2 : a + 1;
+    m.triangles.push_back({ ear[a], ear[c], ear[b] });
+    add_triangles(m, ear, a, c, is_halved);
+    add_triangles(m, ear, c, b, is_halved);
+  }
+};
+
+// An ear gets about the size that it has in space, since nothing else tells how large it should be, and no triangle
+// stays a needle that is positive by rounding alone.
+TEST(Settle_flips, gives_ears_that_are_flat_a_shape_and_a_size)
+{
+  for (const bool is_halved : { false, true })
+    for (Index vertices_of_ear = 2; vertices_of_ear < 24; ++vertices_of_ear)
+      for (const double radius : { 0.7, 1.5, 4. }) {
+        const double unit = radius / Square_with_ear::n;
+        Square_with_ear m(vertices_of_ear, unit, is_halved);
+        ASSERT_FALSE(m.is_locally_one_to_one());
+        EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR), OK);
+        EXPECT_TRUE(m.is_locally_one_to_one());
+        EXPECT_LT(m.quality().mips_excess, 1e9) << vertices_of_ear << ' ' << radius << ' ' << is_halved;
+        for (const Kernel::Point_2& p : m.uv()) {
+          EXPECT_LT((std::max)(std::abs(p.x() - 0.5), std::abs(p.y() - 0.5)), 0.5 + 3 * unit)
+              << vertices_of_ear << ' ' << radius << ' ' << is_halved;
+        }
+      }
+}
+
 TEST(Settle_flips, repairs_a_map_of_any_size_the_same_way)
 {
   const auto repaired_at = [](int exponent) {

@@ -273,6 +273,25 @@ TEST(Orbifolds, leave_the_map_untouched_on_an_error)
   EXPECT_TRUE(cut.is_untouched(uv));
 }
 
+// CGAL reads beyond the end of its angles there.
+TEST(Orbifolds, refuse_cones_that_are_not_on_the_seam)
+{
+  Cut_surface cut = ball(2, 3);
+  const Cut_surface::UV_map uv = cut.untouched_map();
+  const auto inside = *std::find_if(vertices(cut.mesh).begin(), vertices(cut.mesh).end(),
+                                    [&](const auto& v) { return !is_border(v, cut.mesh); });
+  for (const auto& [v, type] : cut.cone_map) {
+    Cone_map cones = cut.cone_map;
+    cones.erase(v);
+    cones.emplace(inside, type);
+    EXPECT_EQ(Hierarchical(Square).parameterize(cut.mesh, cut.bhd, cones, uv, cut.index), ERROR_WRONG_PARAMETER);
+    cones.erase(inside);
+    cones.emplace(v, type == Duplicated_cone ? First_unique_cone : Duplicated_cone);
+    EXPECT_EQ(Hierarchical(Square).parameterize(cut.mesh, cut.bhd, cones, uv, cut.index), ERROR_WRONG_PARAMETER);
+  }
+  EXPECT_TRUE(cut.is_untouched(uv));
+}
+
 // Stops a run when this part of it is done.
 struct Stopping_visitor : Hierarchy_visitor_3
 {

@@ -46,14 +46,16 @@ public:
   // A mesh that would be rejected is copied as it is.
   Filled_mesh(const TriangleMesh& mesh, halfedge_descriptor bhd) : m_mesh(mesh), m_border(bhd)
   {
-    auto h = halfedges(m_mesh).begin();
-    for (const halfedge_descriptor g : halfedges(mesh)) {
-      if (g == bhd)
-        m_border = *h;
-      ++h;
+    // Halfedges of a copy come in the same order, vertices not always: those of a linear cell complex do not.
+    std::vector<std::pair<vertex_descriptor, vertex_descriptor>> copies;         // with what they are copies of
+    auto copy = halfedges(m_mesh).begin();
+    for (const halfedge_descriptor h : halfedges(mesh)) {
+      if (h == bhd)
+        m_border = *copy;
+      copies.emplace_back(target(*copy++, m_mesh), target(h, mesh));
     }
-    const std::vector<vertex_descriptor> copies(vertices(m_mesh).begin(), vertices(m_mesh).end());
-    m_has_same_descriptors = std::equal(copies.begin(), copies.end(), vertices(mesh).begin());
+    m_has_same_descriptors =
+        std::all_of(copies.begin(), copies.end(), [](const auto& pair) { return pair.first == pair.second; });
     const Mesh_component<TriangleMesh> component(m_mesh, m_border);
     if (component.error().code == OK)
       fill_holes(component);
@@ -61,9 +63,8 @@ public:
     m_original = get(Vertex_property(), std::as_const(m_mesh));
     for (const vertex_descriptor v : vertices(m_mesh))
       put(m_original, v, Graph_traits::null_vertex());
-    auto copy = copies.begin();
-    for (const vertex_descriptor v : vertices(mesh))
-      put(m_original, *copy++, v);
+    for (const auto& [v, original] : copies)
+      put(m_original, v, original);
   }
 
   Filled_mesh(const Filled_mesh&) = delete;

@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -25,7 +26,8 @@ struct Patch_unfolder_options
   double least_decrease = 0.01;           // relative, of a step from a valid map that is worth another one
   // The width of the energy: relative to the least determinant, where that is negative, and at least. Where the energy
   // is at its minimum, and the map is not valid, a smaller width follows.
-  double relative_width = 0.2, least_width = 1e-6, decrease_of_width = 0.1;
+  double relative_width = 0.2, least_width = 1e-5, decrease_of_width = 0.1;
+  double least_determinant = 0.1;         // of a map that is unfolded: 1 is that of a similarity, if all have one scale
 };
 
 // Gives valid places to some vertices of a map, while all others stay where they are: first each in the middle of its
@@ -83,21 +85,28 @@ private:
     return (is_border_free && m_energy.scale_to(area_before)) || m_energy.scale_to(m_energy.area_of_image());
   }
 
-  // Returns whether the map is valid at the end.
+  // Returns whether the map is valid at the end. A valid one with thin triangles, whose energy is hard to lower, is
+  // kept for the case that no better one follows.
   bool unfold()
   {
+    std::vector<Point_2> valid_places;
     double width = (std::numeric_limits<double>::infinity)();
     for (int i = 0; i < m_options.most_steps; ++i) {
       const double least = m_energy.least_determinant();
-      if (least > 0 && is_valid())
-        return true;
+      if (least > 0 && is_valid()) {
+        if (least > m_options.least_determinant)
+          return true;
+        valid_places = places();
+      }
       width = (std::min)(width, (std::max)(-m_options.relative_width * least, m_options.least_width));
       if (step(Unfolding_energy_2(width)))
         continue;
       if (width <= m_options.decrease_of_width * m_options.least_width)
-        return false;
+        break;
       width *= m_options.decrease_of_width;
     }
+    if (!is_valid() && !valid_places.empty())
+      set_places(valid_places);
     return is_valid();
   }
 
@@ -128,6 +137,20 @@ private:
     });
   }
 
+  // At most 1, and such that no vertex moves farther than the longest edge at one of them is: where only a chord of the
+  // surface bounds the patch, the energy hardly tells how large it should be.
+  double first_length(const std::vector<double>& direction) const
+  {
+    double squared_step = 0, squared_edge = 0;
+    for (std::size_t k = 0; k < vertices().size(); ++k) {
+      const Index v = vertices()[k];
+      squared_step = (std::max)(squared_step, Vector_2(direction[2 * k], direction[2 * k + 1]).squared_length());
+      for (const Index w : m_rings[v])
+        squared_edge = (std::max)(squared_edge, CGAL::squared_distance(m_uv[v], m_uv[w]));
+    }
+    return squared_step > squared_edge ? std::sqrt(squared_edge / squared_step) : 1;
+  }
+
   // A step of Newton's method, shortened until it lowers the energy. Returns whether there is one.
   bool step(const Unfolding_energy_2& energy)
   {
@@ -137,7 +160,7 @@ private:
     if (!(slope > least_relative_slope * start_energy))
       return false;
     const std::vector<Point_2> start = places();
-    double length = 1;
+    double length = first_length(direction);
     for (int i = 0; i < m_options.most_halvings; ++i, length *= 0.5) {
       for (std::size_t k = 0; k < vertices().size(); ++k)
         m_uv[vertices()[k]] = start[k] + length * Vector_2(direction[2 * k], direction[2 * k + 1]);

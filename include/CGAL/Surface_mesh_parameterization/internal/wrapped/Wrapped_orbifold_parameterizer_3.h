@@ -66,6 +66,9 @@ private:
     Wrapped_run<SeamMesh> run(mesh, bhd, this->options());
     if (run.error() != OK || !run.interpolation())
       return run.error();
+    if (!are_cones_on_border(mesh, bhd, cmap))
+      return this->fail(ERROR_WRONG_PARAMETER,
+                        "the cones must lie on the seam, with one each where it begins and where it ends");
     std::vector<User_point_2> uv(run.vertices().size());
     const auto session =
         std::make_shared<Constrained_session>(run.interpolation(), run.number_vertices_as(vimap),
@@ -78,12 +81,29 @@ private:
                                                       Component_map<Index_map, User_point_2>{ run.index(), &uv },
                                                       run.index());
     });
+    if (code == ERROR_WRONG_PARAMETER)
+      return this->fail(code, "the number of cones is not that of the orbifold type");
     if (code == OK)
       code = run.finish();
     if (code == OK)
       for (const auto v : run.vertices())
         put(uvmap, v, uv[get(run.index(), v)]);
     return code;
+  }
+
+  // What CGAL takes for granted.
+  template <class ConeMap>
+  static bool are_cones_on_border(const SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap)
+  {
+    typedef typename ConeMap::mapped_type   Cone_type;
+    std::size_t cones = 0, first_ones = 0, second_ones = 0;
+    for (const halfedge_descriptor h : halfedges_around_face(bhd, mesh))
+      if (const auto cone = cmap.find(target(h, mesh)); cone != cmap.end()) {
+        ++cones;
+        first_ones += cone->second == Cone_type::First_unique_cone;
+        second_ones += cone->second == Cone_type::Second_unique_cone;
+      }
+    return cones == cmap.size() && first_ones == 1 && second_ones == 1;
   }
 };
 

@@ -18,6 +18,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <type_traits>
@@ -122,6 +123,9 @@ private:
                                          Component_map<Index_map, char>{ run.index(), &is_placed },
                                          std::forward<Others>(others)...);
     });
+    if constexpr (Use::is_complex)
+      if (code == OK && std::count(is_placed.begin(), is_placed.end(), true) < 2)
+        return this->fail(ERROR_WRONG_PARAMETER, "a map is pinned at two vertices, not at one");
     const auto run_substitute = this->optional_steps().run_substitute;
     if (code == OK) {
       code = run.settle_flips(uv, is_placed, run_substitute != nullptr);
