@@ -68,15 +68,18 @@ TYPED_TEST(Hard_surfaces, have_maps_no_worse_than_Tuttes)
 
 TYPED_TEST(Hard_surfaces, keep_a_map_that_is_one_to_one_of_itself)
 {
+  int maps = 0;
   for (const auto& [name, surface] : hard_surfaces()) {
     Mapped_mesh m(surface);
     ASSERT_EQ(minimize<TypeParam>(m, false), OK) << name;
     if (m.quality().overlaps > 0)
       continue;
+    ++maps;
     const auto free = m.uv();
     ASSERT_EQ(minimize<TypeParam>(m, true), OK) << name;
     EXPECT_EQ(m.uv(), free) << name;
   }
+  EXPECT_GE(maps, 7);
 }
 
 // They cost little energy: coarse levels are those of the surface around them.
@@ -138,12 +141,10 @@ TEST(Energy_that_overflows, ends_finite)
   for (const Flat_mesh& surface : { deep_cap(), flat_comb(2, 1e4, 20), tube(200, 12, 30) }) {
     Mapped_mesh m(surface);
     ASSERT_TRUE(has_Tutte_map(m));
-    const Error_code status = m.parameterize(
-        Hierarchical_parameterizer_3<Method>(Method(), parameters::summary(std::ref(m.summary))));
-    if (status == OK) {
-      EXPECT_TRUE(m.is_valid());
-      EXPECT_TRUE(std::isfinite(m.summary.energy));
-    }
+    ASSERT_EQ(m.parameterize(Hierarchical_parameterizer_3<Method>(Method(), parameters::summary(std::ref(m.summary)))),
+              OK);
+    EXPECT_TRUE(m.is_valid());
+    EXPECT_TRUE(std::isfinite(m.summary.energy));
   }
 }
 
@@ -156,7 +157,7 @@ TEST(Huge_coordinates, are_mapped_or_refused)
       p = Point_3(scale * p.x(), scale * p.y(), scale * p.z());
     Mapped_mesh m(surface);
     const Error_code status = m.parameterize(Parameterizer());
-    EXPECT_TRUE(status == OK || status == ERROR_WRONG_PARAMETER) << scale;
+    EXPECT_TRUE(status == OK || (status == ERROR_WRONG_PARAMETER && scale > 1e307)) << scale;
     EXPECT_TRUE(status == OK || m.is_untouched());
     for (const auto& p : m.uv())
       EXPECT_TRUE(std::isfinite(p.x()) && std::isfinite(p.y())) << scale;
