@@ -94,6 +94,17 @@ inline Flat_mesh flat_comb(Index teeth, double length, Index squares)
   });
 }
 
+// A square, nearly flat, with long triangles at one side.
+inline Flat_mesh square_with_ears(Index n, double length)
+{
+  Flat_mesh m = grid(n, n, [](double x, double y) { return 0.03 * std::sin(6 * x) * std::cos(5 * y); });
+  for (Index i = 0; i < n; ++i) {
+    m.points.emplace_back((i + 0.5) / n, -length, 0.);
+    m.triangles.push_back({ i + 1, i, Index(m.points.size() - 1) });
+  }
+  return m;
+}
+
 // A cone of height 1 whose base is a narrow flat ring.
 inline Flat_mesh spike(Index sectors, double radius)
 {

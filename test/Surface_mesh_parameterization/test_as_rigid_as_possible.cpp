@@ -3,6 +3,7 @@
 
 // The as-rigid-as-possible method, beside CGAL's.
 
+#include "generated_meshes.h"
 #include "mapped_mesh.h"
 #include "measures.h"
 #include "mesh_conversions.h"
@@ -366,6 +367,16 @@ TEST(As_rigid_as_possible, energy_is_that_of_the_result)
     }
   EXPECT_GT(repaired, replaced);
   EXPECT_GT(replaced, 0u);
+}
+
+// The repair moves two vertices: the tips of ears that are a fifth of the area.
+TEST(As_rigid_as_possible, compares_a_repair_that_costs_energy_with_a_map_without_flips)
+{
+  Mapped_mesh mapped(square_with_ears(10, 1000));
+  EXPECT_EQ(mapped.parameterize(Hierarchical_method(Method(), parameters::summary(std::ref(mapped.summary)))), OK);
+  EXPECT_GT(mapped.summary.flips, 0u);
+  EXPECT_EQ(mapped.quality().flips, 0u);
+  EXPECT_LT(mapped.summary.energy, 1e-3);      // the area is about 500
 }
 
 #ifdef CGAL_LINKED_WITH_TBB

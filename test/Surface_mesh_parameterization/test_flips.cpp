@@ -23,6 +23,7 @@
 #include <CGAL/Surface_mesh_parameterization/settle_flips.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <gtest/gtest.h>
@@ -35,6 +36,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -361,6 +363,26 @@ TEST(Settle_flips, moves_few_vertices_of_a_ring_whose_borders_cross)
       }
   EXPECT_GE(repaired[false], 4);
   EXPECT_GE(repaired[true], 2);
+}
+
+// Moved by some edges, one vertex at a time.
+TEST(Settle_flips, leaves_no_needles_around_a_border_vertex_that_was_elsewhere)
+{
+  Random random(3);
+  int repaired = 0;
+  for (int i = 0; i < 300; ++i) {
+    Spoiled_map m;
+    const auto border = CGAL::halfedges_around_face(m.bhd, m.mesh);
+    const auto v = target(*std::next(border.begin(), std::ptrdiff_t(random.below(border.size()))), m.mesh);
+    m.uvmap[v] = Kernel::Point_2(m.uvmap[v].x() + random(-0.12, 0.12), m.uvmap[v].y() + random(-0.12, 0.12));
+    if (m.is_locally_one_to_one())
+      continue;
+    ASSERT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR), OK);
+    EXPECT_TRUE(m.is_locally_one_to_one());
+    EXPECT_LT(m.quality().mips_excess, 1e3) << i;      // of 960 triangles
+    ++repaired;
+  }
+  EXPECT_GT(repaired, 100);
 }
 
 // A flat square with an ear behind an edge of its border: a disk of the given radius, all of whose vertices are on the

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
@@ -80,6 +81,20 @@ TYPED_TEST(Hard_surfaces, keep_a_map_that_is_one_to_one_of_itself)
     EXPECT_EQ(m.uv(), free) << name;
   }
   EXPECT_GE(maps, 7);
+}
+
+// Coarse levels may lead to where no run arrives: a small surface tries it from a first map, too.
+TEST(Hard_surfaces, with_long_ears_have_about_the_least_energy)
+{
+  typedef MIPS_parameterizer_3<Surface_mesh>   Method;
+  const Flat_mesh surface = square_with_ears(10, 1000);
+  Mapped_mesh flat(surface);
+  ASSERT_EQ(flat.parameterize(Method()), OK);
+  for (const unsigned int seed : { 0u, 1u, 2u, 3u, 4u }) {
+    Mapped_mesh m(surface);
+    ASSERT_EQ(m.parameterize(Hierarchical_parameterizer_3<Method>(Method(), parameters::random_seed(seed))), OK);
+    EXPECT_LT(energy<MIPS_energy_2>(m), 1.01 * energy<MIPS_energy_2>(flat)) << seed;
+  }
 }
 
 // They cost little energy: coarse levels are those of the surface around them.

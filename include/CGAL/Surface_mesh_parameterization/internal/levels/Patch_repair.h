@@ -27,7 +27,7 @@ public:
   { }
 
   // Returns at how many vertices the map is not valid at the end. Patches for which there are no valid places stay as
-  // they were.
+  // they were. Needles are for where no larger patch does without.
   std::size_t run()
   {
     std::vector<Index> bad;
@@ -36,12 +36,13 @@ public:
         bad.push_back(v);
     if (double(bad.size()) > greatest_part_of_vertices * double(m_uv.size()))
       return bad.size();
-    for (const std::size_t rings : numbers_of_rings) {
-      for (const std::vector<Index>& patch : patches_around(bad, rings))
-        if (patch.size() <= (rings == 0 ? greatest_patch_without_ring : greatest_patch))
-          repair(patch);
-      bad.erase(std::remove_if(bad.begin(), bad.end(), [this](Index v) { return is_good(v); }), bad.end());
-    }
+    for (const bool may_have_needles : { false, true })
+      for (const std::size_t rings : numbers_of_rings) {
+        for (const std::vector<Index>& patch : patches_around(bad, rings))
+          if (patch.size() <= (rings == 0 ? greatest_patch_without_ring : greatest_patch))
+            repair(patch, may_have_needles);
+        bad.erase(std::remove_if(bad.begin(), bad.end(), [this](Index v) { return is_good(v); }), bad.end());
+      }
     return bad.size();
   }
 
@@ -56,7 +57,7 @@ private:
   bool is_good(Index v) const { return is_fan_valid(m_rings, m_uv, v); }
 
   // Border vertices that stay may have bad fans yet when the others have got their places.
-  void repair(const std::vector<Index>& patch)
+  void repair(const std::vector<Index>& patch, bool may_have_needles)
   {
     std::vector<Index> interior;
     std::vector<Point_2> before;
@@ -65,14 +66,14 @@ private:
         interior.push_back(v);
         before.push_back(m_uv[v]);
       }
-    if (m_unfolder.run(interior)) {
+    if (m_unfolder.run(interior, may_have_needles)) {
       if (std::all_of(patch.begin(), patch.end(), [this](Index v) { return is_good(v); }))
         return;
       for (std::size_t i = 0; i < interior.size(); ++i)
         m_uv[interior[i]] = before[i];
     }
     if (interior.size() < patch.size())
-      m_unfolder.run(patch);
+      m_unfolder.run(patch, may_have_needles);
   }
 
   // The connected parts of what is at most so many rings away from some vertices.

@@ -65,6 +65,17 @@ inline bool is_far_above_minimum(const Level_energy& energy, double value)
   return minimum > 0 && !(value <= greatest_ratio * minimum);
 }
 
+// Whether a run on a small surface has ended where much may be left, and not at a low limit of its user's.
+inline bool has_not_arrived(const Level_energy& energy, double value, const Refinement_options& options,
+                            const Level_summary& summary)
+{
+  constexpr double least_ratio = 1.01;
+  constexpr std::size_t many_iterations = 100;
+  const Level& level = energy.level();
+  return !summary.converged && level.is_finest() && is_small(level) && value > least_ratio * energy.minimum_of_map() &&
+         (summary.iterations < options.number_of_iterations || summary.iterations >= many_iterations);
+}
+
 // Replaces a result by what comes of another start, if that is better; on a large level only if the start is, too.
 inline void start_again(const Level_energy& energy, Level::Uv start, Level::Uv& uv, const Refinement_options& options,
                         Level_summary& summary, Error_code& status)
@@ -116,7 +127,8 @@ inline Error_code minimize_freely(const Level_energy& energy, Level::Uv& uv, con
   if (status == ERROR_STOPPED || status == GIVEN_UP || energy.level().is_draft())
     return status;
   const double value = summary.energy_end * energy.unit();
-  if (status != OK || (!is_experiment && is_far_above_minimum(energy, value)))
+  const bool is_bad = is_far_above_minimum(energy, value) || has_not_arrived(energy, value, options, summary);
+  if (status != OK || (!is_experiment && is_bad))
     start_again_from_first_map(energy, uv, options, summary, status);
   return status;
 }

@@ -93,6 +93,11 @@ public:
     return sum;
   }
 
+  double mean_over_triangles(const Unfolding_energy_2& energy) const
+  {
+    return (*this)(energy) / double(m_triangles.size());
+  }
+
   // Finds the step of Newton's method, x and y of each vertex that may move. Returns by what a small part of the step
   // lowers the energy, relative to that part; 0 if there is no step.
   double find_newton_direction(const Unfolding_energy_2& energy, std::vector<double>& direction) const

@@ -28,6 +28,7 @@ struct Patch_unfolder_options
   // is at its minimum, and the map is not valid, a smaller width follows.
   double relative_width = 0.2, least_width = 1e-5, decrease_of_width = 0.1;
   double least_determinant = 0.1;         // of a map that is unfolded: 1 is that of a similarity, if all have one scale
+  double greatest_energy = 200;           // MIPS, the mean over the triangles, of a map without needles; at least 2
 };
 
 // Gives valid places to some vertices of a map, while all others stay where they are: first each in the middle of its
@@ -41,20 +42,22 @@ public:
     : m_rings(rings), m_uv(uv), m_options(options), m_energy(rings, points, uv)
   { }
 
-  // Returns false, with all vertices where they were, if it finds no valid places for some `vertices`. These are few: a
-  // factorization for each step takes time and memory.
-  bool run(const std::vector<Index>& vertices)
+  // Returns false, with all vertices where they were, if it finds no valid places for some `vertices`, or only those
+  // with needles, unless these are allowed. The vertices are few: a factorization for each step takes time and memory.
+  bool run(const std::vector<Index>& vertices, bool may_have_needles = true)
   {
     m_energy.set_vertices(vertices);
     const std::vector<Point_2> before = places();
     const double area_before = m_energy.area_of_image();
-    const bool is_valid = place_in_the_middle(m_rings, vertices, m_energy.unknowns(), {}, m_uv) &&
-                          set_scale(area_before) && unfold();
-    if (is_valid)
+    bool is_good = place_in_the_middle(m_rings, vertices, m_energy.unknowns(), {}, m_uv) && set_scale(area_before) &&
+                   unfold();
+    if (is_good) {
       lower_energy();
-    else
+      is_good = may_have_needles || m_energy.mean_over_triangles(Unfolding_energy_2(0)) <= m_options.greatest_energy;
+    }
+    if (!is_good)
       set_places(before);
-    return is_valid;
+    return is_good;
   }
 
 private:
