@@ -22,6 +22,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 struct Patch_unfolder_options
 {
   int most_steps = 25, most_steps_of_valid_map = 10, most_halvings = 20;
+  double longest_step = 3;                // relative to the longest edge
   double sufficient_decrease = 1e-4;      // of the energy, relative to what the slope promises
   double least_decrease = 0.01;           // relative, of a step from a valid map that is worth another one
   // The width of the energy: relative to the least determinant, where that is negative, and at least. Where the energy
@@ -140,8 +141,8 @@ private:
     });
   }
 
-  // At most 1, and such that no vertex moves farther than the longest edge at one of them is: where only a chord of the
-  // surface bounds the patch, the energy hardly tells how large it should be.
+  // At most 1, and such that no vertex moves much farther than the longest edge at one of them is: where only a chord of
+  // the surface bounds the patch, the energy hardly tells how large it should be.
   double first_length(const std::vector<double>& direction) const
   {
     double squared_step = 0, squared_edge = 0;
@@ -151,7 +152,8 @@ private:
       for (const Index w : m_rings[v])
         squared_edge = (std::max)(squared_edge, CGAL::squared_distance(m_uv[v], m_uv[w]));
     }
-    return squared_step > squared_edge ? std::sqrt(squared_edge / squared_step) : 1;
+    const double longest = m_options.longest_step * std::sqrt(squared_edge), step = std::sqrt(squared_step);
+    return step > longest ? longest / step : 1;
   }
 
   // A step of Newton's method, shortened until it lowers the energy. Returns whether there is one.
