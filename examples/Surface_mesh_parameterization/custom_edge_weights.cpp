@@ -81,7 +81,7 @@ int main(int argc, char** argv)
     std::cerr << "usage: custom_edge_weights_example [INPUT.off]\n";
     return 1;
   }
-  if (!read_surface(argv[1], mesh))
+  if (!read_surface_with_border(argv[1], mesh))
     return 1;
   return run<Uniform_parameterizer_3>("uniform", mesh) && run<Area_parameterizer_3>("area", mesh) ? 0 : 1;
 }

@@ -72,7 +72,7 @@ int main(int argc, char** argv)
     std::cerr << "usage: custom_energy_example [INPUT.off]\n";
     return 1;
   }
-  if (!read_surface(argv[1], mesh))
+  if (!read_surface_with_border(argv[1], mesh))
     return 1;
   for (const double weight : { 0.1, 0.5, 0.9 })
     if (!run({ weight }, mesh))

@@ -125,7 +125,7 @@ int main(int argc, char** argv)
     std::cerr << "usage: custom_parameterizer_example [INPUT.off]\n";
     return 1;
   }
-  if (!read_surface(argv[1], mesh))
+  if (!read_surface_with_border(argv[1], mesh))
     return 1;
   const auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   const auto result = SMP::hierarchical_parameterization<Minimax_parameterizer_3>(mesh, uvmap);

@@ -52,7 +52,7 @@ int main(int argc, char** argv)
     std::cerr << "usage: fair_with_multigrid_example [INPUT.off [CONTINUITY]], which is 0 or 1\n";
     return 1;
   }
-  if (!read_surface(argv[1], mesh))
+  if (!read_surface_with_border(argv[1], mesh))
     return 1;
   if (argc == 1) {
     CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(3));

@@ -30,7 +30,7 @@ int main(int argc, char** argv)
     std::cerr << "usage: held_vertices_example [INPUT.off [OUTPUT.obj]]\n";
     return 1;
   }
-  if (!read_surface(argv[1], mesh))
+  if (!read_surface_with_border(argv[1], mesh))
     return 1;
 
   // The circle in the unit square.

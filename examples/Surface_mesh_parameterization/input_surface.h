@@ -17,7 +17,7 @@
 // What the small examples run on: the component with the longest border of an OFF file, or the face if `file` is null.
 // Returns whether there is one, and else tells why not.
 template <class Mesh>
-bool read_surface(const char* file, Mesh& mesh)
+bool read_surface_with_border(const char* file, Mesh& mesh)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   if (file == nullptr) {

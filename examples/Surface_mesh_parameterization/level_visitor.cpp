@@ -67,7 +67,7 @@ int main(int argc, char** argv)
     std::cerr << "usage: level_visitor_example [INPUT.off [SECONDS]]\n";
     return 1;
   }
-  if (!read_surface(argv[1], mesh))
+  if (!read_surface_with_border(argv[1], mesh))
     return 1;
 
   CGAL::Real_timer timer;

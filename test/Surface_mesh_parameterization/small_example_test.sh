@@ -31,7 +31,7 @@ fi
 case $name in
   mips | custom_energy) is_in_output ' 0 flips\|^0 flips' ;;
 esac
-grep -qi 'nan\|inf' stdout && fail "no number: $(cat stdout)"
+grep -qiw 'nan\|inf' stdout && fail "no number: $(cat stdout)"
 
 expect 1 closed.off "${output[@]}"
 told '^closed.off: the surface has no border'

@@ -375,6 +375,7 @@ TEST(As_rigid_as_possible, compares_a_repair_that_costs_energy_with_a_map_withou
   Mapped_mesh mapped(square_with_ears(10, 1000));
   EXPECT_EQ(mapped.parameterize(Hierarchical_method(Method(), parameters::summary(std::ref(mapped.summary)))), OK);
   EXPECT_GT(mapped.summary.flips, 0u);
+  EXPECT_TRUE(mapped.summary.is_replaced);
   EXPECT_EQ(mapped.quality().flips, 0u);
   EXPECT_LT(mapped.summary.energy, 1e-3);      // the area is about 500
 }

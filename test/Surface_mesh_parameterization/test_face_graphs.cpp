@@ -37,7 +37,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <type_traits>
 
 namespace test_face_graphs {
 
@@ -120,22 +119,25 @@ TYPED_TEST(FaceGraph, is_parameterized_into_own_property_maps)
   EXPECT_TRUE(is_valid(mesh, bhd, by_index(uv)));
 }
 
+template <class TriangleMesh>
+class Fillable_mesh : public testing::Test { };
+typedef testing::Types<Surface_mesh, Epick_surface_mesh, Polyhedron, Linear_cell_complex> Fillable_meshes;
+TYPED_TEST_SUITE(Fillable_mesh, Fillable_meshes, );
+
 // A copy of a linear cell complex has its vertices in another order.
-TYPED_TEST(FaceGraph, is_parameterized_with_holes_filled_in_a_copy)
+TYPED_TEST(Fillable_mesh, is_parameterized_in_a_copy)
 {
-  if constexpr (!std::is_same_v<TypeParam, Seam_mesh>) {
-    typedef Barycentric_mapping_parameterizer_3<TypeParam>                                     Method;
-    typedef typename boost::property_map<TypeParam, CGAL::vertex_point_t>::type                Point_map;
-    typedef typename CGAL::Kernel_traits<typename Point_map::value_type>::Kernel::Point_2      User_point_2;
-    TypeParam mesh = make<TypeParam>(grid_with_holes(20));
-    const Halfedge<TypeParam> bhd = longest_border(mesh);
-    const auto uvmap = get(CGAL::dynamic_vertex_property_t<User_point_2>(), mesh);
-    const Hierarchical_parameterizer_3<Method> parameterizer(
-        parameters::fill_holes(true).flip_policy(Flip_policy::FAIL));
-    EXPECT_EQ(SMP::parameterize(mesh, parameterizer, bhd, uvmap), OK);
-    EXPECT_TRUE(is_valid(mesh, bhd, uvmap));
-    EXPECT_EQ(parameterization_quality(mesh, uvmap).flips, 0u);
-  }
+  typedef Barycentric_mapping_parameterizer_3<TypeParam>                        Method;
+  typedef typename boost::property_map<TypeParam, CGAL::vertex_point_t>::type   Point_map;
+  typedef typename boost::property_traits<Point_map>::value_type                User_point_3;
+  typedef typename CGAL::Kernel_traits<User_point_3>::Kernel::Point_2           User_point_2;
+  TypeParam mesh = make<TypeParam>(grid_with_holes(20));
+  const Halfedge<TypeParam> bhd = longest_border(mesh);
+  const auto uvmap = get(CGAL::dynamic_vertex_property_t<User_point_2>(), mesh);
+  const Hierarchical_parameterizer_3<Method> parameterizer(parameters::fill_holes(true).flip_policy(Flip_policy::FAIL));
+  EXPECT_EQ(SMP::parameterize(mesh, parameterizer, bhd, uvmap), OK);
+  EXPECT_TRUE(is_valid(mesh, bhd, uvmap));
+  EXPECT_EQ(parameterization_quality(mesh, uvmap).flips, 0u);
 }
 
 // ---- maps of floats ----

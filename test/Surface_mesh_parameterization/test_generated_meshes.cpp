@@ -155,7 +155,7 @@ Work work(const Flat_mesh& mesh)
   return result;
 }
 
-// Whether Newton's method needs many steps the more, the larger a surface is, as its distortion grows with it.
+// Whether the distortion grows with the size of the surface, and with it the number of Newton's steps.
 bool is_hard(const Mesh_kind& kind)
 {
   static const std::set<std::string> names = { "spike", "apollonian_disk", "hyperbolic_disk_7", "hyperbolic_disk_20",

@@ -274,20 +274,39 @@ TEST(Orbifolds, leave_the_map_untouched_on_an_error)
 }
 
 // CGAL reads beyond the end of its angles there.
-TEST(Orbifolds, refuse_cones_that_are_not_on_the_seam)
+TEST(Orbifolds, refuse_cones_that_do_not_fit_the_seam)
 {
   Cut_surface cut = ball(2, 3);
   const Cut_surface::UV_map uv = cut.untouched_map();
   const auto inside = *std::find_if(vertices(cut.mesh).begin(), vertices(cut.mesh).end(),
                                     [&](const auto& v) { return !is_border(v, cut.mesh); });
+  const auto is_refused = [&](const Cone_map& cones) {
+    return Hierarchical(Square).parameterize(cut.mesh, cut.bhd, cones, uv, cut.index) == ERROR_WRONG_PARAMETER;
+  };
+  Vertex first_cone;
+  for (const auto& [v, type] : cut.cone_map)
+    if (type == First_unique_cone)
+      first_cone = v;
   for (const auto& [v, type] : cut.cone_map) {
     Cone_map cones = cut.cone_map;
     cones.erase(v);
     cones.emplace(inside, type);
-    EXPECT_EQ(Hierarchical(Square).parameterize(cut.mesh, cut.bhd, cones, uv, cut.index), ERROR_WRONG_PARAMETER);
+    EXPECT_TRUE(is_refused(cones));
     cones.erase(inside);
     cones.emplace(v, type == Duplicated_cone ? First_unique_cone : Duplicated_cone);
-    EXPECT_EQ(Hierarchical(Square).parameterize(cut.mesh, cut.bhd, cones, uv, cut.index), ERROR_WRONG_PARAMETER);
+    EXPECT_TRUE(is_refused(cones));
+    if (type == Duplicated_cone) {
+      cones[first_cone] = Duplicated_cone;      // exchanged
+      EXPECT_TRUE(is_refused(cones));
+      cones = cut.cone_map;
+      cones.erase(v);
+      for (const auto h : halfedges_around_face(cut.bhd, cut.mesh))
+        if (cut.cone_map.count(target(h, cut.mesh)) == 0) {
+          cones.emplace(target(h, cut.mesh), Duplicated_cone);      // on one side of the seam
+          break;
+        }
+      EXPECT_TRUE(is_refused(cones));
+    }
   }
   EXPECT_TRUE(cut.is_untouched(uv));
 }

@@ -165,10 +165,13 @@ TEST(Wrapped_constructor, takes_the_pins_of_LSCM)
   EXPECT_NEAR(CGAL::squared_distance(get(pinned.uvmap, b), get(other.uvmap, a)), 0, 1e-20);
 
   // One vertex at two places: CGAL collapses the map to it.
-  Wrapped_map<Surface_mesh> untouched(mesh);
-  EXPECT_EQ(untouched.parameterize(Hierarchical_parameterizer_3<LSCM>(Pins(a, a), np), longest_border(mesh)),
-            ERROR_WRONG_PARAMETER);
-  EXPECT_TRUE(untouched.is_untouched());
+  for (const Flat_mesh& m : { delaunay_patch(1200, 3, wavy), delaunay_patch(1200, 3, flat) }) {
+    mesh = make<Surface_mesh>(m);
+    Wrapped_map<Surface_mesh> untouched(mesh);
+    EXPECT_EQ(untouched.parameterize(Hierarchical_parameterizer_3<LSCM>(Pins(a, a), np), longest_border(mesh)),
+              ERROR_WRONG_PARAMETER);
+    EXPECT_TRUE(untouched.is_untouched());
+  }
 }
 
 TEST(Wrapped_constructor, number_of_iterations_limits_the_iteration)

@@ -126,8 +126,8 @@ public:
   }
 
   /// improves a flip-free map of a level for the symmetric Dirichlet energy, and keeps it flip-free. On the finest
-  /// level this is the result where a repair of flips would fail, move a vertex that is held, or leave little of the
-  /// map at a higher energy.
+  /// level this is the result where a repair of flips would fail or move a vertex that is held; or leave little of the
+  /// map, or raise the energy by more than a tenth, and end at a higher energy.
   /// \return `OK`; `ERROR_NO_1_TO_1_MAPPING` as refine(); `ERROR_STOPPED`
   Error_code refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {

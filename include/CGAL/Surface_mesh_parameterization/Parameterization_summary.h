@@ -88,7 +88,7 @@ struct Parameterization_summary
   /// another method's map replaced theirs: then it is that method's energy, and `levels` are its levels
   double energy = 0;
   /// from the coarsest level to the finest; the finest only where the run started from a map, be it the user's or one
-  /// with cracks closed or many small holes filled; none for the linear methods of CGAL
+  /// with cracks closed or many small holes filled; none for the linear methods of CGAL, unless their map was replaced
   std::vector<Level_summary> levels;
   /// triangles that the method flipped, before a repair, see `Flip_policy`; if there are none, interior vertices around
   /// which its map winds more than once, and border vertices whose angles make a full turn or more. Not counted if the
@@ -96,7 +96,8 @@ struct Parameterization_summary
   std::size_t flips = 0;
   /// vertices that the repair moved, those in the middle of filled holes included; all if the map was replaced
   std::size_t moved_vertices = 0;
-  /// whether the repair would have left little of the map, so that a method without flips made another one
+  /// whether a method without flips made another map, since the repair failed, or left little of the map, or raised its
+  /// energy much
   bool is_replaced = false;
   Linear_solver_summary linear_solver;    ///< of a method that solves linear systems by multigrid
   double seconds_hierarchy = 0;           ///< wall-clock time of reading the mesh and of building the hierarchy

@@ -17,7 +17,7 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Removes flips from a map by new places for the vertices of patches around them, and lets all others be. Of the
-// vertices in a patch, those on a border of the surface stay, too, if that can be.
+// vertices in a patch, those on a border of the surface stay, too, if that can be without needles.
 class Patch_repair
 {
 public:
@@ -27,7 +27,7 @@ public:
   { }
 
   // Returns at how many vertices the map is not valid at the end. Patches for which there are no valid places stay as
-  // they were. Needles are for where no larger patch does without.
+  // they were. Places that leave needles are taken only where no patch of any size has others.
   std::size_t run()
   {
     std::vector<Index> bad;
@@ -38,6 +38,8 @@ public:
       return bad.size();
     for (const bool may_have_needles : { false, true })
       for (const std::size_t rings : numbers_of_rings) {
+        if (bad.empty() || (may_have_needles && !m_unfolder.has_refused_needles()))
+          return bad.size();
         for (const std::vector<Index>& patch : patches_around(bad, rings))
           if (patch.size() <= (rings == 0 ? greatest_patch_without_ring : greatest_patch))
             repair(patch, may_have_needles);

@@ -67,13 +67,13 @@ inline bool is_far_above_minimum(const Level_energy& energy, double value)
 
 // Whether a run on a small surface has ended where much may be left, and not at a low limit of its user's.
 inline bool has_not_arrived(const Level_energy& energy, double value, const Refinement_options& options,
-                            const Level_summary& summary)
+                            std::size_t iterations)
 {
   constexpr double least_ratio = 1.01;
   constexpr std::size_t many_iterations = 100;
-  const Level& level = energy.level();
-  return !summary.converged && level.is_finest() && is_small(level) && value > least_ratio * energy.minimum_of_map() &&
-         (summary.iterations < options.number_of_iterations || summary.iterations >= many_iterations);
+  const double minimum = energy.minimum_of_map();
+  return energy.level().is_finest() && is_small(energy.level()) && minimum > 0 && value > least_ratio * minimum &&
+         (iterations < options.number_of_iterations || iterations >= many_iterations);
 }
 
 // Replaces a result by what comes of another start, if that is better; on a large level only if the start is, too.
@@ -123,11 +123,14 @@ inline Error_code minimize_freely(const Level_energy& energy, Level::Uv& uv, con
                                   Level_summary& summary)
 {
   const bool is_experiment = options.number_of_local_steps > 0;
+  const std::size_t iterations_before = summary.iterations;
   Error_code status = minimize_from(energy, uv, options, summary);
   if (status == ERROR_STOPPED || status == GIVEN_UP || energy.level().is_draft())
     return status;
   const double value = summary.energy_end * energy.unit();
-  const bool is_bad = is_far_above_minimum(energy, value) || has_not_arrived(energy, value, options, summary);
+  const bool is_bad =
+      is_far_above_minimum(energy, value) ||
+      (!summary.converged && has_not_arrived(energy, value, options, summary.iterations - iterations_before));
   if (status != OK || (!is_experiment && is_bad))
     start_again_from_first_map(energy, uv, options, summary, status);
   return status;

@@ -47,12 +47,14 @@ public:
   Filled_mesh(const TriangleMesh& mesh, halfedge_descriptor bhd) : m_mesh(mesh), m_border(bhd)
   {
     // Halfedges of a copy come in the same order, vertices not always: those of a linear cell complex do not.
-    std::vector<std::pair<vertex_descriptor, vertex_descriptor>> copies;         // with what they are copies of
+    std::vector<std::pair<vertex_descriptor, vertex_descriptor>> copies;         // and originals
     auto copy = halfedges(m_mesh).begin();
     for (const halfedge_descriptor h : halfedges(mesh)) {
       if (h == bhd)
         m_border = *copy;
-      copies.emplace_back(target(*copy++, m_mesh), target(h, mesh));
+      if (h == halfedge(target(h, mesh), mesh))
+        copies.emplace_back(target(*copy, m_mesh), target(h, mesh));
+      ++copy;
     }
     m_has_same_descriptors =
         std::all_of(copies.begin(), copies.end(), [](const auto& pair) { return pair.first == pair.second; });
@@ -63,8 +65,8 @@ public:
     m_original = get(Vertex_property(), std::as_const(m_mesh));
     for (const vertex_descriptor v : vertices(m_mesh))
       put(m_original, v, Graph_traits::null_vertex());
-    for (const auto& [v, original] : copies)
-      put(m_original, v, original);
+    for (const auto& [v, original_vertex] : copies)
+      put(m_original, v, original_vertex);
   }
 
   Filled_mesh(const Filled_mesh&) = delete;

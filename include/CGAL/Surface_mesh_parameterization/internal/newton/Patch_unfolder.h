@@ -22,14 +22,14 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 struct Patch_unfolder_options
 {
   int most_steps = 25, most_steps_of_valid_map = 10, most_halvings = 20;
-  double longest_step = 3;                // relative to the longest edge
+  double longest_step = 3;                // of a vertex, relative to the longest edge at the patch
   double sufficient_decrease = 1e-4;      // of the energy, relative to what the slope promises
   double least_decrease = 0.01;           // relative, of a step from a valid map that is worth another one
   // The width of the energy: relative to the least determinant, where that is negative, and at least. Where the energy
-  // is at its minimum, and the map is not valid, a smaller width follows.
+  // is at its minimum, and triangles are flipped or thin, a smaller width follows.
   double relative_width = 0.2, least_width = 1e-5, decrease_of_width = 0.1;
   double least_determinant = 0.1;         // of a map that is unfolded: 1 is that of a similarity, if all have one scale
-  double greatest_energy = 200;           // MIPS, the mean over the triangles, of a map without needles; at least 2
+  double greatest_mean_energy = 200;      // MIPS, of a triangle of a map without needles; 2 is that of a similarity
 };
 
 // Gives valid places to some vertices of a map, while all others stay where they are: first each in the middle of its
@@ -43,8 +43,9 @@ public:
     : m_rings(rings), m_uv(uv), m_options(options), m_energy(rings, points, uv)
   { }
 
-  // Returns false, with all vertices where they were, if it finds no valid places for some `vertices`, or only those
-  // with needles, unless these are allowed. The vertices are few: a factorization for each step takes time and memory.
+  // Returns false, with all vertices where they were, if it finds no valid places for some `vertices`, or if needles
+  // are left and may not be: triangles that are nearly flat in the map, and not in space, so that the mean energy is
+  // great. The vertices are few: a factorization for each step takes time and memory.
   bool run(const std::vector<Index>& vertices, bool may_have_needles = true)
   {
     m_energy.set_vertices(vertices);
@@ -54,12 +55,17 @@ public:
                    unfold();
     if (is_good) {
       lower_energy();
-      is_good = may_have_needles || m_energy.mean_over_triangles(Unfolding_energy_2(0)) <= m_options.greatest_energy;
+      const bool has_needles = !(m_energy.mean_over_triangles(Unfolding_energy_2(0)) <= m_options.greatest_mean_energy);
+      is_good = may_have_needles || !has_needles;
+      m_has_refused_needles = m_has_refused_needles || !is_good;
     }
     if (!is_good)
       set_places(before);
     return is_good;
   }
+
+  // Whether any run has failed for needles alone.
+  bool has_refused_needles() const { return m_has_refused_needles; }
 
 private:
   const std::vector<Index>& vertices() const { return m_energy.vertices(); }
@@ -89,8 +95,8 @@ private:
     return (is_border_free && m_energy.scale_to(area_before)) || m_energy.scale_to(m_energy.area_of_image());
   }
 
-  // Returns whether the map is valid at the end. A valid one with thin triangles, whose energy is hard to lower, is
-  // kept for the case that no better one follows.
+  // Returns whether the map is valid at the end. Goes on from a valid one with thin triangles, whose energy is hard to
+  // lower; if what follows is not valid, that one stays.
   bool unfold()
   {
     std::vector<Point_2> valid_places;
@@ -109,9 +115,12 @@ private:
         break;
       width *= m_options.decrease_of_width;
     }
-    if (!is_valid() && !valid_places.empty())
-      set_places(valid_places);
-    return is_valid();
+    if (is_valid())
+      return true;
+    if (valid_places.empty())
+      return false;
+    set_places(valid_places);
+    return true;
   }
 
   // Precondition: the map is valid, and stays so.
@@ -141,8 +150,8 @@ private:
     });
   }
 
-  // At most 1, and such that no vertex moves much farther than the longest edge at one of them is: where only a chord of
-  // the surface bounds the patch, the energy hardly tells how large it should be.
+  // At most 1, and such that no vertex moves too far: where only a chord of the surface bounds the patch, the energy
+  // hardly tells how large it should be.
   double first_length(const std::vector<double>& direction) const
   {
     double squared_step = 0, squared_edge = 0;
@@ -180,6 +189,7 @@ private:
   std::vector<Point_2>& m_uv;
   Patch_unfolder_options m_options;
   Patch_energy m_energy;
+  bool m_has_refused_needles = false;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

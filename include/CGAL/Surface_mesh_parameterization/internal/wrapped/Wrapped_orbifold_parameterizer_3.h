@@ -64,11 +64,13 @@ private:
     typedef typename Wrapped_run<SeamMesh>::Index_map                  Index_map;
 
     Wrapped_run<SeamMesh> run(mesh, bhd, this->options());
-    if (run.error() != OK || !run.interpolation())
+    if (run.error() != OK)
       return run.error();
-    if (!are_cones_on_border(mesh, bhd, cmap))
+    if (!do_cones_fit_seam(mesh, bhd, cmap))
       return this->fail(ERROR_WRONG_PARAMETER,
-                        "the cones must lie on the seam, with one each where it begins and where it ends");
+                        "the cones must lie on the seam, on both of its sides, with the unique ones at its ends");
+    if (!run.interpolation())
+      return run.error();
     std::vector<User_point_2> uv(run.vertices().size());
     const auto session =
         std::make_shared<Constrained_session>(run.interpolation(), run.number_vertices_as(vimap),
@@ -91,18 +93,26 @@ private:
     return code;
   }
 
-  // What CGAL takes for granted.
+  // CGAL's Cone_type, whose header defines that function.
+  static constexpr int first_unique_cone = 0, second_unique_cone = 1;
+
+  // What CGAL takes for granted: cones are on the seam, and on both of its sides; its ends are the unique ones.
   template <class ConeMap>
-  static bool are_cones_on_border(const SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap)
+  static bool do_cones_fit_seam(const SeamMesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap)
   {
-    typedef typename ConeMap::mapped_type   Cone_type;
     std::size_t cones = 0, first_ones = 0, second_ones = 0;
-    for (const halfedge_descriptor h : halfedges_around_face(bhd, mesh))
-      if (const auto cone = cmap.find(target(h, mesh)); cone != cmap.end()) {
-        ++cones;
-        first_ones += cone->second == Cone_type::First_unique_cone;
-        second_ones += cone->second == Cone_type::Second_unique_cone;
-      }
+    for (const halfedge_descriptor h : halfedges_around_face(bhd, mesh)) {
+      const auto v = target(h, mesh), twin = target(halfedge_descriptor(h, false), mesh);
+      const auto cone = cmap.find(v);
+      if (cone == cmap.end())
+        continue;
+      const bool is_first = int(cone->second) == first_unique_cone, is_second = int(cone->second) == second_unique_cone;
+      if ((v == twin) != (is_first || is_second) || cmap.find(twin) == cmap.end())
+        return false;
+      ++cones;
+      first_ones += is_first;
+      second_ones += is_second;
+    }
     return cones == cmap.size() && first_ones == 1 && second_ones == 1;
   }
 };

@@ -123,9 +123,10 @@ private:
                                          Component_map<Index_map, char>{ run.index(), &is_placed },
                                          std::forward<Others>(others)...);
     });
-    if constexpr (Use::is_complex)
-      if (code == OK && std::count(is_placed.begin(), is_placed.end(), true) < 2)
-        return this->fail(ERROR_WRONG_PARAMETER, "a map is pinned at two vertices, not at one");
+    if constexpr (Use::is_complex)      // a flat surface can turn around one pin: its system is singular
+      if ((code == OK || code == ERROR_CANNOT_SOLVE_LINEAR_SYSTEM) &&
+          std::count(is_placed.begin(), is_placed.end(), char(true)) < 2)
+        return this->fail(ERROR_WRONG_PARAMETER, "a map needs two vertices that are held");
     const auto run_substitute = this->optional_steps().run_substitute;
     if (code == OK) {
       code = run.settle_flips(uv, is_placed, run_substitute != nullptr);
