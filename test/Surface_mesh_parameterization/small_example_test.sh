@@ -12,7 +12,7 @@ printf 'OFF\n13 9 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n2 2 1\n9 0 0\n9 1 0\n8 0 0\n0 0
 printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >closed.off
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n' >truncated.off
 
-# What a program that writes takes after its input, and how many arguments are too many.
+# What a program that writes takes after its input, and the most arguments that a program takes.
 output=()
 most=1
 case $name in
