@@ -5,6 +5,7 @@
 
 #include "constrained_mesh.h"
 #include "exact_kernel.h"
+#include "generated_meshes.h"
 #include "mesh_conversions.h"
 #include "one_to_one_maps.h"
 #include "real_meshes.h"
@@ -31,6 +32,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace test_constraints {
@@ -102,6 +104,25 @@ TYPED_TEST(Held_vertices, may_be_one_or_two)
     m.expect_places_are_held();
     EXPECT_NEAR(m.summary.energy, energy, 1e-6 * energy);
   }
+}
+
+// A surface that has a map without distortion keeps it, near and far, with one vertex held, and for MIPS with two.
+TYPED_TEST(Held_vertices, leave_a_developable_surface_without_distortion)
+{
+  constexpr bool is_mips = std::is_same_v<TypeParam, MIPS_parameterizer_3<Mesh>>;
+  for (const int number : { 1, is_mips ? 2 : 1 })
+    for (const double far : { 1., 1e9 }) {
+      Constrained_mesh m(helix(1000, 50));
+      m.is_held[Mesh::Vertex_index(7)] = true;
+      m.uvmap[Mesh::Vertex_index(7)] = Kernel_point(far, -far);
+      m.is_held[Mesh::Vertex_index(1500)] = number == 2;
+      m.uvmap[Mesh::Vertex_index(1500)] = Kernel_point(far, 3 * far);
+      ASSERT_EQ(m.run<TypeParam>(), OK);
+      m.expect_places_are_held();
+      EXPECT_TRUE(m.summary.converged && m.is_valid());
+      const double minimum = is_mips ? 2. * num_faces(m.mesh) : 4;
+      EXPECT_NEAR(m.summary.energy, minimum, 1e-6 * minimum);
+    }
 }
 
 // How far apart the maps of a hierarchical run and of a flat one are, with the border on a circle; relative to its box.
@@ -401,6 +422,17 @@ TEST(Held_vertices_of_ARAP, keep_their_places)
       EXPECT_TRUE(m.summary.converged && m.is_valid());
       m.expect_places_are_held();
     }
+}
+
+TEST(Held_vertices_of_ARAP, leave_a_developable_surface_without_distortion)
+{
+  Constrained_mesh m(helix(1000, 50));
+  m.is_held[Mesh::Vertex_index(7)] = true;
+  m.uvmap[Mesh::Vertex_index(7)] = Kernel_point(3, -5);
+  ASSERT_EQ(m.run_with<ARAP>(np::vertex_is_constrained_map(m.is_held).summary(std::ref(m.summary))), OK);
+  m.expect_places_are_held();
+  EXPECT_TRUE(m.summary.converged && m.is_valid());
+  EXPECT_LT(m.summary.energy, 1e-9 * m.area());
 }
 
 // With lambda = 0 and two vertices held, the energy is that of least squares conformal maps, which is quadratic: any

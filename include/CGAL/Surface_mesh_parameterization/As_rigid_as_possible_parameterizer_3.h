@@ -160,7 +160,7 @@ private:
   {
     if (!level.is_finest())
       return refine_without_flips(level, uv, summary);
-    if (!internal::is_free(level))
+    if (!internal::is_free(level, false))
       if (const Error_code status = lead_to_places(level, uv, summary); status != OK)
         return status;
     const bool has_scale = m_lambda > 0 || !level.hierarchy().springs().empty();

@@ -246,7 +246,7 @@ private:
     constexpr double greatest_ratio = 10;
     constexpr std::size_t few = 32, triangles_for_one = 1000;
     if (m_options.optimizer != Optimizer::NEWTON || m_options.number_of_local_steps > 0 ||
-        m_options.triangle_weight != Triangle_weight::ONE || !internal::is_free(level))
+        m_options.triangle_weight != Triangle_weight::ONE || !internal::is_free(level, false))
       return false;
     const auto energy = level_energy(level, m_energy);
     const double minimum = energy.minimum() * energy.total_weight();
