@@ -31,6 +31,11 @@ inline std::string vertex_text(std::size_t v) { return "vertex " + std::to_strin
 
 constexpr std::size_t most_corners_to_triangulate = 500;      // the time goes with the third power
 
+inline Polygon_soup::Point coordinates(const Kernel::Point_3& p)
+{
+  return { p.x(), p.y(), p.z() };
+}
+
 // Each of these throws an Input_error.
 void check_indices(const Polygon_soup& soup);
 void check_coordinates(const Polygon_soup& soup);

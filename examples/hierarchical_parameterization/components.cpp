@@ -5,6 +5,8 @@
 
 #include "components.h"
 
+#include "Polygon_soup.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -74,16 +76,18 @@ std::vector<Component> find_components(const Mesh& mesh)
 
 Mesh mesh_of(const Mesh& mesh, const std::vector<Mesh::Face_index>& faces)
 {
-  Mesh result;
-  std::vector<Mesh::Vertex_index> image(mesh.number_of_vertices(), Mesh::null_vertex()), corners;
+  Polygon_soup result;
+  constexpr std::size_t none = std::size_t(-1);
+  std::vector<std::size_t> image(mesh.number_of_vertices(), none);
   for (const Mesh::Face_index f : faces) {
-    corners.clear();
+    result.polygons.emplace_back();
     for (const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f))) {
-      if (image[v] == Mesh::null_vertex())
-        image[v] = result.add_vertex(mesh.point(v));
-      corners.push_back(image[v]);
+      if (image[v] == none) {
+        image[v] = result.points.size();
+        result.points.push_back(coordinates(mesh.point(v)));
+      }
+      result.polygons.back().push_back(image[v]);
     }
-    result.add_face(corners);
   }
-  return result;
+  return manifold_mesh(result);
 }

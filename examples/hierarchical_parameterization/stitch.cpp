@@ -5,6 +5,7 @@
 
 #include "stitch.h"
 
+#include "Polygon_soup.h"
 #include "components.h"
 
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
@@ -69,14 +70,18 @@ void stitch(Mesh& mesh)
     for (std::size_t i = 0; i < 3; ++i, h = mesh.next(h))
       joined[corners[f].vertices[i]] = mesh.target(h);
   }
-  Mesh compact;
-  std::vector<Mesh::Vertex_index> image(n, Mesh::null_vertex());      // in the new mesh, of what vertices became
+  Polygon_soup compact;
+  constexpr std::size_t none = std::size_t(-1);
+  std::vector<std::size_t> image(n, none);      // in the new mesh, of what vertices became
   for (std::size_t v = 0; v < n; ++v)
-    if (image[joined[v]] == Mesh::null_vertex())
-      image[joined[v]] = compact.add_vertex(mesh.point(Mesh::Vertex_index(Mesh::size_type(v))));
+    if (image[joined[v]] == none) {
+      image[joined[v]] = compact.points.size();
+      compact.points.push_back(coordinates(mesh.point(Mesh::Vertex_index(Mesh::size_type(v)))));
+    }
   for (const Face_corners& c : corners)
-    compact.add_face(image[joined[c.vertices[0]]], image[joined[c.vertices[1]]], image[joined[c.vertices[2]]]);
-  mesh = compact;
+    compact.polygons.push_back({ image[joined[c.vertices[0]]], image[joined[c.vertices[1]]],
+                                 image[joined[c.vertices[2]]] });
+  mesh = manifold_mesh(compact);
 }
 
 std::size_t number_of_separate_pieces(const Mesh& mesh)

@@ -17,6 +17,9 @@
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -40,6 +43,55 @@ namespace test_atlas {
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
 namespace parameters = CGAL::Surface_mesh_parameterization::parameters;
+
+internal::Corner_mesh corner_mesh_of(const Flat_mesh& surface)
+{
+  internal::Corner_mesh result;
+  EXPECT_EQ(internal::read_corner_mesh(make<Surface_mesh>(surface), result).code, OK);
+  return result;
+}
+
+// Parameterizers walk around vertices from their halfedges, so that all indices matter.
+TEST(Chart_mesh, is_the_mesh_of_its_faces_added_one_by_one)
+{
+  std::vector<Flat_mesh> all = { grid_with_holes(20), fan(500), open_fan(60), delaunay_patch(800, 3, wavy) };
+  for (const Uncut_surface& s : uncut_surfaces())
+    all.push_back(s.mesh);
+  for (const Flat_mesh& surface : all) {
+    const internal::Corner_mesh chart = corner_mesh_of(surface);
+    internal::Chart_mesh mesh, expected;
+    ASSERT_TRUE(internal::make_chart_mesh(chart, mesh));
+    for (const auto v : mesh.vertices())
+      expected.add_vertex(mesh.point(v));
+    typedef internal::Chart_mesh::Vertex_index Vertex;
+    for (std::size_t h = 0; h < chart.vertex.size(); h += 3)
+      expected.add_face(Vertex(chart.vertex[h]), Vertex(chart.vertex[h + 1]), Vertex(chart.vertex[h + 2]));
+    EXPECT_TRUE(mesh.is_valid(false));
+    ASSERT_EQ(mesh.number_of_halfedges(), expected.number_of_halfedges());
+    ASSERT_EQ(mesh.number_of_faces(), expected.number_of_faces());
+    for (const auto h : mesh.halfedges()) {
+      ASSERT_EQ(mesh.target(h), expected.target(h));
+      ASSERT_EQ(mesh.face(h), expected.face(h));
+      ASSERT_EQ(mesh.next(h), expected.next(h));
+      ASSERT_EQ(mesh.prev(h), expected.prev(h));
+    }
+    for (const auto v : mesh.vertices())
+      ASSERT_EQ(mesh.halfedge(v), expected.halfedge(v));
+    for (const auto f : mesh.faces())
+      ASSERT_EQ(mesh.halfedge(f), expected.halfedge(f));
+  }
+}
+
+TEST(Chart_mesh, has_no_two_edges_with_the_same_ends)
+{
+  internal::Corner_mesh chart = corner_mesh_of(grid(8, 8, wavy));
+  Index h = 0;
+  while (chart.is_border(h))
+    ++h;
+  chart.sever(h);
+  internal::Chart_mesh mesh;
+  EXPECT_FALSE(internal::make_chart_mesh(chart, mesh));
+}
 
 template <template <class...> class Method>
 void expect_atlases_of_all_surfaces()

@@ -241,6 +241,11 @@ TEST(Atlas_quality, measures_the_faces_that_are_asked_for)
   const double nowhere = std::numeric_limits<double>::quiet_NaN();
   charts.uv[charts.mesh.halfedge(first[3])] = Kernel::Point_2(nowhere, nowhere);
   EXPECT_EQ(atlas_quality(charts.mesh, first, charts.uv).flips, 1u);
+  const std::vector<Surface_mesh::Face_index> none;
+  const Parameterization_quality of_none = atlas_quality(charts.mesh, none, charts.uv);
+  EXPECT_EQ(of_none.flips, 0u);
+  EXPECT_EQ(of_none.symmetric_dirichlet, 0);
+  EXPECT_EQ(of_none.area, 0);
 }
 
 TEST(Atlas_quality, praises_no_mesh_that_cannot_be_measured)

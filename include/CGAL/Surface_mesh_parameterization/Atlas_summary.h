@@ -30,7 +30,8 @@ struct Atlas_summary
   };
 
   Parameterization_error error;         ///< of the surface, or of the first chart that has no map
-  Cut_summary cut;                      ///< the components, and the seams that were made, also between parts of charts
+  Cut_summary cut;                      ///< the components, and the seams that were made, also between parts of charts;
+                                        ///< edges that were constrained to be seams do not count
   std::vector<Chart> charts;            ///< in the order of their first faces
   std::vector<std::size_t> chart_of_face;         ///< number of each face's chart, in the order of `faces(mesh)`
   std::size_t divisions = 0;            ///< by how many the number of charts grew as charts were divided

@@ -136,7 +136,7 @@ std::vector<Index> read_map(const TriangleMesh& mesh, const FaceRange& face_rang
 ///
 /// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; of one that is not
 ///        triangulated, or whose coordinates are not all finite, every face counts as flipped
-/// \param face_range the faces to measure, at least one
+/// \param face_range the faces to measure
 /// \param uvmap a readable property map from halfedges to points of the plane: the place of the corner to which a
 ///        halfedge leads in its face
 template <class TriangleMesh, class FaceRange, class HalfedgeUVMap>

@@ -61,7 +61,8 @@ Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_
   if (options.is_valid())
     summary.error = read_corner_mesh(mesh, seams, corners);
   else
-    summary.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, "distortion_bound is less than 4" };
+    summary.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0,
+                      "distortion_bound is less than 4 or no number" };
   if (!summary.is_ok())
     return result;
   const std::vector<Index> old_opposite = corners.opposite;

@@ -31,8 +31,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
 /// Measures of a parameterization. `s1 >= s2` are the singular values of a triangle's map from space to the plane. All
-/// measures except the counts are infinite if there are flips. A map that is mirrored as a whole has none: its measures
-/// are those of its mirror image.
+/// measures except the counts are infinite if there are flips, and 0 if there are no triangles. A map that is mirrored
+/// as a whole has no flips: its measures are those of its mirror image.
 struct Parameterization_quality
 {
   /// triangles that are not turned as most are, by exact predicates: flipped, degenerate, or with a coordinate that is
@@ -89,6 +89,8 @@ public:
     Parameterization_quality q = m_quality;
     q.is_mirrored = m_negative > m_positive;
     q.flips = m_triangles - (std::max)(m_positive, m_negative);
+    if (m_triangles == 0)
+      return q;
     if (q.flips > 0) {
       q.mips = q.mips_excess = q.symmetric_dirichlet = q.l2_stretch = q.linf_stretch = q.angle = q.area =
           (std::numeric_limits<double>::infinity)();

@@ -94,7 +94,7 @@ public:
                  ? OK : ERROR_NO_1_TO_1_MAPPING;
     else {
       const Error_code status = internal::settle_flips(settlement, rings, make_surface, uv, summary);
-      if (status == OK && settlement.policy != Flip_policy::KEEP)
+      if (status == OK && settlement.policy != Flip_policy::KEEP && !places_border<Method>)
         mirror_back(rings, uv);
       return status;
     }

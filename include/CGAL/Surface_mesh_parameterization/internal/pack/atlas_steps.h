@@ -8,15 +8,12 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
-#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_part.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/divide_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
-
-#include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,21 +24,6 @@
 // What atlas_parameterization() does, and what it tells of it, whatever the mesh and the method are.
 
 namespace CGAL::Surface_mesh_parameterization::internal {
-
-typedef CGAL::Surface_mesh<Point_3>   Chart_mesh;
-
-// In the user's coordinates. Returns whether there is such a mesh: not if two edges of the chart have the same ends.
-inline bool make_chart_mesh(const Corner_mesh& chart, Chart_mesh& mesh)
-{
-  mesh.reserve(Chart_mesh::size_type(chart.number_of_vertices()), chart.number_of_halfedges(), chart.number_of_faces());
-  for (const Point_3& p : chart.points)
-    mesh.add_vertex(times_power_of_two(p, -chart.scale_exponent));
-  for (Index h = 0; h < chart.number_of_halfedges(); h += 3)
-    if (mesh.add_face(Chart_mesh::Vertex_index(chart.vertex[h]), Chart_mesh::Vertex_index(chart.vertex[h + 1]),
-                      Chart_mesh::Vertex_index(chart.vertex[h + 2])) == Chart_mesh::null_face())
-      return false;
-  return true;
-}
 
 // The face of a chart at which an error lies, as a face of the mesh.
 inline Parameterization_error error_in_mesh(const Parameterization_error& error, const Corner_mesh& chart,

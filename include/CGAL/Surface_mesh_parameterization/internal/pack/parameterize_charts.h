@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Cut_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_component.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_part.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/atlas_steps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/overlap_cut.h>
