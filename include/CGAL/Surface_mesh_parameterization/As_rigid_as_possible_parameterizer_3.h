@@ -36,7 +36,8 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// The energy has many local minima, and a folded map does not unfold. So the levels below the finest, or Tutte's map
 /// in a flat run, are optimized for the symmetric Dirichlet energy, which removes strong distortion without flips. On
-/// the finest level Newton's method with multigrid starts from there.
+/// the finest level Newton's method with multigrid starts from there, or from the unfolded surface if that is a map of
+/// lower energy.
 ///
 /// Energies are reported as CGAL reports them: half of the sum over the edges of all triangles, in the units of the
 /// mesh.
