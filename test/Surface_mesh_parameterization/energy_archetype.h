@@ -9,7 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Distortion_derivatives_2.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Bounded_energy_2.h>
 
 #include <gtest/gtest.h>
 

@@ -16,7 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Bounded_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Unfolding_energy_2.h>
 
 #include <gtest/gtest.h>

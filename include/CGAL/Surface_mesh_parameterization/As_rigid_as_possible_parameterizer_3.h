@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Place_constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Bounded_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <algorithm>
@@ -102,7 +103,7 @@ public:
     if (status != OK)
       return status;
     Level_summary unused_summary;
-    return level.is_finest() ? refine_without_flips(level, uv, unused_summary) : OK;
+    return level.is_finest() ? minimize_isometrically(level, uv, unused_summary) : OK;
   }
 
   /// improves a flip-free map of a level and keeps it flip-free. On the finest level, minimizes the energy, and flips
@@ -126,17 +127,19 @@ public:
     return std::ldexp(level_energy(level)(uv), -2 * level.scale_exponent());
   }
 
-  /// improves a flip-free map of a level for the symmetric Dirichlet energy, and keeps it flip-free. On the finest
-  /// level this is the result where a repair of flips would fail or move a vertex that is held; or leave little of the
-  /// map, or raise the energy by more than a tenth, and end at a higher energy.
+  /// improves a flip-free map of the finest level and keeps it flip-free: for the sum of the energy and a hundredth of
+  /// the symmetric Dirichlet energy; or, if lambda is 0, for the latter. This is the result where a repair of flips
+  /// would fail or move a vertex that is held; or leave little of the map, or raise the energy by more than a hundredth,
+  /// and end at a higher energy.
   /// \return `OK`; `ERROR_NO_1_TO_1_MAPPING` as refine(); `ERROR_STOPPED`
   Error_code refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
-    constexpr double tolerance_of_start = 1e-3;
-    Refinement_options options = m_options;
-    options.tolerance = (std::max)(options.tolerance, tolerance_of_start);
-    const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, m_options.triangle_weight);
-    return internal::minimize_energy(energy, uv, options, summary);
+    if (m_lambda == 0)
+      return minimize_isometrically(level, uv, summary);
+    const Error_code status = lead_to_places(level, uv, summary);
+    return status == OK ? internal::minimize_energy(level_energy<internal::Flip_free_energy_2<Energy>>(level), uv,
+                                                    m_options, summary)
+                        : status;
   }
 
   /// \cond SKIP_IN_MANUAL
@@ -149,21 +152,30 @@ public:
 
 private:
   // with lambda in the units of the level; reported in the user's units
-  internal::Level_energy_of<Energy> level_energy(const Level& level) const
+  template <class E = Energy>
+  internal::Level_energy_of<E> level_energy(const Level& level) const
   {
     const int exponent = 2 * level.scale_exponent();
-    internal::Level_energy_of<Energy> result(level, Triangle_weight::AREA, Energy(std::ldexp(m_lambda, exponent)));
+    internal::Level_energy_of<E> result(level, Triangle_weight::AREA, E{ Energy(std::ldexp(m_lambda, exponent)) });
     result.set_unit(std::ldexp(1., exponent));
     return result;
+  }
+
+  Error_code minimize_isometrically(const Level& level, Level::Uv& uv, Level_summary& summary) const
+  {
+    constexpr double tolerance_of_start = 1e-3;
+    Refinement_options options = m_options;
+    options.tolerance = (std::max)(options.tolerance, tolerance_of_start);
+    const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, m_options.triangle_weight);
+    return internal::minimize_energy(energy, uv, options, summary);
   }
 
   Error_code minimize(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     if (!level.is_finest())
-      return refine_without_flips(level, uv, summary);
-    if (!internal::is_free(level, false))
-      if (const Error_code status = lead_to_places(level, uv, summary); status != OK)
-        return status;
+      return minimize_isometrically(level, uv, summary);
+    if (const Error_code status = lead_to_places(level, uv, summary); status != OK)
+      return status;
     const bool has_scale = m_lambda > 0 || !level.hierarchy().springs().empty();
     return has_scale ? internal::minimize_energy(level_energy(level), uv, m_options, summary)
                         : internal::minimize_conformal_energy(level, uv, m_options, summary);
@@ -171,6 +183,8 @@ private:
 
   static Error_code lead_to_places(const Level& level, Level::Uv& uv, Level_summary& summary)
   {
+    if (internal::is_free(level, false))
+      return OK;
     const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, Triangle_weight::AREA);
     return internal::lead_to_places(internal::Level_energy_with_springs(energy, {}), false, uv, summary);
   }

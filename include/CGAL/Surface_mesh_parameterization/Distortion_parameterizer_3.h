@@ -19,7 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/number_of_flat_triangles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Place_constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Bounded_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/fault_of_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/is_finite_energy.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>

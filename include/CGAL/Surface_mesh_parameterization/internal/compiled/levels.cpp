@@ -23,5 +23,6 @@ template class Level_energy_of<MIPS_energy_2>;
 template class Level_energy_of<Scale_bounded_energy_2<MIPS_energy_2>>;
 template class Level_energy_of<Symmetric_Dirichlet_energy_2>;
 template class Level_energy_of<As_rigid_as_possible_energy_2>;
+template class Level_energy_of<Flip_free_energy_2<As_rigid_as_possible_energy_2>>;
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -52,7 +52,7 @@ Error_code Map_finisher::settle_flips(const Level& level, Level::Uv& uv)
     m_summary.energy = m_method.energy(level, uv);
   if (m_map_before.empty() || (status == OK && !is_repaired))
     return status;
-  constexpr double greatest_rise = 1.1;      // of the energy, by a repair whose map stays without comparison
+  constexpr double greatest_rise = 1.01;     // of the energy, by a repair whose map stays without comparison
   const bool is_good = status == OK && !leaves_little(m_summary.moved_vertices, uv.size()) &&
                        m_summary.energy <= greatest_rise * m_summary.levels.back().energy_end &&
                        displaced_vertices(level, uv).empty();

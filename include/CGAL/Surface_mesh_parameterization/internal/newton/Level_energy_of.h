@@ -10,7 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/corner_hessian.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Bounded_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Star.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/relax_vertex.h>
 
@@ -179,6 +179,7 @@ extern template class Level_energy_of<MIPS_energy_2>;
 extern template class Level_energy_of<Scale_bounded_energy_2<MIPS_energy_2>>;
 extern template class Level_energy_of<Symmetric_Dirichlet_energy_2>;
 extern template class Level_energy_of<As_rigid_as_possible_energy_2>;
+extern template class Level_energy_of<Flip_free_energy_2<As_rigid_as_possible_energy_2>>;
 #endif
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -8,7 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Bounded_energy_2.h>
 
 #include <algorithm>
 #include <array>
@@ -80,10 +80,10 @@ struct Jacobian_hessian
   }
 
   // Each part of the energy has the Hessian that suits it.
-  template <class Energy>
-  static Jacobian_hessian of(const Scale_bounded_energy_2<Energy>& sum, const Jacobian& j, double indefinite_part)
+  template <class Energy, class Part>
+  static Jacobian_hessian of(const Bounded_energy_2<Energy, Part>& sum, const Jacobian& j, double indefinite_part)
   {
-    typedef Scale_bounded_energy_2<Energy>   Sum;
+    typedef Bounded_energy_2<Energy, Part>   Sum;
     Jacobian_hessian result = of(sum.energy, j, indefinite_part);
     const Jacobian_hessian bound = of(typename Sum::Bound(), j, indefinite_part);
     for (int i = 0; i < 4; ++i) {

@@ -6,7 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/Scale_bounded_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/Bounded_energy_2.h>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -21,8 +21,8 @@ inline constexpr bool is_finite_energy<MIPS_energy_2> = true;
 template <>
 inline constexpr bool is_finite_energy<Symmetric_Dirichlet_energy_2> = true;
 
-template <class Energy>
-inline constexpr bool is_finite_energy<Scale_bounded_energy_2<Energy>> = is_finite_energy<Energy>;
+template <class Energy, class Part>
+inline constexpr bool is_finite_energy<Bounded_energy_2<Energy, Part>> = is_finite_energy<Energy>;
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
