@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Distortion_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
@@ -103,6 +104,37 @@ TYPED_TEST(Held_vertices, may_be_one_or_two)
     ASSERT_EQ(m.run<TypeParam>(), OK);
     m.expect_places_are_held();
     EXPECT_NEAR(m.summary.energy, energy, 1e-6 * energy);
+  }
+}
+
+TYPED_TEST(Held_vertices, move_the_free_map_if_there_is_one)
+{
+  for (const Flat_mesh& surface : surfaces()) {
+    Constrained_mesh m(surface);
+    ASSERT_EQ(m.run<TypeParam>(), OK);
+    const std::vector<Kernel_point> free = m.uv();
+    m.is_held[Mesh::Vertex_index(7)] = true;
+    const Kernel_point place(3, -2);
+    m.uvmap[Mesh::Vertex_index(7)] = place;
+    ASSERT_EQ(m.run<TypeParam>(), OK);
+    for (const auto v : vertices(m.mesh))
+      EXPECT_LT(CGAL::squared_distance(m.uvmap[v], place + (free[v.idx()] - free[7])), 1e-24);
+  }
+}
+
+// Where doubles are too coarse for the free map, the vertex is held from the start.
+TYPED_TEST(Held_vertices, may_be_held_far_away)
+{
+  for (const double far : { 1e3, 1e9, 1e14 }) {
+    Constrained_mesh m(delaunay_patch(500, 3, wavy));
+    m.is_held[Mesh::Vertex_index(7)] = true;
+    m.uvmap[Mesh::Vertex_index(7)] = Kernel_point(far, far);
+    ASSERT_EQ(m.run<TypeParam>(), OK) << far;
+    m.expect_places_are_held();
+    EXPECT_TRUE(m.is_valid());
+    const bool is_mips = std::is_same_v<TypeParam, MIPS_parameterizer_3<Mesh>>;
+    const double measured = is_mips ? m.quality().mips : m.quality().symmetric_dirichlet;
+    EXPECT_NEAR(m.summary.energy, measured, 1e-3 * measured) << far;
   }
 }
 
@@ -404,6 +436,40 @@ TYPED_TEST(Held_vertices, that_are_none_do_not_mirror_the_map)
     EXPECT_EQ(m.run_with<TypeParam>(options, is_hierarchical), OK);
     EXPECT_FALSE(m.quality().is_mirrored);
     EXPECT_EQ(m.quality().flips, 0u);
+  }
+}
+
+// It grows so fast that the symmetric Dirichlet energy is lowered at first.
+struct Steep_energy
+{
+  static constexpr double minimum = 2.718281828459045;
+  static constexpr bool is_scale_invariant = true;
+  static constexpr bool is_flip_free = true;
+  const Steep_energy& of_area(double) const { return *this; }
+  static double value(double f, double d) { return std::exp(0.25 * (f / d) * (f / d)); }
+  static Distortion_derivatives_2 derivatives(double f, double d)
+  {
+    // exp(g) with g = f^2 / (4 d^2)
+    const double e = value(f, d), gf = 0.5 * f / (d * d), gd = -0.5 * f * f / (d * d * d);
+    const double gff = 0.5 / (d * d), gfd = -f / (d * d * d), gdd = 1.5 * f * f / (d * d * d * d);
+    return { e, e * gf, e * gd, e * (gff + gf * gf), e * (gfd + gf * gd), e * (gdd + gd * gd) };
+  }
+};
+
+TEST(Held_vertices_of_own_energy, cost_nothing_if_there_are_two_and_scales_do_not_matter)
+{
+  typedef Distortion_parameterizer_3<Mesh, Steep_energy> Method;
+  Constrained_mesh m(cap(20, 32, 0.8 * CGAL_PI));
+  ASSERT_EQ(m.run<Method>(), OK);
+  const double energy = m.summary.energy;
+  const auto a = Mesh::Vertex_index(3), b = Mesh::Vertex_index(400);
+  m.is_held[a] = m.is_held[b] = true;
+  for (const double scale : { 1e-6, 1., 1e80 }) {
+    m.uvmap[a] = Kernel_point(0, 0);
+    m.uvmap[b] = Kernel_point(scale, 0);
+    ASSERT_EQ(m.run<Method>(), OK);
+    m.expect_places_are_held();
+    EXPECT_NEAR(m.summary.energy, energy, 1e-6 * energy) << scale;
   }
 }
 

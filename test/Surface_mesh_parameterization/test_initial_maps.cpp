@@ -4,6 +4,7 @@
 // Runs that start from a map of the user's.
 
 #include "distortion_runs.h"
+#include "generated_meshes.h"
 #include "mapped_mesh.h"
 #include "mesh_conversions.h"
 #include "one_to_one_maps.h"
@@ -75,6 +76,28 @@ TYPED_TEST(Initial_map, is_left_where_it_is_best)
 }
 
 // Mirrored, of any size, folded, incomplete, none at all.
+// A developable surface can be unfolded in any direction; that of the start is as good.
+template <class Method>
+void expect_turned_map_to_stay()
+{
+  test_meshes::Mapped_mesh m(helix(200, 10));
+  ASSERT_EQ(run<Method>(m, false), OK);
+  for (const auto v : vertices(m.mesh)) {
+    const Kernel_point p = m.uvmap[v];
+    m.uvmap[v] = Kernel_point(0.6 * p.x() - 0.8 * p.y(), 0.8 * p.x() + 0.6 * p.y());
+  }
+  const std::vector<Kernel_point> start = m.uv();
+  ASSERT_EQ(run<Method>(m, true), OK);
+  for (const auto v : vertices(m.mesh))
+    EXPECT_LT(CGAL::squared_distance(m.uvmap[v], start[v.idx()]), 1e-8);
+}
+
+TYPED_TEST(Initial_map, of_a_developable_surface_is_not_turned)
+{
+  expect_turned_map_to_stay<TypeParam>();
+  expect_turned_map_to_stay<As_rigid_as_possible_parameterizer_3<Mesh>>();
+}
+
 TYPED_TEST(Initial_map, leads_to_the_minimum_from_any_place)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

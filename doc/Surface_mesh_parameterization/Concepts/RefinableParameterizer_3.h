@@ -76,8 +76,8 @@ public:
   /// \return whether the method was asked to keep borders apart
   bool keep_borders_apart(bool yes);
 
-  /// optional, for a method whose results may have flips: the energy of a map of a level, as `Level_summary` reports
-  /// it. If so, the summary of a repaired map has its energy
+  /// optional: the energy of a map of a level, as `Level_summary` reports it. If so, the summary of a map that is
+  /// repaired, or moved when it is done, has its energy
   double energy(const CGAL::Surface_mesh_parameterization::Level& level,
                 const CGAL::Surface_mesh_parameterization::Level::Uv& uv) const;
 

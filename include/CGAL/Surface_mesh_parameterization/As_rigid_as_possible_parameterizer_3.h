@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL::Surface_mesh_parameterization {
 
@@ -71,6 +72,10 @@ public:
   /// whether vertices may be held at given places. A repair of flips that would have to move one gives way to a map
   /// without flips, see `refine_without_flips()`
   static constexpr bool holds_vertices = true;
+
+  /// \cond SKIP_IN_MANUAL
+  static constexpr std::size_t places_at_no_cost = 1;
+  /// \endcond
 
   /// \param np
   /// - `lambda`: the cost of a change of scale, at least 0, may be infinite; default 1000, as in CGAL
@@ -183,7 +188,7 @@ private:
 
   static Error_code lead_to_places(const Level& level, Level::Uv& uv, Level_summary& summary)
   {
-    if (internal::is_free(level, false))
+    if (internal::is_free(level))
       return OK;
     const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, Triangle_weight::AREA);
     return internal::lead_to_places(internal::Level_energy_with_springs(energy, {}), false, uv, summary);

@@ -83,6 +83,7 @@ public:
   static constexpr bool holds_vertices = true;
 
   /// \cond SKIP_IN_MANUAL
+  static constexpr std::size_t places_at_no_cost = Energy_::is_scale_invariant ? 2 : 1;
   typedef internal::Joined_names<internal::Joined_names<Refinement_options::Option_names,
                                                         typename Base::Flat_option_names>,
                                  internal::Joined_names<internal::Names<internal_np::initial_map_t,
@@ -146,6 +147,13 @@ public:
         return minimize_past_flat_triangles(level, uv, summary);
     }
     return minimize(m_energy, level, uv, summary);
+  }
+
+  /// the energy of a map of a level, as it is reported
+  double energy(const Level& level, const Level::Uv& uv) const
+  {
+    const internal::Level_energy_of<Energy> energy = level_energy(level, m_energy);
+    return energy(uv) / energy.unit();
   }
 
   /// bounds the scale of the map from now on. The energy of the result is then slightly above the minimum.
@@ -212,11 +220,10 @@ private:
   Error_code minimize_instead(const Level& level, Level::Uv& uv, Level_summary& summary,
                               const Function& minimize_other) const
   {
-    const auto energy = level_energy(level, m_energy);
-    const double energy_start = energy(uv) / energy.unit();
+    const double energy_start = energy(level, uv);
     const Error_code status = minimize_other();
     summary.energy_start = energy_start;
-    summary.energy_end = energy(uv) / energy.unit();
+    summary.energy_end = energy(level, uv);
     summary.converged = false;
     return status;
   }
@@ -246,7 +253,7 @@ private:
     constexpr double greatest_ratio = 10;
     constexpr std::size_t few = 32, triangles_for_one = 1000;
     if (m_options.optimizer != Optimizer::NEWTON || m_options.number_of_local_steps > 0 ||
-        m_options.triangle_weight != Triangle_weight::ONE || !internal::is_free(level, false))
+        m_options.triangle_weight != Triangle_weight::ONE || !internal::is_free(level))
       return false;
     const auto energy = level_energy(level, m_energy);
     const double minimum = energy.minimum() * energy.total_weight();

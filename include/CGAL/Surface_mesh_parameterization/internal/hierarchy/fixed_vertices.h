@@ -11,14 +11,10 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Whether a map of a level is free until it is done, because a motion of the plane can bring it to the places that are
-// given; or a similarity where scales do not matter. So it is if no place of a vertex is wished for, and one at most is
-// given, or two.
-inline bool is_free(const Level& level, bool is_scale_invariant)
+// Whether a map of a level is free to move and turn as a whole: whether no place of a vertex is given or wished for.
+inline bool is_free(const Level& level)
 {
-  const auto& places = level.hierarchy().fixed_places();
-  const bool has_scale = places.size() == 2 && places[0].second != places[1].second;
-  return level.hierarchy().springs().empty() && (places.size() <= 1 || (is_scale_invariant && has_scale));
+  return level.hierarchy().fixed_places().empty() && level.hierarchy().springs().empty();
 }
 
 // The vertices of a level whose places are given, in ascending order.
@@ -31,13 +27,7 @@ inline std::vector<Index> fixed_vertices(const Level& level)
   return result;
 }
 
-// Those of them that have to be held while a map is refined.
-inline std::vector<Index> held_vertices(const Level& level, bool is_scale_invariant)
-{
-  return is_free(level, is_scale_invariant) ? std::vector<Index>() : fixed_vertices(level);
-}
-
-// The vertices with given places that are not there.
+// Those of them that are not at their places.
 inline std::vector<Index> displaced_vertices(const Level& level, const Level::Uv& uv)
 {
   std::vector<Index> result;

@@ -21,7 +21,16 @@ inline std::vector<Point_2> by_rank(const Collapse_hierarchy_3& hierarchy, const
   return result;
 }
 
-// The other way around.
+// The rank of a vertex of the input.
+inline Index rank_of(const Collapse_hierarchy_3& hierarchy, Index input_vertex)
+{
+  Index rank = 0;
+  while (hierarchy.input_vertex(rank) != input_vertex)
+    ++rank;
+  return rank;
+}
+
+// Those by rank in the order of the input.
 inline std::vector<Point_2> in_input_order(const Collapse_hierarchy_3& hierarchy, const std::vector<Point_2>& uv)
 {
   std::vector<Point_2> result(uv.size());

@@ -13,8 +13,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Makes a method's map of the finest level the result of a run: settles its flips, rounds it to the number type of the
-// result, and checks that its fixed vertices are at their places.
+// Makes a method's map of the finest level the result of a run: settles its flips, moves it to places that wait for the
+// end, rounds it to the number type of the result, and checks that its fixed vertices are at their places.
 class Map_finisher
 {
 public:
@@ -34,6 +34,7 @@ private:
   // without flips takes its place if that is better.
   Error_code settle_flips(const Level& level, Level::Uv& uv);
   Error_code replace_map(const Level& level, Error_code status, Level::Uv& uv);
+  Error_code move_to_places(const Level& level, Level::Uv& uv);
   Error_code round(const Level& level, Level::Uv& uv);
 
   Refinable_method& m_method;

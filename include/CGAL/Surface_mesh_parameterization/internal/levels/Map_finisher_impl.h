@@ -8,12 +8,15 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/vertex_order.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Map_finisher.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/best_similarity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -37,6 +40,8 @@ Error_code Map_finisher::finish(const Level& level, Level::Uv& uv)
   m_summary.energy = m_summary.levels.back().energy_end;
   m_summary.converged = m_summary.levels.back().converged;
   Error_code status = settle_flips(level, uv);
+  if (status == OK && !m_options.places_at_end.empty())
+    status = move_to_places(level, uv);
   if (status == OK && m_options.round)
     status = round(level, uv);
   return status;
@@ -81,6 +86,44 @@ Error_code Map_finisher::replace_map(const Level& level, Error_code status, Leve
   m_summary.converged = summary.converged;
   m_summary.moved_vertices = uv.size();
   m_summary.is_replaced = true;
+  return OK;
+}
+
+// By a motion of the plane, or by a similarity if there are two places. Far away, where doubles are coarse, vertices may
+// have to leave a star that rounding has spoiled.
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Map_finisher::move_to_places(const Level& level, Level::Uv& uv)
+{
+  std::vector<std::pair<Point_2, Point_2>> pairs;
+  std::vector<std::pair<Index, Point_2>> places;      // by rank
+  for (const Triangulated_surface_3::Fixed_vertex& fixed : m_options.places_at_end) {
+    const Index v = rank_of(level.hierarchy(), fixed.vertex);
+    pairs.push_back({ uv[v], fixed.place });
+    places.push_back({ v, fixed.place });
+  }
+  const Similarity_2 similarity = best_similarity(pairs);
+  Level::Uv moved(uv.size());
+  level.for_each_vertex([&](Index v) { moved[v] = similarity(uv[v]); });
+  const auto hold = [&] {
+    for (const auto& [v, place] : places)
+      moved[v] = place;
+  };
+  const auto is_good = [&](const Level::Uv& map) {
+    return is_map_valid(level.rings(), map, level.loops()) && !(m_must_keep_apart && has_crossings(level.rings(), map));
+  };
+  hold();
+  if (is_good(uv) && !is_good(moved)) {
+    round_map(level.rings(), [](double x, int) { return x; }, 0, moved, level.loops());
+    hold();
+    if (!is_good(moved)) {
+      m_summary.error.place = Parameterization_error::VERTEX;
+      m_summary.error.index = m_options.places_at_end.front().vertex;
+      return ERROR_NO_1_TO_1_MAPPING;
+    }
+  }
+  uv.swap(moved);
+  if (m_method.has_energy())
+    m_summary.energy = m_method.energy(level, uv);
   return OK;
 }
 

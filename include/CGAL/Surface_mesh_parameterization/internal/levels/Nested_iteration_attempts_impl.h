@@ -58,14 +58,18 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
       uv = in_input_order(hierarchy, uv_by_rank);
       return OK;
     }
+    const bool must_hold_places = attempt.is_finished() && !m_options.places_at_end.empty();
     const bool has_another_way =
         status == ERROR_NO_1_TO_1_MAPPING && !m_progress.is_stopped() &&
-        (find_start_at_scale_of_places(hierarchy) || (!attempt.is_finished() && prepare_another_way(hierarchy)));
+        (must_hold_places || find_start_at_scale_of_places(hierarchy) ||
+         (!attempt.is_finished() && prepare_another_way(hierarchy)));
     if (m_progress.is_stopped())
       m_summary.error.code = ERROR_STOPPED;
     if (!has_another_way || m_progress.is_stopped())
       return m_summary.error.code;
     surface = input_surface(hierarchy);
+    if (must_hold_places)
+      surface.fixed_vertices = std::exchange(m_options.places_at_end, {});
   }
 }
 
@@ -161,8 +165,10 @@ bool Nested_iteration_attempts::find_start(Triangulated_surface_3 surface)
   const Collapse_hierarchy_3 hierarchy(std::move(surface), m_options.hierarchy, m_method.loops());
   Parameterization_summary summary;
   Level::Uv uv;
+  Nested_iteration_options options = m_options;
+  options.places_at_end.clear();
   // A visitor is not told of the maps of these levels: their surface is not the user's.
-  if (Nested_iteration(m_method, m_options, nullptr, m_progress, summary).run(hierarchy, {}, uv) != OK)
+  if (Nested_iteration(m_method, options, nullptr, m_progress, summary).run(hierarchy, {}, uv) != OK)
     return false;
   m_start = in_input_order(hierarchy, uv);
   m_options.make_starting_map = nullptr;      // the start is not the user's map

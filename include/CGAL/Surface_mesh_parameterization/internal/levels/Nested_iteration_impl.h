@@ -103,7 +103,7 @@ Error_code Nested_iteration::refine_start(Level& level, std::vector<Point_2> sta
   level.go_to(level.hierarchy().number_of_levels() - 1);
   uv = by_rank(level.hierarchy(), start);
   start = std::vector<Point_2>();
-  if (is_free(level, false) && !bring_to_scale(level, m_must_keep_apart, uv))
+  if (is_free(level) && !bring_to_scale(level, m_must_keep_apart, uv))
     return ERROR_NO_1_TO_1_MAPPING;
   if (m_must_keep_apart && !m_start_is_users) {
     m_method.keep_borders_apart(false);

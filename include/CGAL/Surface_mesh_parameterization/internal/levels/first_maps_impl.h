@@ -26,7 +26,7 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void move_near_places(const Level& level, Level::Uv& uv)
 {
   std::vector<std::pair<Point_2, Point_2>> pairs;
-  for (const Index v : held_vertices(level, false))
+  for (const Index v : fixed_vertices(level))
     pairs.push_back({ uv[v], level.fixed_place(v) });
   for (const Triangulated_surface_3::Spring& s : springs(level))
     pairs.push_back({ uv[s.vertex], s.place });

@@ -4,10 +4,8 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_MINIMIZE_DISTORTION_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_MINIMIZE_DISTORTION_IMPL_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/separate_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/best_similarity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/first_maps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/lead_to_places.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
@@ -15,11 +13,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Conformal_refiner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/soften_springs.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -89,48 +85,21 @@ inline Error_code minimize_with_places(const Level_energy& free_energy, Level::U
   return status;
 }
 
-inline bool is_free(const Level_energy& energy)
-{
-  return is_free(energy.level(), energy.is_scale_invariant());
-}
-
-// Moves a map that was free to the places that are given, once it is done. Far away, where doubles are coarse, it could
-// not be refined as well.
-inline Error_code move_to_places(const Level& level, const Refinement_options& options, Level::Uv& uv)
-{
-  if (!level.is_finest() || displaced_vertices(level, uv).empty())
-    return OK;
-  std::vector<std::pair<Point_2, Point_2>> pairs;
-  for (const auto& [v, place] : level.hierarchy().fixed_places())
-    pairs.push_back({ uv[v], place });
-  const Similarity_2 similarity = best_similarity(pairs);
-  Level::Uv moved(uv.size());
-  level.for_each_vertex([&](Index v) { moved[v] = level.is_fixed(v) ? level.fixed_place(v) : similarity(uv[v]); });
-  const auto is_valid = [&](const Level::Uv& map) { return is_map_valid(level.rings(), map, level.loops()); };
-  const bool is_lost = (is_valid(uv) && !is_valid(moved)) ||
-                       (options.is_globally_injective && has_crossings(level.rings(), moved));
-  if (is_lost)
-    return ERROR_NO_1_TO_1_MAPPING;
-  uv.swap(moved);
-  return OK;
-}
-
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code minimize_energy(const Level_energy& energy, Level::Uv& uv, const Refinement_options& options,
                            Level_summary& summary)
 {
-  if (!is_free(energy))
+  if (!is_free(energy.level()))
     return minimize_with_places(energy, uv, options, summary);
   start_unfolded(energy, options, uv);
-  const Error_code status = refine_map(energy, uv, options, summary);
-  return status == OK ? move_to_places(energy.level(), options, uv) : status;
+  return refine_map(energy, uv, options, summary);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, Level::Uv& uv,
                               const Refinement_options& options, Level_summary& summary)
 {
-  if (!is_free(energy))
+  if (!is_free(energy.level()))
     return minimize_with_places(energy, uv, options, summary);
   start_unfolded(energy, options, uv);
   const Error_code status = minimize_freely(energy, uv, options, summary);
@@ -139,16 +108,14 @@ Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, L
     summary.energy_end = scale_to_area(energy, options.is_globally_injective, uv) / energy.unit();
     summary.converged = summary.converged && std::isfinite(summary.energy_end);
   }
-  return status == OK ? move_to_places(energy.level(), options, uv) : status;
+  return status;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code minimize_conformal_energy(const Level& level, Level::Uv& uv, const Refinement_options& options,
                                      Level_summary& summary)
 {
-  if (!Conformal_refiner(level, uv, options, summary).run())
-    return ERROR_STOPPED;
-  return is_free(level, false) ? move_to_places(level, options, uv) : OK;
+  return Conformal_refiner(level, uv, options, summary).run() ? OK : ERROR_STOPPED;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

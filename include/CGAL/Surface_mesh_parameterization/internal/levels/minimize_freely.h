@@ -10,18 +10,22 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/separate_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/first_maps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/unfolding.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Current_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner_options.h>
 
 #include <cstddef>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Starts from the unfolding of a surface that has one with hardly any distortion, if that is better.
+// Starts from the unfolding of a surface that has one with hardly any distortion, if that is better by more than
+// rounding: a map of the user's that is as good stays where it is.
 inline void start_unfolded(const Level_energy& energy, const Refinement_options& options, Level::Uv& uv)
 {
   const bool is_experiment = options.number_of_local_steps > 0;
-  if (energy.level().is_finest() && !is_experiment && is_almost_developable(energy.level()))
+  if (energy.level().is_finest() && !is_experiment && is_almost_developable(energy.level()) &&
+      !Current_energy(energy, uv, Level_refiner_options()).is_least())
     unfold_to_lower_energy(energy, true, options, uv);
 }
 

@@ -166,6 +166,25 @@ Parameterization_error add_places_if_readable(const Place_constraints<TriangleMe
     return unreadable_map();
 }
 
+// For a method of this package, how many vertices can be brought to given places at no cost: a map may be moved and
+// turned, or scaled, too.
+template <class Method>
+using Places_at_no_cost = decltype(Method::places_at_no_cost);
+
+// Takes the places of vertices from a surface if a map can be brought to them when it is done, so that it is free until
+// then.
+template <class Method>
+std::vector<Triangulated_surface_3::Fixed_vertex> take_places_at_no_cost(Triangulated_surface_3& surface)
+{
+  std::vector<Triangulated_surface_3::Fixed_vertex>& fixed = surface.fixed_vertices;
+  if constexpr (is_detected<Places_at_no_cost, Method>) {
+    const bool coincide = fixed.size() == 2 && fixed[0].place == fixed[1].place;
+    if (fixed.size() <= Method::places_at_no_cost && surface.springs.empty() && !coincide)
+      return std::exchange(fixed, {});
+  }
+  return {};
+}
+
 // Makes the map of a component's surface, in its units, that the user gives to start from, if it is one to start from;
 // else it is empty. Returns false if the user's map can only be written.
 template <class TriangleMesh, class VertexUVMap>
@@ -221,6 +240,7 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
   options_of_run.round = rounding_to<User_point_2>(component.surface().scale_exponent);
   options_of_run.flips.loops = loops;
   options_of_run.must_hold_places = !setup.constraints.empty();
+  options_of_run.places_at_end = take_places_at_no_cost<Method>(component.surface());
   Refinable_method_of<Method> engine_method(method, loops);
   std::vector<Point_2> uv;
   if (options.make_starting_map &&

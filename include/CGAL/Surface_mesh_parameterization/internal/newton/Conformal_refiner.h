@@ -60,7 +60,7 @@ private:
 
   std::vector<Index> vertices_to_hold() const
   {
-    std::vector<Index> result = held_vertices(m_level, false);
+    std::vector<Index> result = fixed_vertices(m_level);
     if (result.empty())
       result.push_back(farthest_border_vertex(0));
     if (result.size() == 1)

@@ -181,7 +181,7 @@ private:
                                        : m_refinement.tolerance,
                  least_decrease = m_level.is_draft() ? m_options.decrease_of_drafts : tolerance;
     Newton_method newton(m_energy, m_barrier.get(), m_options.newton);
-    newton.fix_vertices(held_vertices(m_level, m_energy.is_scale_invariant()));
+    newton.fix_vertices(fixed_vertices(m_level));
     relaxation.set_turn_barrier(newton.turn_barrier());
     Decreases decreases(m_options.sudden_fall);
     Lull lull(m_current.value());
