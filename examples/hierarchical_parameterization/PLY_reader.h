@@ -86,7 +86,8 @@ private:
                               [](const Element& element) { return element.is_face() && element.count > 0; });
     for (const Element& element : m_elements)
       if (element.is_vertex() ? !element.has(X) || !element.has(Y) || !element.has(Z)
-                              : (element.is_face() || has_used_strips(element)) && !element.has(CORNERS))
+                              : ((element.is_face() && element.count > 0) || has_used_strips(element)) &&
+                                    !element.has(CORNERS))
         throw Input_error{ "the element " + word_text(element.name) + " has no " +
                            (element.is_vertex() ? "x, y and z" : "list 'vertex_indices'") };
   }
@@ -106,7 +107,7 @@ private:
     long long count;
     if (!m_file.read(count) || count < 0)
       m_file.fail("the number of elements " + word_text(element.name) + " expected");
-    // Every element takes some bytes, so that a count that cannot be true costs no time.
+    // Every element that has properties takes some bytes, so that a count that cannot be true costs no time.
     element.count = std::size_t(count);
     if (element.count > m_file.remaining())
       throw Input_error{ "is too short for " + std::to_string(count) + " elements " + word_text(element.name) };
@@ -147,6 +148,8 @@ private:
 
   void read_element(const Element& element)
   {
+    if (element.properties.empty())
+      return;      // takes no bytes, whatever the count
     const bool has_uv = m_has_uv && element.is_vertex() && element.has(U) && element.has(V);
     for (std::size_t i = 0; i < element.count; ++i) {
       double coordinates[V + 1] = {};

@@ -67,7 +67,8 @@ private:
     if (!m_file.skip_bytes(header_size) || !m_file.read_binary(number_of_triangles, !is_little_endian()))
       throw Input_error{ "is too short for an STL file, and does not begin with 'solid'" };
     if (m_file.remaining() / triangle_size < number_of_triangles)
-      throw Input_error{ "is too short for " + std::to_string(number_of_triangles) + " triangles" };
+      throw Input_error{ "is too short for " + std::to_string(number_of_triangles) +
+                         " triangles, and does not begin with 'solid'" };
     for (std::uint32_t f = 0; f < number_of_triangles; ++f) {
       float numbers[12] = { };           // the normal, and three points
       for (float& number : numbers)

@@ -211,6 +211,11 @@ const Row ply_files[] = {
     "has no x, y and z" },
   { "no_list.ply", [] { return replaced(PLY(patch()), "vertex_indices", "corners"); }, bad_input, unreadable,
     "has no list" },
+  { "no_list_of_no_faces.ply",
+    as_is("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face "
+          "0\nend_header\n" +
+          tiny_ply_points),
+    bad_input, no_faces, "has no faces" },
   { "no_faces.ply", [] { return PLY_header(Mesh(), "ascii"); }, bad_input, no_faces, "has no faces" },
   { "negative_count.ply", [] { return replaced(PLY(patch()), "vertex 49", "vertex -49"); }, bad_input, unreadable,
     "number of elements" },
@@ -270,7 +275,7 @@ const Row stl_files[] = {
     "'endsolid' expected" },
   { "truncated.stl", [] { return cut_at(STL(patch()), 0.5); }, bad_input, unreadable, "face" },
   { "truncated_binary.stl", [] { return cut_at(binary_STL(patch()), 0.5); }, bad_input, unreadable,
-    "too short for 72 triangles" },
+    "too short for 72 triangles, and does not begin with 'solid'" },
   { "huge_count.stl", [] { return replaced(binary_STL(patch()), bytes(std::uint32_t(72), false), "\xff\xff\xff\xff"); },
     bad_input, unreadable, "too short for 4294967295" },
   { "nan.stl", [] { return STL(with_coordinate(patch(), 0, NaN)); }, bad_input, no_number, "vertex 0" },

@@ -32,7 +32,8 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// Measures of a parameterization. `s1 >= s2` are the singular values of a triangle's map from space to the plane. All
 /// measures except the counts are infinite if there are flips, and 0 if there are no triangles. A map that is mirrored
-/// as a whole has no flips: its measures are those of its mirror image.
+/// as a whole has no flips: its measures are those of its mirror image. A triangle whose height in space is less than
+/// 1e-6 of its longest edge is measured as if it had that height, as the methods take it.
 struct Parameterization_quality
 {
   /// triangles that are not turned as most are, by exact predicates: flipped, degenerate, or with a coordinate that is

@@ -89,8 +89,8 @@ Error_code Map_finisher::replace_map(const Level& level, Error_code status, Leve
   return OK;
 }
 
-// By a motion of the plane, or by a similarity if there are two places. Far away, where doubles are coarse, vertices may
-// have to leave a star that rounding has spoiled.
+// By a motion of the plane, or by a similarity if there are two places. Far away, where doubles are coarse, vertices go
+// to the middle of their stars where rounding would flip triangles.
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Map_finisher::move_to_places(const Level& level, Level::Uv& uv)
 {
