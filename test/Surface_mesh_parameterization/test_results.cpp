@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
+#include <CGAL/Exact_rational.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -142,6 +144,33 @@ TEST(Parameterization_quality, agrees_with_the_singular_values)
   EXPECT_NEAR(q.linf_stretch / (greatest / scale), 1, 1e-8);
   EXPECT_NEAR(q.angle / (angle / area), 1, 1e-10);
   EXPECT_NEAR(q.area / (0.5 * (1 + inverse_determinant / (scale * scale * area))), 1, 1e-10);
+}
+
+// Images so slender that a difference of products in doubles has no digit left.
+TEST(Parameterization_quality, of_a_sliver_is_that_of_exact_numbers)
+{
+  typedef CGAL::Exact_rational Exact;
+  Flat_mesh triangle;
+  triangle.points = { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0) };
+  triangle.triangles = { { 0, 1, 2 } };
+  Mapped_mesh mapped(triangle);
+  std::mt19937 random(0);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const Surface_mesh::Vertex_index a(0), b(1), c(2);
+  for (int i = 0; i < 100; ++i) {
+    const Kernel::Point_2 p(uniform(random), uniform(random)), q(uniform(random), uniform(random));
+    mapped.uvmap[a] = p;
+    mapped.uvmap[b] = q;
+    mapped.uvmap[c] = p + uniform(random) * (q - p);
+    const auto difference = [&](auto v, int k) { return Exact(mapped.uvmap[v][k]) - Exact(mapped.uvmap[a][k]); };
+    const Exact bx = difference(b, 0), by = difference(b, 1), cx = difference(c, 0), cy = difference(c, 1);
+    const double determinant = std::abs(CGAL::to_double(Exact(bx * cy - by * cx)));
+    if (determinant == 0)
+      continue;
+    const double mips = CGAL::to_double(Exact(bx * bx + by * by + cx * cx + cy * cy)) / determinant;
+    EXPECT_EQ(mapped.quality().flips, 0u);
+    EXPECT_NEAR(mapped.quality().mips / mips, 1, 1e-9) << i;
+  }
 }
 
 TEST(Parameterization_quality, does_not_depend_on_units)

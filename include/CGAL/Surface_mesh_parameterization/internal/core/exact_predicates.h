@@ -30,6 +30,10 @@ inline Orientation exact_orientation(const Point_2& a, const Point_2& b, const P
   return unfiltered_orientation(a, b, c);
 }
 
+// Twice the area of a triangle in units of 2^exponent: exact but for one rounding.
+// Precondition: the points are finite, and the exponent is from -1000 to 1000.
+double exact_doubled_area(const Point_2& a, const Point_2& b, const Point_2& c, int exponent);
+
 inline bool is_left_turn(const Point_2& a, const Point_2& b, const Point_2& c)
 {
   return exact_orientation(a, b, c) == LEFT_TURN;

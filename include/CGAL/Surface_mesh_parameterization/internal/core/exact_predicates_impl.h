@@ -9,6 +9,7 @@
 #include <CGAL/MP_Float.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -20,6 +21,15 @@ Orientation unfiltered_orientation(const Point_2& a, const Point_2& b, const Poi
   const MP_Float ax(a.x()), ay(a.y());
   return CGAL::compare((MP_Float(b.x()) - ax) * (MP_Float(c.y()) - ay),
                        (MP_Float(b.y()) - ay) * (MP_Float(c.x()) - ax));
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+double exact_doubled_area(const Point_2& a, const Point_2& b, const Point_2& c, int exponent)
+{
+  const MP_Float ax(a.x()), ay(a.y()), unit(std::ldexp(1., -exponent)),
+                 plus = (MP_Float(b.x()) - ax) * (MP_Float(c.y()) - ay),
+                 minus = (MP_Float(b.y()) - ay) * (MP_Float(c.x()) - ax);
+  return CGAL::to_double((plus - minus) * unit * unit);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_MAPPED_TRIANGLE_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_MESH_MAPPED_TRIANGLE_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
@@ -108,7 +109,7 @@ public:
         rest_corner(Point_3(0, 0, 0), scaled(t.points[1] - t.points[0]), scaled(t.points[2] - t.points[0]));
     const Point_2 a(0, 0), b = scaled_image(t.uv[2] - t.uv[1]), v = scaled_image(t.uv[0] - t.uv[1]);
     m_frobenius = c.squared_frobenius_norm(v, a, b);
-    m_determinant = std::abs(c.determinant(v, a, b));
+    m_determinant = 0.5 * c.inverse_area * doubled_area_of_image(t, v, b, own.exponent_of_image());
     m_area = 1 / c.inverse_area;
   }
 
@@ -136,6 +137,18 @@ public:
   double inverse_determinant() const { return scaled_inverse(m_area / m_determinant); }
 
 private:
+  // With the images of two edges from one corner, in units of 2^exponent. Of an image so slender that rounding matters
+  // the area is computed exactly.
+  static double doubled_area_of_image(const Mapped_triangle& t, const Point_2& v, const Point_2& b, int exponent)
+  {
+    constexpr double least_part = 1e-6;
+    constexpr int greatest_exponent = 1000;
+    const double plus = b.x() * v.y(), minus = b.y() * v.x(), area = std::abs(plus - minus);
+    const bool is_precise = area > least_part * (std::abs(plus) + std::abs(minus)) ||
+                            std::abs(exponent) > greatest_exponent || !t.is_finite();
+    return is_precise ? area : std::abs(exact_doubled_area(t.uv[1], t.uv[2], t.uv[0], exponent));
+  }
+
   double scaled_inverse(double value) const { return std::ldexp(value, 4 * m_size - 2 * m_size_of_image); }
 
   double m_frobenius, m_determinant, m_area;
