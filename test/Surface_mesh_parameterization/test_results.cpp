@@ -162,7 +162,9 @@ TEST(Parameterization_quality, of_a_sliver_is_that_of_exact_numbers)
     mapped.uvmap[a] = p;
     mapped.uvmap[b] = q;
     mapped.uvmap[c] = p + uniform(random) * (q - p);
-    const auto difference = [&](auto v, int k) { return Exact(mapped.uvmap[v][k]) - Exact(mapped.uvmap[a][k]); };
+    const auto difference = [&](auto v, int k) {
+      return Exact(mapped.uvmap[v][k]) - Exact(mapped.uvmap[a][k]);
+    };
     const Exact bx = difference(b, 0), by = difference(b, 1), cx = difference(c, 0), cy = difference(c, 1);
     const double determinant = std::abs(CGAL::to_double(Exact(bx * cy - by * cx)));
     if (determinant == 0)
@@ -259,7 +261,7 @@ TEST(Parameterization_quality, counts_what_is_not_positive)
   EXPECT_NEAR(parameterization_quality(mapped.mesh, others, mapped.uvmap).mips, 14, 1e-12);
 }
 
-// A patch that stays as it is, and beside it a triangle of any size that becomes one of another size and the same shape.
+// A patch that stays as it is, and beside it a triangle of any size whose image has another size and the same shape.
 TEST(Parameterization_quality, is_that_of_triangles_of_any_size)
 {
   const Flat_mesh patch = delaunay_patch(100, 1, flat);
