@@ -30,8 +30,9 @@ public:
   Error_code check_places(const Level& level, const Level::Uv& uv, Error_code status);
 
 private:
-  // Does with flips what the policy says. Where a repair fails, leaves little of the map, or costs much energy, a map
-  // without flips takes its place if that is better.
+  // Does with flips what the policy says. Where a repair fails, leaves little of the map, or costs much energy, the map
+  // before that is refined without flips takes its place, if there is one and it is better. Then the repair may give up
+  // early.
   Error_code settle_flips(const Level& level, Level::Uv& uv);
   Error_code replace_map(const Level& level, Error_code status, Level::Uv& uv);
   Error_code move_to_places(const Level& level, Level::Uv& uv);

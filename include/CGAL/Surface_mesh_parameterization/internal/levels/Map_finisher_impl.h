@@ -40,6 +40,10 @@ Error_code Map_finisher::finish(const Level& level, Level::Uv& uv)
   m_summary.energy = m_summary.levels.back().energy_end;
   m_summary.converged = m_summary.levels.back().converged;
   Error_code status = settle_flips(level, uv);
+  if (status == ERROR_NO_1_TO_1_MAPPING && !m_map_before.empty()) {
+    m_map_before.clear();
+    status = settle_flips(level, uv);
+  }
   if (status == OK && !m_options.places_at_end.empty())
     status = move_to_places(level, uv);
   if (status == OK && m_options.round)
@@ -50,14 +54,16 @@ Error_code Map_finisher::finish(const Level& level, Level::Uv& uv)
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Map_finisher::settle_flips(const Level& level, Level::Uv& uv)
 {
+  Flip_settlement settlement = m_options.flips;
+  settlement.may_give_up = !m_map_before.empty();
   const Error_code status = m_method.settle_flips(
-      m_options.flips, level.rings(), [&] { return surface_by_rank(level); }, uv, m_summary);
+      settlement, level.rings(), [&] { return surface_by_rank(level); }, uv, m_summary);
   const bool is_repaired = m_summary.moved_vertices > 0;
   if (is_repaired && m_method.has_energy())
     m_summary.energy = m_method.energy(level, uv);
   if (m_map_before.empty() || (status == OK && !is_repaired))
     return status;
-  constexpr double greatest_rise = 1.01;     // of the energy, by a repair whose map stays without comparison
+  constexpr double greatest_rise = 1.01;      // of the energy, by a repair whose map stays without comparison
   const bool is_good = status == OK && !leaves_little(m_summary.moved_vertices, uv.size()) &&
                        m_summary.energy <= greatest_rise * m_summary.levels.back().energy_end &&
                        displaced_vertices(level, uv).empty();
