@@ -366,6 +366,27 @@ TEST(As_rigid_as_possible, energy_is_that_of_the_result)
   EXPECT_GT(replaced, 0u);
 }
 
+// With lambda = 0 a map without flips from the start has another scale. It does not take the place of one that a repair
+// of large folds, which the method may give up, leaves near the minimum.
+TEST(As_rigid_as_possible, repairs_large_folds_where_that_costs_little)
+{
+  Random random(3);
+  const Flat_mesh surface = tents(30, 10, 3, random);
+  for (const double lambda : { 0., 1e-6 })
+    for (const bool is_hierarchical : { true, false }) {
+      Mapped_mesh mapped(surface), with_flips(surface);
+      const auto run = [&](Mapped_mesh& m, Flip_policy policy) {
+        const auto options = parameters::lambda(lambda).flip_policy(policy).summary(std::ref(m.summary));
+        return is_hierarchical ? m.parameterize(Hierarchical_method(options)) : m.parameterize(Method(options));
+      };
+      ASSERT_EQ(run(mapped, Flip_policy::REPAIR), OK);
+      ASSERT_EQ(run(with_flips, Flip_policy::KEEP), OK);
+      EXPECT_EQ(mapped.quality().flips, 0u);
+      EXPECT_FALSE(mapped.summary.is_replaced);
+      EXPECT_LT(mapped.summary.energy, 10 * with_flips.summary.energy);
+    }
+}
+
 // The repair moves two vertices: the tips of ears that are a fifth of the area.
 TEST(As_rigid_as_possible, compares_a_repair_that_costs_energy_with_a_map_without_flips)
 {

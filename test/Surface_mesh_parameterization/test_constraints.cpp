@@ -125,16 +125,60 @@ TYPED_TEST(Held_vertices, move_the_free_map_if_there_is_one)
 // Where doubles are too coarse for the free map, the vertex is held from the start.
 TYPED_TEST(Held_vertices, may_be_held_far_away)
 {
-  for (const double far : { 1e3, 1e9, 1e14 }) {
-    Constrained_mesh m(delaunay_patch(500, 3, wavy));
-    m.is_held[Mesh::Vertex_index(7)] = true;
+  Constrained_mesh m(delaunay_patch(2000, 3, wavy));
+  ASSERT_EQ(m.run<TypeParam>(), OK);
+  const double free_energy = m.summary.energy;
+  m.is_held[Mesh::Vertex_index(7)] = true;
+  for (const double far : { 1e3, 1e9, 3e13 }) {
     m.uvmap[Mesh::Vertex_index(7)] = Kernel_point(far, far);
     ASSERT_EQ(m.run<TypeParam>(), OK) << far;
     m.expect_places_are_held();
     EXPECT_TRUE(m.is_valid());
-    const bool is_mips = std::is_same_v<TypeParam, MIPS_parameterizer_3<Mesh>>;
+    constexpr bool is_mips = std::is_same_v<TypeParam, MIPS_parameterizer_3<Mesh>>;
     const double measured = is_mips ? m.quality().mips : m.quality().symmetric_dirichlet;
     EXPECT_NEAR(m.summary.energy, measured, 1e-3 * measured) << far;
+    EXPECT_LT(m.summary.energy, (far < 1e10 ? 1.0001 : 1.1) * free_energy) << far;
+  }
+}
+
+// What rounds the map to floats leaves held vertices where they are, or there is no result.
+TYPED_TEST(Held_vertices, keep_their_places_in_floats)
+{
+  Mapped_mesh m(delaunay_patch(1000, 3, wavy));
+  typedef CGAL::Simple_cartesian<float>::Point_2 Float_point;
+  const auto uv = m.mesh.add_property_map<Mesh::Vertex_index, Float_point>("v:float_uv").first;
+  const auto is_held = m.mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_held", false).first;
+  const Float_point place(1e5f, 1e5f);
+  std::size_t results = 0;
+  for (Mesh::size_type i = 0; i < 1000; i += 30) {
+    const Mesh::Vertex_index v(i);
+    is_held[v] = true;
+    uv[v] = place;
+    const Hierarchical_parameterizer_3<TypeParam> method(np::vertex_is_constrained_map(is_held));
+    if (SMP::parameterize(m.mesh, method, longest_border(m.mesh), uv) == OK) {
+      ++results;
+      EXPECT_EQ(uv[v], place) << v;
+    }
+    is_held[v] = false;
+  }
+  EXPECT_GT(results, 0u);
+}
+
+// Borders are apart only as far as there is a bound. Without flips maps are in any case.
+TYPED_TEST(Held_vertices, far_away_flip_no_triangle_of_a_map_that_overlaps_itself)
+{
+  for (const double far : { 1e13, 1e14, 1e15 }) {
+    Constrained_mesh m(ramp(300, 1.5, 8));
+    m.is_held[Mesh::Vertex_index(7)] = true;
+    m.uvmap[Mesh::Vertex_index(7)] = Kernel_point(far, far);
+    const auto options = np::vertex_is_constrained_map(m.is_held)
+                             .globally_injective(true)
+                             .overlap_bound(0.)
+                             .summary(std::ref(m.summary));
+    if (m.run_with<TypeParam>(options) == OK) {
+      EXPECT_EQ(m.quality().flips, 0u) << far;
+      m.expect_places_are_held();
+    }
   }
 }
 

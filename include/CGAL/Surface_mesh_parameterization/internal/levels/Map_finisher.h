@@ -11,6 +11,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Refinable_method.h>
 
+#include <optional>
+
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Makes a method's map of the finest level the result of a run: settles its flips, moves it to places that wait for the
@@ -29,13 +31,29 @@ public:
   // Tells of the vertex of a result that is farthest from its given place, if one is not there; the status with that.
   Error_code check_places(const Level& level, const Level::Uv& uv, Error_code status);
 
+  // Whether the map was good, but not at the places that waited for the end.
+  bool has_lost_places() const { return m_has_lost_places; }
+
 private:
-  // Does with flips what the policy says. Where a repair fails, leaves little of the map, or costs much energy, the map
-  // before that is refined without flips takes its place, if there is one and it is better. Then the repair may give up
-  // early.
-  Error_code settle_flips(const Level& level, Level::Uv& uv);
-  Error_code replace_map(const Level& level, Error_code status, Level::Uv& uv);
-  Error_code move_to_places(const Level& level, Level::Uv& uv);
+  // What becomes of the start of the method without flips.
+  struct Other_map
+  {
+    Error_code status = ERROR_NO_1_TO_1_MAPPING;
+    double energy = 0;
+    bool converged = false;
+  };
+
+  // Does with flips what the policy says. Where a repair fails, leaves little of the map, or costs much energy, the
+  // other map takes its place, if there is one and it is better. Where the repair may give up, it does so before it
+  // moves most vertices, and the other map has to be good.
+  Error_code settle_flips(const Level& level, bool may_give_up, Level::Uv& uv);
+  Error_code replace_map(const Level& level, bool has_given_up, Error_code status, Level::Uv& uv);
+  const Other_map& other_map(const Level& level);      // made in `m_map_before` when it is asked for
+
+  // Moves a map to the places that wait for the end, rounded, if it is valid there and its energy hardly rises.
+  Error_code go_to_places(const Level& level, Level::Uv& uv);
+  bool has_risen(const Level& level, const Level::Uv& before, const Level::Uv& after) const;      // the energy, more
+
   Error_code round(const Level& level, Level::Uv& uv);
 
   Refinable_method& m_method;
@@ -43,6 +61,8 @@ private:
   bool m_must_keep_apart;           // the borders of the result
   Parameterization_summary& m_summary;
   Level::Uv m_map_before;           // as the method got it; empty if it has no other way
+  std::optional<Other_map> m_other;
+  bool m_has_lost_places = false;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

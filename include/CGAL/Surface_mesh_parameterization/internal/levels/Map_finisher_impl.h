@@ -8,15 +8,15 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/vertex_order.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/scale_of_area.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Map_finisher.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/best_similarity.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/move_to_places.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -39,23 +39,21 @@ Error_code Map_finisher::finish(const Level& level, Level::Uv& uv)
 {
   m_summary.energy = m_summary.levels.back().energy_end;
   m_summary.converged = m_summary.levels.back().converged;
-  Error_code status = settle_flips(level, uv);
-  if (status == ERROR_NO_1_TO_1_MAPPING && !m_map_before.empty()) {
-    m_map_before.clear();
-    status = settle_flips(level, uv);
-  }
+  Error_code status = settle_flips(level, true, uv);
+  if (status == ERROR_NO_1_TO_1_MAPPING && !m_map_before.empty())
+    status = settle_flips(level, false, uv);
   if (status == OK && !m_options.places_at_end.empty())
-    status = move_to_places(level, uv);
-  if (status == OK && m_options.round)
+    status = go_to_places(level, uv);
+  else if (status == OK && m_options.round)
     status = round(level, uv);
   return status;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code Map_finisher::settle_flips(const Level& level, Level::Uv& uv)
+Error_code Map_finisher::settle_flips(const Level& level, bool may_give_up, Level::Uv& uv)
 {
   Flip_settlement settlement = m_options.flips;
-  settlement.may_give_up = !m_map_before.empty();
+  settlement.may_give_up = may_give_up && !m_map_before.empty();
   const Error_code status = m_method.settle_flips(
       settlement, level.rings(), [&] { return surface_by_rank(level); }, uv, m_summary);
   const bool is_repaired = m_summary.moved_vertices > 0;
@@ -67,70 +65,80 @@ Error_code Map_finisher::settle_flips(const Level& level, Level::Uv& uv)
   const bool is_good = status == OK && !leaves_little(m_summary.moved_vertices, uv.size()) &&
                        m_summary.energy <= greatest_rise * m_summary.levels.back().energy_end &&
                        displaced_vertices(level, uv).empty();
-  return is_good ? OK : replace_map(level, status, uv);
+  return is_good ? OK : replace_map(level, may_give_up, status, uv);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code Map_finisher::replace_map(const Level& level, Error_code status, Level::Uv& uv)
+const Map_finisher::Other_map& Map_finisher::other_map(const Level& level)
 {
+  if (m_other)
+    return *m_other;
+  m_other = Other_map();
   if (!is_map_valid(level.rings(), m_map_before, level.loops()))
-    return status;
-  Level_summary summary = m_summary.levels.back();      // its iterations go on
+    return *m_other;
+  Level_summary& of_level = m_summary.levels.back();
+  Level_summary summary = of_level;      // its iterations go on
   summary.converged = false;
-  const Error_code other_status = m_method.refine_without_flips(level, m_map_before, summary);
-  if (other_status != OK)
+  m_other->status = m_method.refine_without_flips(level, m_map_before, summary);
+  if (m_other->status == OK) {
+    of_level.iterations = summary.iterations;
+    of_level.cycles = summary.cycles;
+    m_other->energy = m_method.energy(level, m_map_before);
+    m_other->converged = summary.converged;
+  }
+  return *m_other;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code Map_finisher::replace_map(const Level& level, bool has_given_up, Error_code status, Level::Uv& uv)
+{
+  constexpr double greatest_rise = 2;      // of the energy, by a map that is taken before all of the repair is tried
+  const Other_map& other = other_map(level);
+  if (other.status == ERROR_STOPPED)
+    return ERROR_STOPPED;
+  if (other.status != OK)
     return status;
-  m_summary.levels.back().iterations = summary.iterations;
-  m_summary.levels.back().cycles = summary.cycles;
-  const double energy = m_method.energy(level, m_map_before);
-  const bool is_better = status != OK || energy < m_summary.energy ||
-                         displaced_vertices(level, m_map_before).size() < displaced_vertices(level, uv).size();
+  const bool is_better = status != OK ? !has_given_up || other.energy <= greatest_rise * m_summary.energy
+                                      : other.energy < m_summary.energy ||
+                                            displaced_vertices(level, m_map_before).size() <
+                                                displaced_vertices(level, uv).size();
   if (!is_better)
     return status;
   uv.swap(m_map_before);
-  m_summary.energy = energy;
-  m_summary.converged = summary.converged;
+  m_summary.energy = other.energy;
+  m_summary.converged = other.converged;
   m_summary.moved_vertices = uv.size();
   m_summary.is_replaced = true;
   return OK;
 }
 
-// By a motion of the plane, or by a similarity if there are two places. Far away, where doubles are coarse, vertices go
-// to the middle of their stars where rounding would flip triangles.
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code Map_finisher::move_to_places(const Level& level, Level::Uv& uv)
+Error_code Map_finisher::go_to_places(const Level& level, Level::Uv& uv)
 {
-  std::vector<std::pair<Point_2, Point_2>> pairs;
-  std::vector<std::pair<Index, Point_2>> places;      // by rank
-  for (const Triangulated_surface_3::Fixed_vertex& fixed : m_options.places_at_end) {
-    const Index v = rank_of(level.hierarchy(), fixed.vertex);
-    pairs.push_back({ uv[v], fixed.place });
-    places.push_back({ v, fixed.place });
-  }
-  const Similarity_2 similarity = best_similarity(pairs);
-  Level::Uv moved(uv.size());
-  level.for_each_vertex([&](Index v) { moved[v] = similarity(uv[v]); });
-  const auto hold = [&] {
-    for (const auto& [v, place] : places)
-      moved[v] = place;
-  };
-  const auto is_good = [&](const Level::Uv& map) {
-    return is_map_valid(level.rings(), map, level.loops()) && !(m_must_keep_apart && has_crossings(level.rings(), map));
-  };
-  hold();
-  if (is_good(uv) && !is_good(moved)) {
-    round_map(level.rings(), [](double x, int) { return x; }, 0, moved, level.loops());
-    hold();
-    if (!is_good(moved)) {
-      m_summary.error.place = Parameterization_error::VERTEX;
-      m_summary.error.index = m_options.places_at_end.front().vertex;
-      return ERROR_NO_1_TO_1_MAPPING;
-    }
+  Level::Uv moved = uv;
+  const bool is_good =
+      move_to_places(level, m_options.places_at_end, m_options.round, m_must_keep_apart, moved) &&
+      !(m_method.has_energy() && has_risen(level, uv, moved));
+  if (!is_good) {
+    m_has_lost_places = true;
+    m_summary.error.place = Parameterization_error::VERTEX;
+    m_summary.error.index = m_options.places_at_end.front().vertex;
+    return ERROR_NO_1_TO_1_MAPPING;
   }
   uv.swap(moved);
   if (m_method.has_energy())
     m_summary.energy = m_method.energy(level, uv);
   return OK;
+}
+
+// What counts for energies whose minimum is 0 is how they grow when lengths are doubled.
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Map_finisher::has_risen(const Level& level, const Level::Uv& before, const Level::Uv& after) const
+{
+  constexpr double greatest_rise = 0.01, rounding = 1e-6;
+  const double energy = m_method.energy(level, before), of_double = m_method.energy(level, scaled(before, 2));
+  return !(m_method.energy(level, after) - energy <=
+           greatest_rise * std::abs(energy) + rounding * std::abs(of_double - energy));
 }
 
 // What is promised of the map is promised of what the user gets.

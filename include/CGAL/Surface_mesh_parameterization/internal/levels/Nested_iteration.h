@@ -38,6 +38,9 @@ public:
   // Whether the method has made a map of the finest level, even if that is no result.
   bool is_finished() const { return m_is_finished; }
 
+  // Whether that was good, but not at the places that waited for the end.
+  bool has_lost_places() const { return m_finisher.has_lost_places(); }
+
 private:
   Error_code parameterize_level_by_level(Level& level, Level::Uv& uv);
   Error_code parameterize_coarsest(Level& level, Level::Uv& uv);

@@ -37,6 +37,7 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
 {
   constexpr double part_of_hierarchy = 0.05;      // of the time, more or less
   m_start.swap(uv);
+  std::vector<Point_2> start_of_user = m_options.places_at_end.empty() ? std::vector<Point_2>() : m_start;
   double seconds_hierarchy = 0, seconds_parameterize = 0;      // of all attempts
   for (;;) {
     m_progress.start_stage(part_of_hierarchy);
@@ -58,7 +59,7 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
       uv = in_input_order(hierarchy, uv_by_rank);
       return OK;
     }
-    const bool must_hold_places = attempt.is_finished() && !m_options.places_at_end.empty();
+    const bool must_hold_places = attempt.has_lost_places();
     const bool has_another_way =
         status == ERROR_NO_1_TO_1_MAPPING && !m_progress.is_stopped() &&
         (must_hold_places || find_start_at_scale_of_places(hierarchy) ||
@@ -68,8 +69,11 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
     if (!has_another_way || m_progress.is_stopped())
       return m_summary.error.code;
     surface = input_surface(hierarchy);
-    if (must_hold_places)
+    if (must_hold_places) {
       surface.fixed_vertices = std::exchange(m_options.places_at_end, {});
+      m_start = std::move(start_of_user);
+      m_has_closed_surface = false;
+    }
   }
 }
 
