@@ -163,7 +163,7 @@ TEST(Parameterization_quality, of_a_sliver_is_that_of_exact_numbers)
     mapped.uvmap[b] = q;
     mapped.uvmap[c] = p + uniform(random) * (q - p);
     const auto difference = [&](auto v, int k) {
-      return Exact(mapped.uvmap[v][k]) - Exact(mapped.uvmap[a][k]);
+      return Exact(Exact(mapped.uvmap[v][k]) - Exact(mapped.uvmap[a][k]));
     };
     const Exact bx = difference(b, 0), by = difference(b, 1), cx = difference(c, 0), cy = difference(c, 1);
     const double determinant = std::abs(CGAL::to_double(Exact(bx * cy - by * cx)));

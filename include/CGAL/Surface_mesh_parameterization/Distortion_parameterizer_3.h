@@ -83,7 +83,7 @@ public:
   static constexpr bool holds_vertices = true;
 
   /// \cond SKIP_IN_MANUAL
-  static constexpr std::size_t places_at_no_cost = Energy_::is_scale_invariant ? 2 : 1;
+  static constexpr std::size_t places_at_no_cost = Energy::is_scale_invariant ? 2 : 1;
   typedef internal::Joined_names<internal::Joined_names<Refinement_options::Option_names,
                                                         typename Base::Flat_option_names>,
                                  internal::Joined_names<internal::Names<internal_np::initial_map_t,
