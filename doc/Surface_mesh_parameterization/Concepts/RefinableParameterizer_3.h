@@ -84,7 +84,8 @@ public:
   /// optional, with `energy()`: improves a flip-free map of the finest level and keeps it flip-free. It is called with
   /// the map that `refine()` started from, if that has no flips and a repair of the result failed, moved a vertex whose
   /// place is given, moved more than a tenth of the vertices, or raised the energy by more than a hundredth. It gives
-  /// the result if the repair failed, or if its map has less energy or more vertices at their given places.
+  /// the result if the repair failed, or if its map has less energy or more vertices at their given places; or before
+  /// a repair moves most vertices, if its energy is at most twice that of the map with flips.
   ///
   /// \return `OK` or an error
   CGAL::Surface_mesh_parameterization::Error_code

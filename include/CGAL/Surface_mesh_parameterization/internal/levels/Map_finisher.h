@@ -52,7 +52,9 @@ private:
 
   // Moves a map to the places that wait for the end, rounded, if it is valid there and its energy hardly rises.
   Error_code go_to_places(const Level& level, Level::Uv& uv);
-  bool has_risen(const Level& level, const Level::Uv& before, const Level::Uv& after) const;      // the energy, more
+
+  // Whether one map has notably more energy than another.
+  bool has_risen(const Level& level, const Level::Uv& before, const Level::Uv& after) const;
 
   Error_code round(const Level& level, Level::Uv& uv);
 
