@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The hierarchy serves other functions of CGAL, too: makes a mesh as smooth as its border allows with the multigrid
-// solver, and again with the solver that CGAL takes unless told otherwise. Continuity 0, the default, is a system of
-// second order, which the grids are made for. With continuity 1, of fourth order, the iteration does not arrive, and
-// the direct solver that stands by gives the result: later, but the same.
+// solver, and again with the solver that CGAL takes unless told otherwise. Continuity 0, the default of this
+// program, is a system of second order, which the grids are made for. With continuity 1, CGAL's default, of fourth
+// order, the iteration does not arrive, and the direct solver that stands by gives the result: later, but the same.
 
 #include "input_surface.h"
 

@@ -90,8 +90,8 @@ void print_warnings(const Input& input, const Options& options, const Run_record
               << ", so this is an atlas; --globally-injective makes one chart, --cut none one with overlaps\n";
   if (run.summary.is_replaced)
     std::cerr << name << ": " << replaced_maps_text(run) << " of " << options.method->name
-              << " had flips whose repair would leave little of it; a method without flips made "
-              << (run.atlas ? "others\n" : "this one\n");
+              << " had flips whose repair would have failed or cost much; "
+              << (run.atlas ? "maps without flips took their place\n" : "a map without flips took its place\n");
   else if (run.summary.moved_vertices > 0) {
     const std::vector<bool> is_mapped = vertices_of_faces(input);
     const std::size_t vertices = std::size_t(std::count(is_mapped.begin(), is_mapped.end(), true));
@@ -102,6 +102,16 @@ void print_warnings(const Input& input, const Options& options, const Run_record
   }
 }
 
+// An atlas is cut where the least symmetric Dirichlet energy is great, which that of another method need not tell.
+const char* advice_against_distortion(const Method& method)
+{
+  if (!method.has_free_border)
+    return "--atlas may cut the surface, a method with a free border may distort it less";
+  return method.name == "symmetric-dirichlet"
+             ? "--atlas cuts the surface"
+             : "--atlas may cut the surface, symmetric-dirichlet may distort it less";
+}
+
 // What may help where one chart is not enough.
 void print_advice(const Input& input, const Options& options, const Run_record& run)
 {
@@ -109,12 +119,12 @@ void print_advice(const Input& input, const Options& options, const Run_record& 
   constexpr std::size_t many_borders = 20;
   if (run.atlas)
     return;
-  const std::string one_chart = options_of_one_chart(options);
+  const std::string one_chart = options_of_one_chart(options),
+                    without = one_chart.empty() ? "" : ", without " + one_chart + ",";
   if (run.quality->overlaps > 0 && (options.cuts || !one_chart.empty()))
     std::cerr << one_line(input.name) << ": the map lies over itself at " << pairs_text(run.quality->overlaps) << "; "
               << (options.method->is_flip_free ? "--globally-injective keeps borders apart"
-                  : one_chart.empty()          ? "--atlas divides it"
-                                               : "--atlas, without " + one_chart + ", divides it")
+                                               : "--overlap-bound 0" + without + " divides most of it")
               << '\n';
   if (!options.cuts)
     return;
@@ -123,9 +133,7 @@ void print_advice(const Input& input, const Options& options, const Run_record& 
     energy << std::setprecision(3) << run.quality->symmetric_dirichlet;
     std::cerr << one_line(input.name) << ": the map is distorted far (symmetric Dirichlet " << energy.str()
               << ", 4 without distortion); "
-              << (options.method->has_free_border
-                      ? "--atlas cuts the surface\n"
-                      : "--atlas may cut the surface, a method with a free border may distort it less\n");
+              << advice_against_distortion(*options.method) << '\n';
   }
   if (input.number_of_borders > many_borders && !options.fills_holes)
     std::cerr << one_line(input.name) << ": has " << input.number_of_borders

@@ -135,7 +135,8 @@ std::vector<Index> read_map(const TriangleMesh& mesh, const FaceRange& face_rang
 /// charts. Overlaps are those within charts and between them.
 ///
 /// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; of one that is not
-///        triangulated, or whose coordinates are not all finite, every face counts as flipped
+///        triangulated, or whose coordinates are not all finite, every face counts as flipped. Of a `Seam_mesh`, the
+///        mesh that it cuts
 /// \param face_range the faces to measure
 /// \param uvmap a readable property map from halfedges to points of the plane: the place of the corner to which a
 ///        halfedge leads in its face

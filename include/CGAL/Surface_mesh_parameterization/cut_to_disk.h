@@ -106,6 +106,9 @@ Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_
 ///       is_on_seam[mesh.vertex(e, 0)] = is_on_seam[mesh.vertex(e, 1)] = true;
 ///   CGAL::Seam_mesh seam_mesh(mesh, is_seam, is_on_seam);
 /// \endcode
+/// A map of the seam mesh has a place for one halfedge of each of its vertices. That of any corner of `mesh` is
+/// `uvmap[target(Seam_mesh::halfedge_descriptor(h), seam_mesh)]`.
+///
 /// A component with handles is cut along a short system of loops, two for each handle; a closed one without handles
 /// along a path between two places that are far from each other. Then the seam grows branches, until the map of least
 /// symmetric Dirichlet energy would be within a bound: each from the place that Tutte's map shrinks most, the tip of a

@@ -123,8 +123,9 @@ namespace IO {
 
 /// \ingroup PkgHierarchicalParameterizationIO
 ///
-/// writes a mesh with its parameterization as Wavefront OBJ: `v` and `vt` lines in the order of `vertices(mesh)`, faces
-/// in the order of `faces(mesh)`. Coordinates are doubles, with the fewest digits that read back the same.
+/// writes a mesh with its parameterization as Wavefront OBJ: `v` lines, and `vt` lines of those vertices that have a
+/// place, in the order of `vertices(mesh)`, faces in the order of `faces(mesh)`. Coordinates are doubles, with the
+/// fewest digits that read back the same.
 ///
 /// Of a `CGAL::Seam_mesh` the surface is written uncut: its `v` lines are the vertices of the mesh that it cuts, in the
 /// order of that mesh. Only the texture coordinates are cut: there is a `vt` line for each vertex of the seam mesh, so

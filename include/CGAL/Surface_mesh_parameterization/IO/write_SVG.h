@@ -181,7 +181,7 @@ void write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face
 ///
 /// \param os the stream; its state tells whether writing succeeded
 /// \param mesh a triangle mesh, a model of `FaceListGraph` with an internal vertex point map
-/// \param uvmap as above; the map must be positive
+/// \param uvmap as above
 template <class TriangleMesh, class UVMap>
 void write_SVG(std::ostream& os, const TriangleMesh& mesh, UVMap uvmap)
 {
