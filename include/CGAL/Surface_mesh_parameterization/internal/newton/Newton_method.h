@@ -65,6 +65,7 @@ public:
       result = try_step(uv, energy);
     }
     adapt_accuracy(result);
+    adapt_grids(result);
     adapt_indefinite_part(result);
     m_objective.settle_turn_barrier();
     lower_turn_barrier(result);
@@ -102,11 +103,18 @@ private:
   void adapt_accuracy(const Step& step)
   {
     m_accuracy.most_cycles = step.length >= 1 ? m_options.most_cycles : m_options.most_cycles_after_short_step;
-    if (step.length > 0 && m_energy.is_flip_free()) {
-      const double error = std::abs(step.decrease / step.predicted - 1);
-      m_accuracy.forcing = (std::max)(m_options.least_forcing, (std::min)(m_options.part_of_prediction_error * error,
-                                                                          m_options.greatest_forcing));
-    }
+    if (step.length > 0 && m_energy.is_flip_free())
+      m_accuracy.forcing =
+          (std::max)(m_options.least_forcing, (std::min)(m_options.part_of_prediction_error * error_of_prediction(step),
+                                                         m_options.greatest_forcing));
+  }
+
+  static double error_of_prediction(const Step& step) { return std::abs(step.decrease / step.predicted - 1); }
+
+  void adapt_grids(const Step& step)
+  {
+    if (step.length >= 1 && error_of_prediction(step) < m_options.greatest_error_without_setup)
+      m_system.keep_coarse_grids();
   }
 
   // Where a step cannot be taken in full length, or gains little, the model is indefinite, or no good. Where it gains

@@ -20,8 +20,10 @@ struct Newton_options
   std::size_t most_cycles = 60, most_cycles_after_short_step = 10;
   // The coarse grids of an earlier map serve as long as they need no more cycles than these: to make them costs as much
   // as three. A finest level without coarse grids has its matrix factorized for each map: what the factors of an
-  // earlier one miss is little enough in a cycle to be taken for convergence.
+  // earlier one miss is little enough in a cycle to be taken for convergence. They also serve for the next map if the
+  // energy has fallen by what the model said, but for this part: then the model has hardly changed.
   std::size_t most_cycles_without_setup = 8;
+  double greatest_error_without_setup = 0.03;
   // The part of what makes the Hessian indefinite that is kept at first, where it is kept: of energies that keep
   // triangles positive, and of others.
   double indefinite_part = 0.5, indefinite_part_with_flips = 0.95;

@@ -109,10 +109,13 @@ public:
   std::size_t solve(const Accuracy& accuracy)
   {
     const std::size_t cycles = solve_for_residual(accuracy);
-    m_needs_setup =
-        (m_multigrid.is_direct() && m_level.is_finest()) || cycles > m_options.most_cycles_without_setup;
+    keep_coarse_grids();
+    m_needs_setup = m_needs_setup || cycles > m_options.most_cycles_without_setup;
     return cycles;
   }
+
+  // Lets the coarse grids serve for the next map, however many cycles they took.
+  void keep_coarse_grids() { m_needs_setup = m_multigrid.is_direct() && m_level.is_finest(); }
 
   // Finds half of the second derivative by t of the path that leads from `uv` down the valley of the model's minima,
   // and begins with the direction that solve() found.
