@@ -15,6 +15,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_corners.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 
+#include <boost/config.hpp>
+
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -172,7 +174,7 @@ public:
   const internal::Loops& loops() const { return m_loops; }
 
   // In a loop over vertices, at v: asks for the places of the neighbors of the next vertices, here and in space.
-  void prefetch_neighbors_after(Index v, const Uv& uv) const
+  BOOST_FORCEINLINE void prefetch_neighbors_after(Index v, const Uv& uv) const
   {
     m_rings.prefetch_neighbors_after(v, uv);
     m_rings.prefetch_neighbors_after(v, hierarchy().points());

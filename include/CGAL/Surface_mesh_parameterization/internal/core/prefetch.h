@@ -12,8 +12,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Asks for the memory at an address that will be read soon. Does nothing where the compiler offers no way. This
-// and functions that do nothing else must be inlined by force: gcc takes a call that changes nothing for superfluous.
+// Asks for the memory at an address that will be read soon. Does nothing where the compiler offers no way. This, and
+// each function that does nothing else, must be inlined by force: gcc leaves out calls that change nothing.
 BOOST_FORCEINLINE void prefetch([[maybe_unused]] const void* address)
 {
 #ifdef __GNUC__       // clang, too
@@ -31,14 +31,6 @@ BOOST_FORCEINLINE void prefetch_element_after(std::size_t k, const Index* indice
 {
   if (k + prefetch_distance < number_of_indices)
     prefetch(&array[indices[k + prefetch_distance]]);
-}
-
-// The same in a loop that goes down.
-template <class Array>
-BOOST_FORCEINLINE void prefetch_element_before(std::size_t k, const Index* indices, const Array& array)
-{
-  if (k >= prefetch_distance)
-    prefetch(&array[indices[k - prefetch_distance]]);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

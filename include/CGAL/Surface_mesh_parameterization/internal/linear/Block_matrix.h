@@ -10,6 +10,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/prefetch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_pattern.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -88,7 +90,6 @@ struct Block_matrix
   {
     parts().for_each(loops, [&](Index part) {
       parts().for_each_row(part, [&](Index i) {
-        prefetch_columns_after(i, x, y);
         y[i] = diagonal_times(i, x[i]) + left_times(i, x, first_joint[i]);
         add_right_times(i, x[i], y);
       });
@@ -113,7 +114,6 @@ struct Block_matrix
       add_joints_times(x, right, loops);
     parts().for_each(loops, [&](Index part) {
       parts().for_each_row(part, [&](Index i) {
-        prefetch_columns_after(i, x, right);
         const Block_vector r = b[i] - left_times(i, x, first_joint[i]);
         x[i] = relaxed(i, r - right[i], is_first ? Block_vector::zero() : x[i]);
         right[i] = is_last ? diagonal_times(i, x[i]) - r : Block_vector::zero();
@@ -130,7 +130,7 @@ struct Block_matrix
     add_joints_times(x, right, loops);
     parts().for_each(loops, [&](Index part) {
       parts().for_each_row_backward(part, [&](Index i) {
-        prefetch_columns_before(i, x, right);
+        prefetch_rows_before(i);
         x[i] = relaxed(i, b[i] - left_times(i, x, first_joint[i]) - right[i], x[i]);
         right[i] = Block_vector::zero();
         add_right_times(i, x[i], right);
@@ -202,20 +202,16 @@ private:
       y[columns[k]] += transposed_times(blocks[k], x);
   }
 
-  void prefetch_columns_after(Index i, const Block_vectors& x, const Block_vectors& y) const
+  // In a loop that goes down, at row i: asks for rows that are needed some rows later. A processor foresees what a loop
+  // reads that goes up, less so rows that are read upward one below the other.
+  BOOST_FORCEINLINE void prefetch_rows_before(Index i) const
   {
-    for (Index k = first[i]; k < first_joint[i]; ++k) {
-      prefetch_element_after(k, columns, blocks.size(), x);
-      prefetch_element_after(k, columns, blocks.size(), y);
-    }
-  }
-
-  void prefetch_columns_before(Index i, const Block_vectors& x, const Block_vectors& y) const
-  {
-    for (Index k = first[i]; k < first_joint[i]; ++k) {
-      prefetch_element_before(k, columns, x);
-      prefetch_element_before(k, columns, y);
-    }
+    constexpr std::size_t distance = 64;      // in blocks, two to each cache line
+    if (first[i] < distance)
+      return;
+    prefetch(&blocks[first[i] - distance]);
+    prefetch(&blocks[first[i] - distance + 2]);
+    prefetch(&columns[first[i] - distance]);
   }
 };
 
