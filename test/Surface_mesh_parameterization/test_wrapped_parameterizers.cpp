@@ -42,9 +42,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -186,6 +188,33 @@ TEST(Wrapped_borders, are_those_of_CGAL)
   Wrapped_map<Surface_mesh> mapped(mesh);
   EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Mean_value<Square>>(square), longest_border(mesh)), OK);
   EXPECT_NEAR(CGAL::squared_distance(get(mapped.uvmap, corner(0)), get(mapped.uvmap, corner(21 * 17 - 1))), 2, 1e-12);
+}
+
+// Ears of the grid, triangles with two edges on its border, are flat on a side of the square. Each is opened by one
+// vertex of it, which moves into the square, and corners are where they were.
+TEST(Wrapped_borders, stay_on_the_square_when_ears_are_opened)
+{
+  typedef Square_border_arc_length_parameterizer_3<Surface_mesh> Square;
+  Surface_mesh mesh = make<Surface_mesh>(grid(20, 16, wavy));
+  const auto at = [](std::size_t column, std::size_t row) { return Surface_mesh::Vertex_index(21 * row + column); };
+  for (const std::size_t shift : { 1, 5, 9 }) {
+    const Surface_mesh::Vertex_index corners[] = { at(shift, 0), at(20, shift), at(20 - shift, 16), at(0, 16 - shift) };
+    Wrapped_map<Surface_mesh> mapped(mesh);
+    Parameterization_summary summary;
+    EXPECT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Mean_value<Square>>(
+                                      Square(corners[0], corners[1], corners[2], corners[3]),
+                                      parameters::summary(std::ref(summary))),
+                                  longest_border(mesh)), OK);
+    EXPECT_EQ(summary.flips, 2u);
+    EXPECT_EQ(summary.moved_vertices, 2u);
+    EXPECT_EQ(parameterization_quality(mesh, mapped.uvmap).flips, 0u);
+    for (const auto v : vertices(mesh)) {
+      const auto p = get(mapped.uvmap, v);
+      EXPECT_TRUE(0 <= p.x() && p.x() <= 1 && 0 <= p.y() && p.y() <= 1) << p;
+      const bool is_corner = std::find(std::begin(corners), std::end(corners), v) != std::end(corners);
+      EXPECT_TRUE(!is_corner || ((p.x() == 0 || p.x() == 1) && (p.y() == 0 || p.y() == 1))) << p;
+    }
+  }
 }
 
 // A circle whose center is so far away from the origin.

@@ -4,9 +4,11 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_PATCH_REPAIR_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_PATCH_REPAIR_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Patch_unfolder.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/move_inward.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
 #include <algorithm>
@@ -36,6 +38,7 @@ public:
         bad.push_back(v);
     if (double(bad.size()) > greatest_part_of_vertices * double(m_uv.size()))
       return bad.size();
+    open_flat_ears(bad);
     for (const bool may_have_needles : { false, true })
       for (const std::size_t rings : numbers_of_rings) {
         if (bad.empty() || (may_have_needles && !m_unfolder.has_refused_needles()))
@@ -43,7 +46,7 @@ public:
         for (const std::vector<Index>& patch : patches_around(bad, rings))
           if (patch.size() <= (rings == 0 ? greatest_patch_without_ring : greatest_patch))
             repair(patch, may_have_needles);
-        bad.erase(std::remove_if(bad.begin(), bad.end(), [this](Index v) { return is_good(v); }), bad.end());
+        erase_good(bad);
       }
     return bad.size();
   }
@@ -57,6 +60,35 @@ private:
   static constexpr double greatest_part_of_vertices = 0.1;
 
   bool is_good(Index v) const { return is_fan_valid(m_rings, m_uv, v); }
+
+  void erase_good(std::vector<Index>& vertices) const
+  {
+    vertices.erase(std::remove_if(vertices.begin(), vertices.end(), [this](Index v) { return is_good(v); }),
+                   vertices.end());
+  }
+
+  // An ear, a triangle with two edges on the border, is flat if these lie on a straight side, as on a square. Moves one
+  // of its other vertices inward, unless that is a corner, so that the map stays in the square.
+  void open_flat_ears(std::vector<Index>& bad)
+  {
+    constexpr double part_of_way = 0.25;
+    std::vector<std::pair<Index, Index>> tips_and_neighbors;
+    for (const Index tip : bad)
+      if (m_rings.is_border(tip) && m_rings[tip].size() == 2 && is_straight(tip))
+        for (const Index v : m_rings[tip])
+          if (is_straight(v))
+            tips_and_neighbors.push_back({ tip, v });
+    for (const auto& [tip, v] : tips_and_neighbors)
+      if (!is_good(tip))
+        move_inward(m_rings, v, part_of_way, m_uv);
+    erase_good(bad);
+  }
+
+  // Whether the border is straight at one of its vertices.
+  bool is_straight(Index v) const
+  {
+    return exact_orientation(m_uv[m_rings[v].front()], m_uv[v], m_uv[m_rings[v].back()]) == COLLINEAR;
+  }
 
   // Border vertices that stay may have bad fans yet when the others have got their places.
   void repair(const std::vector<Index>& patch, bool may_have_needles)

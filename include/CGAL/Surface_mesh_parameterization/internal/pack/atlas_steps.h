@@ -159,6 +159,15 @@ inline double area_of_surface(const Atlas& atlas, const std::vector<bool>& has_m
   return sum;
 }
 
+// Why a packed chart has no map in the user's numbers.
+inline Parameterization_error error_of_packing(const Packing& packing, const Rounding& round, Index first_face)
+{
+  if (!is_finite(round(Point_2(packing.side, packing.side))))
+    return { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, cause_of_overflow };
+  return { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::FACE, first_face,
+           packing.side == 0 ? "the charts have no area" : "rounding leaves the triangles of a chart no room" };
+}
+
 // Packs the charts that have a map. Those that have none afterwards, as rounding left no room for it, are told.
 inline void pack(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& options, Round_coordinate round,
                  Atlas_summary& result)
@@ -172,9 +181,7 @@ inline void pack(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& o
   for (std::size_t i = 0; i < has_map.size(); ++i)
     if (had_map[i] && !has_map[i]) {
       Parameterization_error& error = result.charts[i].summary.error;
-      error = { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::FACE, atlas.charts[i].front(),
-                packing.side == 0 ? "the charts have no area"
-                                  : "rounding leaves the triangles of a chart no room" };
+      error = error_of_packing(packing, Rounding{ round, atlas.scale_exponent }, atlas.charts[i].front());
       if (result.is_ok())
         result.error = error;
     }
