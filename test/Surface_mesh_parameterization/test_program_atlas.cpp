@@ -642,7 +642,10 @@ TEST(Program_advice, is_given_until_it_is_followed)
   for (const std::string arguments : { "--fill-holes", "--atlas" })
     EXPECT_EQ(error_of(arguments), "");
   runs.write_input("in.off", ramp(1.3));
-  EXPECT_NE(error_of("--method lscm").find("pairs of triangles; --atlas"), std::string::npos);
+  EXPECT_NE(error_of("--method lscm").find("pairs of triangles; --overlap-bound 0"), std::string::npos);
+  const double overlaps = runs.report().at("quality").at("overlaps");
+  EXPECT_EQ(error_of("--method lscm --overlap-bound 0"), "");
+  EXPECT_LT(runs.report().at("quality").at("overlaps"), 0.5 * overlaps);
   EXPECT_NE(error_of("--levels .").find("pairs of triangles; --globally-injective"), std::string::npos);
   for (const std::string arguments : { "--levels . --globally-injective", "--cut none" })
     EXPECT_EQ(error_of(arguments), "");
