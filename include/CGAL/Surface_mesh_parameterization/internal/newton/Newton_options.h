@@ -20,9 +20,10 @@ struct Newton_options
   std::size_t most_cycles = 60, most_cycles_after_short_step = 10;
   // The coarse grids of an earlier map serve as long as they need no more cycles than these: to make them costs as much
   // as three. A finest level without coarse grids has its matrix factorized for each map: what the factors of an
-  // earlier one miss is little enough in a cycle to be taken for convergence. They also serve for the next map if the
-  // energy has fallen by what the model said, but for this part: then the model has hardly changed.
+  // earlier one miss is little enough in a cycle to be taken for convergence.
   std::size_t most_cycles_without_setup = 8;
+  // They serve for the next map, too, after a step whose decrease was off from the model's by no more than this part:
+  // then the model has hardly changed.
   double greatest_error_without_setup = 0.03;
   // The part of what makes the Hessian indefinite that is kept at first, where it is kept: of energies that keep
   // triangles positive, and of others.
