@@ -276,12 +276,13 @@ TEST(Packing, is_told_to_overflow_floats)
   typedef CGAL::Simple_cartesian<float>::Point_2   Float_point_2;
   constexpr double size = 1e39;
   Surface surface(affine_image(grid(3, 3, flat), size, 0, 0, size));
-  const auto uv = surface.mesh.add_property_map<Surface_mesh::Halfedge_index, Float_point_2>("h:float_uv").first;
+  const Float_point_2 untouched(7, 8);
+  const auto uv = surface.mesh.add_property_map<Surface_mesh::Halfedge_index>("h:float_uv", untouched).first;
   const Atlas_summary summary = atlas_parameterization(surface.mesh, uv, parameters::unit_square(false));
   EXPECT_EQ(summary.error.code, ERROR_WRONG_PARAMETER);
   EXPECT_STREQ(summary.error.cause, "the map is too large for the numbers of uvmap");
   for (const auto h : surface.mesh.halfedges())
-    EXPECT_EQ(uv[h], Float_point_2(0, 0));
+    EXPECT_EQ(uv[h], untouched);
   EXPECT_TRUE(atlas_parameterization(surface.mesh, uv).is_ok());
 }
 
