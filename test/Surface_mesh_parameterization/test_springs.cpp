@@ -100,6 +100,26 @@ TYPED_TEST(Springs_of_vertices, rest_where_the_energy_is_least)
                                                      [&](std::size_t v) { return v % period == period - 1; });
 }
 
+// A vertex may come with any level. Springs whose places a motion of the map meets cost no energy, however far away.
+TYPED_TEST(Springs_of_vertices, take_the_map_along)
+{
+  Constrained_mesh m(delaunay_patch(1500, 5, wavy));
+  ASSERT_EQ(m.run<TypeParam>(true, 1e-9), OK);
+  const double energy = m.summary.energy;
+  const std::vector<Kernel::Point_2> places = m.uv();
+  const Kernel::Vector_2 move(3e6, -2e6);
+  for (const std::size_t number : { 1, 3 })
+    for (std::size_t first = 0; first < places.size(); first += 37) {
+      for (const auto v : vertices(m.mesh)) {
+        m.uvmap[v] = places[v] + move;
+        m.weight[v] = std::size_t(v) >= first && std::size_t(v) < first + number ? 100 : 0;
+      }
+      ASSERT_EQ(m.run<TypeParam>(), OK);
+      EXPECT_NEAR(m.summary.energy / energy, 1, 1e-5) << first;
+      EXPECT_TRUE(m.summary.converged && m.is_valid()) << first;
+    }
+}
+
 // Whatever the optimizer is.
 TYPED_TEST(Springs_of_vertices, are_a_matter_of_Newtons_method)
 {

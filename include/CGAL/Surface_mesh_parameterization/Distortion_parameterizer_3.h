@@ -93,8 +93,8 @@ public:
 
   /// \param np
   /// - the named parameters of `Refinement_options`
-  /// - `initial_map`, `fill_holes`, `vertex_is_constrained_map`, `position_weight_map`, `overlap_bound`: of a flat run,
-  ///   and of one by an adaptor that is not told otherwise, see `Nested_iteration_parameterizer_3`
+  /// - `initial_map`, `fill_holes`, `vertex_is_constrained_map`, `position_weight_map`, `overlap_bound`, `flip_policy`:
+  ///   of a flat run, and of one by an adaptor that is not told otherwise, see `Nested_iteration_parameterizer_3`
   /// - `summary`: of the same, a `std::reference_wrapper<Parameterization_summary>` that receives what a run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Distortion_parameterizer_3(const NamedParameters& np = parameters::default_values())
@@ -208,9 +208,9 @@ private:
           return status;
     const Error_code status = internal::minimize_flip_free(
         energy, Energy::is_scale_invariant && level.is_finest(), uv, m_options, summary);
-    if constexpr (!internal::is_finite_energy<E>)
-      if (status == OK && !level.is_draft() && !std::isfinite(energy(uv)))
-        return ERROR_NO_1_TO_1_MAPPING;
+    const bool may_overflow = !internal::is_finite_energy<E> || !internal::is_free(level);
+    if (may_overflow && status == OK && !level.is_draft() && !std::isfinite(energy(uv)))
+      return ERROR_NO_1_TO_1_MAPPING;
     return status;
   }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -38,6 +39,15 @@ inline double doubled_area(const Point_3& a, const Point_3& b, const Point_3& c)
   return std::sqrt(CGAL::cross_product(b - a, c - a).squared_length());
 }
 
+// The same for a polygon.
+inline double doubled_area(const std::vector<Point_2>& polygon)
+{
+  double sum = 0;
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    sum += doubled_area(polygon[0], polygon[i - 1], polygon[i]);
+  return sum;
+}
+
 // A point of the user's in doubles.
 template <class Point>
 Point_2 to_point_2(const Point& p)
@@ -53,6 +63,18 @@ Point_3 to_point_3(const Point& p)
 
 inline bool is_finite(const Point_2& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); }
 inline bool is_finite(const Point_3& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); }
+
+inline bool are_finite(const std::vector<Point_2>& points)
+{
+  return std::all_of(points.begin(), points.end(), [](const Point_2& p) { return is_finite(p); });
+}
+
+// The place of what has no place.
+inline Point_2 nowhere()
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return Point_2(nan, nan);
+}
 
 inline void mirror(Point_2& p) { p = Point_2(-p.x(), p.y()); }
 inline void mirror(std::vector<Point_2>& points)

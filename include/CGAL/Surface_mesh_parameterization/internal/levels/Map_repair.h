@@ -25,7 +25,6 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -113,10 +112,8 @@ private:
         longest[w] = (std::max)(longest[w], squared_length);
       }
     for (Index v = 0; v < m_wanted.size(); ++v)
-      if (!(longest[v] > least * least)) {
-        const double nan = std::numeric_limits<double>::quiet_NaN();
-        m_wanted[v] = Point_2(nan, nan);
-      }
+      if (!(longest[v] > least * least))
+        m_wanted[v] = nowhere();
   }
 
   Point_2 to_own_units(const Point_2& p) const { return times_power_of_two(p, m_exponent); }
@@ -152,11 +149,12 @@ private:
 
   void align(Level::Uv& uv) const
   {
-    std::vector<std::pair<Point_2, Point_2>> pairs;
+    std::vector<Wanted_move> moves;
     for (Index v = 0; v < uv.size(); ++v)
       if (has_wanted_place(v))
-        pairs.push_back({ uv[v], m_wanted[v] });
-    move_by_best_similarity(pairs, m_level.rings(), m_level.loops(), uv);
+        moves.push_back({ uv[v], m_wanted[v] });
+    if (!moves.empty())
+      move_by(best_similarity(moves), m_level.rings(), m_level.loops(), uv);
   }
 
   void improve(Level::Uv& uv, int most_sweeps)

@@ -11,7 +11,6 @@
 
 #include <cmath>
 #include <complex>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -35,45 +34,59 @@ struct Similarity_2
   }
 };
 
-// The similarity that brings the first points of pairs, of which there is one at least, to the second ones, best in the
-// sense of least squares. A translation if the first ones are all the same.
-inline Similarity_2 best_similarity(const std::vector<std::pair<Point_2, Point_2>>& pairs)
+struct Wanted_move
+{
+  Point_2 from, to;
+  double weight = 1;
+};
+
+// The similarity that makes the given moves best, in the sense of weighted least squares; there is at least one move. A
+// translation if all begin at the same point.
+inline Similarity_2 best_similarity(const std::vector<Wanted_move>& moves)
 {
   Similarity_2 result;
-  for (const auto& [p, q] : pairs) {
-    result.from += Similarity_2::complex(p);
-    result.to += Similarity_2::complex(q);
+  double weights = 0;
+  for (const Wanted_move& move : moves) {
+    result.from += move.weight * Similarity_2::complex(move.from);
+    result.to += move.weight * Similarity_2::complex(move.to);
+    weights += move.weight;
   }
-  result.from /= double(pairs.size());
-  result.to /= double(pairs.size());
+  result.from /= weights;
+  result.to /= weights;
   Similarity_2::Complex product(0, 0);
   double squares = 0;
-  for (const auto& [p, q] : pairs) {
-    const Similarity_2::Complex z = Similarity_2::complex(p) - result.from;
-    product += std::conj(z) * (Similarity_2::complex(q) - result.to);
-    squares += std::norm(z);
+  for (const Wanted_move& move : moves) {
+    const Similarity_2::Complex z = Similarity_2::complex(move.from) - result.from;
+    product += move.weight * std::conj(z) * (Similarity_2::complex(move.to) - result.to);
+    squares += move.weight * std::norm(z);
   }
   if (squares > 0)
     result.factor = product / squares;
   return result;
 }
 
-// Moves a valid map by the similarity that brings the first points of pairs nearest to the second ones, if there is one
-// and the map stays valid.
-inline void move_by_best_similarity(const std::vector<std::pair<Point_2, Point_2>>& pairs, const One_rings& rings,
-                                    const Loops& loops, std::vector<Point_2>& uv)
+// The same with a motion, which keeps lengths.
+inline Similarity_2 best_motion(const std::vector<Wanted_move>& moves)
 {
-  if (pairs.empty())
-    return;
-  const Similarity_2 similarity = best_similarity(pairs);
+  Similarity_2 result = best_similarity(moves);
+  result.factor = std::abs(result.factor) > 0 ? result.factor / std::abs(result.factor) : 1;
+  return result;
+}
+
+// Moves a valid map by a similarity. Returns whether it is still valid; if not, it stays where it was.
+inline bool move_by(const Similarity_2& similarity, const One_rings& rings, const Loops& loops,
+                    std::vector<Point_2>& uv)
+{
   if (!similarity.is_regular())
-    return;
+    return false;
   std::vector<Point_2> moved;
   moved.reserve(uv.size());
   for (const Point_2& p : uv)
     moved.push_back(similarity(p));
-  if (is_map_valid(rings, moved, loops))
+  const bool is_valid = is_map_valid(rings, moved, loops);
+  if (is_valid)
     uv.swap(moved);
+  return is_valid;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

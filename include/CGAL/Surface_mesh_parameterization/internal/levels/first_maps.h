@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -23,8 +24,13 @@ Error_code choose_first_map(const Level_energy& energy, const Refinement_options
 bool unfold_to_lower_energy(const Level_energy& energy, bool has_map, const Refinement_options& options,
                             Level::Uv& uv);
 
-// Brings a map as near to the places that are given or wished for as a similarity does.
+// Brings a map as near to the places that are given or wished for as a similarity can, if it stays valid.
 void move_near_places(const Level& level, Level::Uv& uv);
+
+// Where no place is given, moves a map as a whole to where springs pull it, by the best motion or the best similarity,
+// if that lowers the energy. A spring may come with a fine level and pull from far away: it would crush the triangles
+// around its vertex.
+void follow_springs(const Level_energy_with_springs& energy, Level::Uv& uv);
 
 // Scales a map so that the energy is about least: Tutte's map of a long surface is far too small in most places if it
 // has the right area.

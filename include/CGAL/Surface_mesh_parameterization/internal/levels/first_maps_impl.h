@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -22,15 +23,47 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+// The moves that given places ask for, and springs as far as they are stiff.
+inline std::vector<Wanted_move> wanted_moves(const Level& level, const Level::Uv& uv)
+{
+  std::vector<Wanted_move> result;
+  for (const Index v : fixed_vertices(level))
+    result.push_back({ uv[v], level.fixed_place(v) });
+  double greatest_stiffness = 0;
+  for (const Triangulated_surface_3::Spring& s : springs(level))
+    greatest_stiffness = (std::max)(greatest_stiffness, s.stiffness);
+  for (const Triangulated_surface_3::Spring& s : springs(level))
+    if (s.stiffness > 0)
+      result.push_back({ uv[s.vertex], s.place, s.stiffness / greatest_stiffness });
+  return result;
+}
+
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void move_near_places(const Level& level, Level::Uv& uv)
 {
-  std::vector<std::pair<Point_2, Point_2>> pairs;
-  for (const Index v : fixed_vertices(level))
-    pairs.push_back({ uv[v], level.fixed_place(v) });
-  for (const Triangulated_surface_3::Spring& s : springs(level))
-    pairs.push_back({ uv[s.vertex], s.place });
-  move_by_best_similarity(pairs, level.rings(), level.loops(), uv);
+  if (const std::vector<Wanted_move> moves = wanted_moves(level, uv); !moves.empty())
+    move_by(best_similarity(moves), level.rings(), level.loops(), uv);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void follow_springs(const Level_energy_with_springs& energy, Level::Uv& uv)
+{
+  const Level& level = energy.level();
+  const std::vector<Wanted_move> moves = wanted_moves(level, uv);
+  if (moves.empty() || !fixed_vertices(level).empty())
+    return;
+  double least = energy(uv);
+  Level::Uv best = uv;
+  for (const Similarity_2& similarity : { best_motion(moves), best_similarity(moves) }) {
+    Level::Uv moved = uv;
+    if (!move_by(similarity, level.rings(), level.loops(), moved))
+      continue;
+    if (const double value = energy(moved); value < least) {
+      least = value;
+      best = std::move(moved);
+    }
+  }
+  uv = std::move(best);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -27,12 +27,12 @@ inline bool move_to_places(const Level& level, const std::vector<Triangulated_su
                            Round_coordinate round, bool borders_must_not_meet, Level::Uv& uv)
 {
   std::vector<std::pair<Index, Point_2>> places;      // by rank
-  std::vector<std::pair<Point_2, Point_2>> pairs;
+  std::vector<Wanted_move> moves;
   for (const Triangulated_surface_3::Fixed_vertex& fixed : fixed_vertices) {
     places.push_back({ rank_of(level.hierarchy(), fixed.vertex), fixed.place });
-    pairs.push_back({ uv[places.back().first], fixed.place });
+    moves.push_back({ uv[places.back().first], fixed.place });
   }
-  const Similarity_2 similarity = best_similarity(pairs);
+  const Similarity_2 similarity = best_similarity(moves);
   Level::Uv moved(uv.size());
   level.for_each_vertex([&](Index v) { moved[v] = similarity(uv[v]); });
   const auto hold = [&] {

@@ -199,9 +199,9 @@ public:
     other.seconds_parameterize = m_timer.time() - other.seconds_hierarchy;
     summary() = other;
     if (m_pins.size() == 2) {
-      const auto [v, w] = std::pair(m_pins[0], m_pins[1]);
-      move_by_best_similarity({ { map[v.first], v.second }, { map[w.first], w.second } }, *m_rings, m_options.loops(),
-                              map);
+      const auto &v = m_pins[0], &w = m_pins[1];
+      const Similarity_2 similarity = best_similarity({ { map[v.first], v.second }, { map[w.first], w.second } });
+      move_by(similarity, *m_rings, m_options.loops(), map);
     }
     round_and_copy(map, uv);
     is_placed.assign(uv.size(), true);
