@@ -15,7 +15,6 @@
 #include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iostream>

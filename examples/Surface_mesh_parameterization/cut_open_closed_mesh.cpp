@@ -77,9 +77,12 @@ void run(const Arguments& arguments)
       corners[h] = uvmap[target(Seam_mesh::halfedge_descriptor(h), seam_mesh)];
   throw_if_failed({ SMP::pack_charts(mesh, corners) });
 
+  std::size_t handles = 0;
+  for (const SMP::Cut_summary::Component& component : cut.components)
+    handles += component.genus;
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(seam_mesh, uvmap);
   std::printf("%zu handles, %zu seam edges, %zu flips, %zu overlapping pairs, symmetric Dirichlet %.4f\n",
-              cut.components[0].genus, cut.seam_edges, quality.flips, quality.overlaps, quality.symmetric_dirichlet);
+              handles, cut.seam_edges, quality.flips, quality.overlaps, quality.symmetric_dirichlet);
   write_file(output, [&](std::ostream& out) {
     SMP::IO::write_OBJ(out, mesh, corners);
     for (const Mesh::Edge_index e : mesh.edges())

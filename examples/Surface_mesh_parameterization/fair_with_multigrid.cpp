@@ -91,7 +91,7 @@ int main(int argc, char** argv)
 
   const SMP::Linear_solver_summary summary = solver.summary();
   std::cout << region.size() << " vertices: multigrid " << seconds << " s (" << summary.iterations << " iterations, "
-            << summary.direct_solutions << " of 3 solved directly), default solver " << timer.time()
+            << summary.direct_solutions << " of 3 coordinates solved directly), default solver " << timer.time()
             << " s, greatest distance " << std::sqrt(squared_distance) << '\n';
   return 0;
 }

@@ -7,8 +7,8 @@
 // as lines. Without INPUT, a face.
 
 #include "example_utilities.h"
-#include "write_file.h"
 #include "remesher.h"
+#include "write_file.h"
 
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <vector>
 
 // A negative index of a file is a huge one here; it is told as it was.
 void check_indices(const Polygon_soup& soup)

@@ -6,9 +6,9 @@
 #ifndef REPORT_H
 #define REPORT_H
 
+#include <CGAL/Surface_mesh_parameterization/Atlas_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
-#include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 
 #include <cstddef>

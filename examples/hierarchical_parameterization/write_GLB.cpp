@@ -26,7 +26,6 @@
 #include <cstring>
 #include <limits>
 #include <ostream>
-#include <string>
 #include <vector>
 
 namespace {

@@ -27,7 +27,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace test_complex_systems {

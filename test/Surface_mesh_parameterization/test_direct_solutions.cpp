@@ -28,9 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <utility>
-#include <vector>
 
 namespace test_direct_solutions {
 

@@ -149,8 +149,7 @@ struct Flat_corners
 
   std::vector<Index> path(const Point_2& from, const Point_2& to) const
   {
-    return internal::Plane_path(mesh, uv, internal::outer_border(mesh, uv), vertex_at(from), vertex_at(to))
-        .halfedges();
+    return internal::Plane_path(mesh, uv, vertex_at(from), vertex_at(to)).halfedges();
   }
   Index vertex_at(const Point_2& p) const { return Index(std::find(uv.begin(), uv.end(), p) - uv.begin()); }
   double length_of(Index h) const { return length(uv[mesh.source(h)] - uv[mesh.target(h)]); }
@@ -161,7 +160,9 @@ TEST(Plane_path, is_shortest_and_avoids_the_border)
 {
   constexpr Index n = 8;
   const Flat_corners corners(grid(n, n, flat));
-  ASSERT_EQ(internal::outer_border(corners.mesh, corners.uv).size(), std::size_t(4 * n));
+  const internal::Outer_border border = internal::outer_border(corners.mesh, corners.uv);
+  ASSERT_EQ(border.halfedges.size(), std::size_t(4 * n));
+  EXPECT_NEAR(border.area, 1, 1e-12);
   const auto expect_path = [&](const Point_2& from, const Point_2& to, double expected_length) {
     double sum = 0;
     Index v = corners.vertex_at(to);

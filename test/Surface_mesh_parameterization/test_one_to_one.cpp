@@ -28,7 +28,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <string>
-#include <vector>
 
 namespace test_one_to_one {
 

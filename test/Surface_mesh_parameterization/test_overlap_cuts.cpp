@@ -41,7 +41,6 @@
 #include <random>
 #include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace test_overlap_cuts {

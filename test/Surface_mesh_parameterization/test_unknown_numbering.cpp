@@ -24,7 +24,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstddef>
 #include <functional>
 #include <numeric>
 #include <utility>

@@ -39,7 +39,7 @@ public:
   /// called for what it returns
   DistortionEnergy_2 of_area(double area) const;
 
-  /// the energy
+  /// the energy. Its square, and those of the derivatives, should not overflow: above about 1e150 a run ends early
   double value(double f, double d) const;
 
   /// the energy with its first and second derivatives by `f` and `d`

@@ -61,7 +61,8 @@ public:
   ///
   /// A vertex whose place in the plane is given stays on every level, unless it lies on the border between two others.
   ///
-  /// \param surface the surface; move it in to save memory. Precondition: its indices are those of its points
+  /// \param surface the surface; move it in to save memory. Precondition: all its indices are less than
+  ///        `surface.points.size()`
   /// \param np
   /// - `random_seed`: the seed of the random choice of vertices; default 0
   /// - `coarsest_size`: collapse groups are made until a level has at most that many vertices, or until no vertex can
@@ -80,7 +81,7 @@ public:
   {
     internal::assert_names<internal::Names<internal_np::random_seed_t, internal_np::coarsest_size_t,
                                            internal_np::unit_edges_t, internal_np::vertex_is_constrained_t>>(np);
-    CGAL_precondition_msg(!internal::fault_of_hierarchy(np), "coarsest_size is negative");
+    CGAL_precondition_msg(!internal::fault_of_hierarchy(np), "coarsest_size is negative or no number");
     const internal::Hierarchy_options options = internal::hierarchy_options_of(np, surface.points.size());
     build(std::move(surface), options, internal::Loops::of<ConcurrencyTag>());
   }

@@ -17,11 +17,11 @@ namespace CGAL::Surface_mesh_parameterization {
 struct Distortion_derivatives_2
 {
   double value;   ///< the energy
-  double f;       ///< its derivative by the squared Frobenius norm
-  double d;       ///< its derivative by the determinant
-  double ff;      ///< second derivatives
-  double fd;      ///< second derivatives
-  double dd;      ///< second derivatives
+  double f;       ///< its derivative with respect to the squared Frobenius norm `f`
+  double d;       ///< its derivative with respect to the determinant `d`
+  double ff;      ///< its second derivative with respect to `f`
+  double fd;      ///< its mixed second derivative, with respect to `f` and `d`
+  double dd;      ///< its second derivative with respect to `d`
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -188,7 +188,7 @@ public:
   /// @{
 
   /// parameterizes the connected component of `mesh` that contains `bhd`. The free function
-  /// `parameterize(mesh, parameterizer, bhd, uvmap)` calls it with maps of its own for the last two.
+  /// `parameterize(mesh, parameterizer, bhd, uvmap)` makes `vimap` and `vpmap` itself.
   ///
   /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex. It is only read; that of a
   ///        parameterizer whose own `parameterize()` takes a mesh that is not `const`, too
@@ -254,7 +254,8 @@ public:
 
   /// tells the same of the map of some faces.
   ///
-  /// \param face_range the faces; one that is no triangle has no one-to-one map
+  /// \param face_range the faces, each once, in a range that can be run through several times; one that is no triangle
+  ///        has no one-to-one map
   template <class FaceRange, class VertexUVMap>
   bool is_one_to_one_mapping(const Triangle_mesh& mesh, const FaceRange& face_range, VertexUVMap uvmap) const;
 

@@ -92,9 +92,9 @@ public:
   /// whether the level is the input
   bool is_finest() const { return m_index + 1 == hierarchy().number_of_levels(); }
 
-  /// whether the map of the level only has to be a good start: for that of a finer level, or as a draft of one that may
-  /// be given up. Where a draft of the finest level shows that it is not, the method is called again, from the same
-  /// start
+  /// whether the map of the level only has to be a good start: for that of a finer level, or, on the finest level, as a
+  /// draft of a map that may be given up. If the draft turns out to be worth it, the method is called again from the
+  /// same start, to finish the map
   bool is_draft() const { return m_is_draft || !is_finest(); }
 
   /// number of vertices: their ranks are the numbers below it

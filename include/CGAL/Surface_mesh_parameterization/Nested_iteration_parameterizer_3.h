@@ -80,7 +80,7 @@ public:
   /// - `fill_holes`: whether every border except the outer one is closed by a virtual vertex in its middle, so that a
   ///   hole is mapped like a part of the surface; default `false`: holes are open in the result, but flip-free methods
   ///   start from a map with filled holes where small ones are many, or with cracks closed
-  /// - `flip_policy`: a `Flip_policy`: the treatment of flips; default `REPAIR`
+  /// - `flip_policy`: a `Flip_policy`: the treatment of flips; default `REPAIR`; flip-free methods do not need it
   /// - `overlap_bound`: of methods that keep borders apart: the greatest part of the triangles, counted by their
   ///   centroids, that may lie over others in the map without that constraint if borders are to be kept apart. Where
   ///   more do, that map is the result, or a draft of it that has not `converged`, see `Level::is_draft()`: it is to be

@@ -24,7 +24,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// sequence, vertex by vertex or level by level. The vertices of the mesh with `k` vertices have the ranks from 0
 /// to `k - 1`. The triangles keep their ranks, too.
 ///
-/// It takes about as much memory as the triangles of the input, twice. The hierarchy must outlive it.
+/// It takes about twice the memory of the input's triangles. The hierarchy must outlive it.
 class Progressive_mesh_3
 {
 public:

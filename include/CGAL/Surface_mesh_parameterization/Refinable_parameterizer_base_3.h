@@ -90,8 +90,8 @@ protected:
 
   /// \param np the named parameters of a flat run, which hold in an adaptor, too, that is not told otherwise:
   ///        `flip_policy`, `fill_holes` and `summary`, a `std::reference_wrapper<Parameterization_summary>` that must
-  ///        live as long as either runs; of a method that has `holds_vertices`, `vertex_is_constrained_map` and
-  ///        `position_weight_map`, see `Nested_iteration_parameterizer_3`
+  ///        live as long as either runs; and, where the method has what they need, `initial_map`, `overlap_bound`,
+  ///        `vertex_is_constrained_map` and `position_weight_map`, see `Nested_iteration_parameterizer_3`
   template <class NamedParameters>
   explicit Refinable_parameterizer_base_3(const NamedParameters& np)
     : m_setup(internal::run_setup_of<Method, Triangle_mesh>(np))

@@ -55,10 +55,11 @@ struct Refinement_options
   std::size_t number_of_iterations = 200;
 
   /// named parameter `number_of_local_steps`: if it is not 0, every level gets exactly this number of random vertex
-  /// visits, and the parameters above have no effect: the experiment of the paper
+  /// visits, and the parameters above have no effect, though their values are checked: the experiment of the paper
   std::size_t number_of_local_steps = 0;
 
-  /// named parameter `triangle_weight`
+  /// named parameter `triangle_weight`: what the energy of a triangle counts in the sum. The default is that of MIPS;
+  /// `Symmetric_Dirichlet_parameterizer_3` has `AREA`
   Triangle_weight triangle_weight = Triangle_weight::ONE;
 
   /// named parameter `globally_injective`: whether the borders of the map are kept from meeting, so that the map is

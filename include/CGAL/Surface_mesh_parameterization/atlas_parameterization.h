@@ -109,8 +109,12 @@ Atlas read_atlas(const TriangleMesh& mesh, EdgeSeamMap seams, const Atlas_option
 ///        `CGAL::Parallel_tag` of several at the same time, in their threads; if it stops one, no other one begins, and
 ///        there is no atlas. It is not asked while the surface is cut and while charts are packed
 ///
-/// \return what was done, with the first error. It is `ERROR_WRONG_PARAMETER` where a number is out of its bounds, or
-///         `unit_square` is `false` and a coordinate would be infinite: then nothing is written
+/// \return what was done, with the first error:
+/// - `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, or `ERROR_WRONG_PARAMETER` where a number is out of its bounds, a
+///   point is not finite, or `unit_square` is `false` and a coordinate would be infinite: nothing is written
+/// - `ERROR_STOPPED`, by the visitor: nothing is written
+/// - any other one is that of the first chart without a map, see `Atlas_summary::charts`: the maps of the others are
+///   written
 template <template <class...> class Method = Symmetric_Dirichlet_parameterizer_3, class ConcurrencyTag = Sequential_tag,
           class TriangleMesh, class HalfedgeUVMap, class NamedParameters = parameters::Default_named_parameters,
           class Chart_parameters = parameters::Default_named_parameters>
@@ -147,7 +151,7 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
 
     if (result.error.code != ERROR_STOPPED) {
       if (options.least_used_part > 0)
-        internal::divide_charts(atlas, has_map, options.pack, options.least_used_part, result);
+        internal::divide_charts_of_summary(atlas, has_map, options.pack, options.least_used_part, result);
       typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
       internal::pack(atlas, has_map, options.pack, internal::rounding_to<User_point_2>(atlas.scale_exponent),
                      result);

@@ -91,7 +91,7 @@ inline Parameterization_quality quality(const Atlas& atlas, const std::vector<In
 // That of so many faces whose places are not known.
 inline Parameterization_quality quality_of_no_map(std::size_t number_of_faces)
 {
-  const Point_2 p = Mapped_triangle::nowhere();
+  const Point_2 p = nowhere();
   const Mapped_triangle nowhere({}, { p, p, p });
   Quality_sums sums{ Unit_scale() };
   for (std::size_t i = 0; i < number_of_faces; ++i)
@@ -116,7 +116,7 @@ std::vector<Index> read_map(const TriangleMesh& mesh, const FaceRange& face_rang
   std::vector<Point_2> corners;
   for_each_corner(mesh, [&](auto h, Index i) {
     if (!get(is_measured, face(h, mesh))) {
-      corners.push_back(Mapped_triangle::nowhere());      // shares no place with a neighbor
+      corners.push_back(nowhere());      // shares no place with a neighbor
       return;
     }
     corners.push_back(to_point_2(get(uvmap, h)));
@@ -137,7 +137,7 @@ std::vector<Index> read_map(const TriangleMesh& mesh, const FaceRange& face_rang
 /// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; of one that is not
 ///        triangulated, or whose coordinates are not all finite, every face counts as flipped. Of a `Seam_mesh`, the
 ///        mesh that it cuts
-/// \param face_range the faces to measure
+/// \param face_range the faces to measure, each once: a range that can be run through several times
 /// \param uvmap a readable property map from halfedges to points of the plane: the place of the corner to which a
 ///        halfedge leads in its face
 template <class TriangleMesh, class FaceRange, class HalfedgeUVMap>

@@ -31,7 +31,8 @@ struct Cut_summary
     std::size_t genus = 0;            ///< number of handles before the cut
     std::size_t borders = 0;          ///< number of borders before the cut
     std::size_t branches = 0;         ///< of the seam, to places of great distortion
-    double distortion = 0;            ///< the mean symmetric Dirichlet energy as far as it was looked for; else 0
+    double distortion = 0;            ///< the mean symmetric Dirichlet energy of the draft of a map that the search for
+                                      ///< branches makes; 0 if there was no search
   };
 
   Parameterization_error error;             ///< what went wrong, and where

@@ -56,7 +56,7 @@ inline std::string error_message(const Parameterization_error& error)
 
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
-/// describes an error code in words, for functions that return no more: the cause in this package. Other than CGAL's
+/// describes an error code in words, for functions that return no more: the cause in this package. Unlike CGAL's
 /// `get_error_message()` it knows every code.
 inline std::string error_message(Error_code code)
 {

@@ -23,7 +23,6 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {

@@ -11,7 +11,6 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <memory>
 #include <type_traits>
 #include <vector>

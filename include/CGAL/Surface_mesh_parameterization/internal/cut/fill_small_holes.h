@@ -4,7 +4,6 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_FILL_SMALL_HOLES_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_FILL_SMALL_HOLES_H
 
-#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 

@@ -10,7 +10,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/cut/handle_cut.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 #include <utility>
 

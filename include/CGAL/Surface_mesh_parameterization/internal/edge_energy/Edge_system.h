@@ -12,7 +12,6 @@
 
 #include <CGAL/Bbox_2.h>
 
-#include <cstddef>
 #include <functional>
 #include <vector>
 

@@ -9,7 +9,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/fixed_places.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 #include <vector>
 

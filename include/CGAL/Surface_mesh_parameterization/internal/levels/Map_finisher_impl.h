@@ -8,7 +8,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
-#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/scale_of_area.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Map_finisher.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/move_to_places.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
@@ -16,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -154,7 +152,7 @@ Error_code Map_finisher::round(const Level& level, Level::Uv& uv)
                        !(must_stay_apart && crosses_itself());
   if (is_good)
     return OK;
-  if (std::all_of(uv.begin(), uv.end(), [](const Point_2& p) { return is_finite(p); }))
+  if (are_finite(uv))
     return ERROR_NO_1_TO_1_MAPPING;
   m_summary.error.cause = cause_of_overflow;
   return ERROR_WRONG_PARAMETER;

@@ -65,7 +65,7 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
         (must_hold_places || find_start_at_scale_of_places(hierarchy) ||
          (!attempt.is_finished() && prepare_another_way(hierarchy)));
     if (m_progress.is_stopped())
-      m_summary.error.code = ERROR_STOPPED;
+      m_summary.error = { ERROR_STOPPED, Parameterization_error::NOWHERE, 0 };
     if (!has_another_way || m_progress.is_stopped())
       return m_summary.error.code;
     surface = input_surface(hierarchy);

@@ -27,7 +27,7 @@ inline double space_border_length(const Level& level, const std::vector<Index>& 
 {
   double length = 0;
   for (std::size_t i = 0; i < border.size(); ++i)
-    length += space_edge_length(level, border[i], border[(i + 1) % border.size()]);
+    length += space_edge_length(level, border[i], border[next_in_cycle(i, border.size())]);
   return length;
 }
 
@@ -41,7 +41,7 @@ inline void place_on_circle(const Level& level, const std::vector<Index>& border
   std::vector<double> arc(1, 0.);
   for (std::size_t i = 0; i < border.size(); ++i)
     arc.push_back(arc.back() +
-                  (std::max)(shortest, space_edge_length(level, border[i], border[(i + 1) % border.size()])));
+                  (std::max)(shortest, space_edge_length(level, border[i], border[next_in_cycle(i, border.size())])));
   for (std::size_t i = 0; i < border.size(); ++i) {
     const double angle = 2 * CGAL_PI * arc[i] / arc.back();
     uv[border[i]] = Point_2(std::cos(angle), std::sin(angle));

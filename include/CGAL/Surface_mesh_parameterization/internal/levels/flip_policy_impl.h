@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -28,11 +27,6 @@ inline std::vector<Point_2> mirrored(std::vector<Point_2> uv)
 {
   mirror(uv);
   return uv;
-}
-
-inline bool are_finite(const std::vector<Point_2>& uv)
-{
-  return std::all_of(uv.begin(), uv.end(), [](const Point_2& p) { return is_finite(p); });
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -81,9 +75,10 @@ inline bool is_mostly_mirrored(const One_rings& rings, const std::vector<Point_2
 {
   double greatest = 0, sum = 0;      // of what borders enclose, negative if they are clockwise; doubled
   for (const std::vector<Index>& border : rings.borders()) {
-    double area = 0;
-    for (std::size_t i = 0; i < border.size(); ++i)
-      area += doubled_area(uv[border[0]], uv[border[i]], uv[border[next_in_cycle(i, border.size())]]);
+    std::vector<Point_2> polygon;
+    for (const Index v : border)
+      polygon.push_back(uv[v]);
+    const double area = doubled_area(polygon);
     sum += std::abs(area);
     if (std::abs(area) > std::abs(greatest))
       greatest = area;

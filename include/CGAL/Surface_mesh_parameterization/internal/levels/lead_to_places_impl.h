@@ -10,7 +10,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -34,7 +33,7 @@ void go_to_places(const Level_energy& energy, Level::Uv& uv)
   const std::vector<Triangulated_surface_3::Spring> pulled = springs(level);
   if (fixed.size() + pulled.size() < level.number_of_vertices())
     return;
-  Level::Uv places(level.number_of_vertices(), Point_2(std::numeric_limits<double>::quiet_NaN(), 0));
+  Level::Uv places(level.number_of_vertices(), nowhere());
   for (const Triangulated_surface_3::Spring& spring : pulled)
     places[spring.vertex] = spring.place;
   for (const Index v : fixed)

@@ -27,7 +27,6 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -192,9 +191,8 @@ bool make_start_if_readable(Make_starting_map make_starting_map, bool must_mirro
                             Mesh_component<TriangleMesh>& component, VertexUVMap uvmap, std::vector<Point_2>& start)
 {
   if constexpr (Readable_uv_map_check<VertexUVMap, TriangleMesh>::value) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     start = read_map(component, component.surface().scale_exponent, uvmap);
-    start.resize(component.surface().points.size(), Point_2(nan, nan));      // where holes were filled
+    start.resize(component.surface().points.size(), nowhere());      // where holes were filled
     if (must_mirror)
       mirror(start);
     if (!make_starting_map(component.surface(), loops, start))

@@ -54,8 +54,10 @@ public:
       Row row = prolongation.row(u.vertex);
       for (int k = 0; k < Pruned_prolongation::row_size; ++k) {
         row.columns[k] = number[components * row.columns[k] + u.component];
-        if (row.columns[k] == no_index)
-          row.columns[k] = 0, row.weights[k] = 0;
+        if (row.columns[k] == no_index) {
+          row.columns[k] = 0;
+          row.weights[k] = 0;
+        }
       }
       m_rows.push_back(row);
     }

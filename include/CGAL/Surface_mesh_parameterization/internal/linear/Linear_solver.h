@@ -20,53 +20,49 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+// Residuals are relative to that of the free unknowns at 0, with rows scaled to unit diagonal.
 struct Linear_solver_options
 {
-  // Of the residual, relative to that of the free unknowns at 0; rows scaled to unit diagonal. What is less than the
-  // rounding error counts as that.
-  double tolerance = 1e-10;
-  // Once it is below the tolerance, the residual goes on to this times the tolerance, or to what rounding leaves, as
-  // long as so many steps in a row halve it; bi-conjugate gradients take two steps in an iteration.
+  // When an iteration ends.
+  double tolerance = 1e-10;             // for the residual, or for the rounding error if that is greater
+  // Once it is below the tolerance, the residual goes on to this times the tolerance, as long as so many steps in a row
+  // halve it; bi-conjugate gradients take two steps in an iteration.
   double aim = 1;
   int patience_below_tolerance = 4;
   std::size_t most_iterations = 300;
-  // Rounding lets the residual that an iteration carries along drift away from the true one: then it starts again from
-  // there, at most so often.
-  int most_starts = 3;
-  // The most iterations in which the residual is not halved: of an indefinite matrix it may wander about for ever.
-  int patience = 60;
-  // The same of minimal residuals, for matrices that are neither symmetric nor diagonally dominant, which never grow;
-  // and the most iterations for which they keep two vectors each, before they start again.
+  int patience = 60;                    // iterations that do not halve the residual; an indefinite matrix may have many
+  double rounding_error = 1e-15;        // a backward error of the free unknowns that is as good as the tolerance
+  int most_starts = 3;                  // from the true residual, when rounding has let the carried one drift away
+
+  // Minimal residuals, for matrices that are neither symmetric nor diagonally dominant.
   int patience_of_minimal_residuals = 10;
-  std::size_t most_residuals = 40;
-  // An iteration may come as near to the solution as rounding allows, and its residual stay above the tolerance: then
-  // the backward error of the free unknowns is below this.
-  double rounding_error = 1e-15;
-  // Of a solution without iteration: of a nearly singular matrix, none has a residual below the tolerance.
-  double worst_backward_error = 1e-10;
-  // The relative residual, as above, of such solutions. Of a matrix that is regular only by rounding, the solution is
-  // huge: next to its terms any residual is small, and the backward error tells nothing.
-  double worst_residual = 1e-3;
-  // After so many iterations, or when half of the patience is gone, one right side has K-cycles: they take about three
-  // times as long, but where an energy hardly changes with conformal motions, as that of least squares conformal maps,
-  // they save more than that in the end.
+  std::size_t most_residuals = 40;      // iterations until a restart; each one keeps two vectors
+
+  // After so many iterations, or half of the patience, one right side gets K-cycles. They take about three times as
+  // long, but save more than that where an energy hardly changes with conformal motions, as in least squares conformal
+  // maps.
   std::size_t most_v_cycles = 100;
-  Loops loops;                // of the solver
-  bool has_grids = true;      // else matrices are solved without multigrid
-  // A matrix is solved without multigrid if more than so many rows are wild, or more than one of so many: the entries
-  // beside the diagonal have a sum of absolute values that is greater than this, relative to the diagonal. Each one
-  // takes a few iterations.
-  double greatest_row_sum = (std::numeric_limits<double>::infinity)();
+
+  // When a matrix is solved without multigrid. A row is wild if the absolute values beside its diagonal sum up to more
+  // than a factor times the diagonal; each one costs a few iterations.
+  bool has_grids = true;
+  double greatest_row_sum = (std::numeric_limits<double>::infinity)();      // that factor
   std::size_t most_wild_rows = 40;
   std::size_t rows_for_a_wild_one = 300;
-  // After so many matrices in a row that multigrid has tried to solve in vain, the next ones are solved without it.
-  std::size_t most_vain_matrices = (std::numeric_limits<std::size_t>::max)();
-  // For what multigrid does not solve, and to be checked: if its residual is above the tolerance, a factorization takes
-  // over. Null: a factorization at once.
+  std::size_t most_vain_matrices = (std::numeric_limits<std::size_t>::max)();     // tried in a row and not solved
+
+  // Solutions without iteration: of a nearly singular matrix, none has a residual below the tolerance. Of one that is
+  // regular by rounding only, they are huge, so that their backward error is small whatever they are.
+  double worst_backward_error = 1e-10;
+  double worst_residual = 1e-3;
+  // Solves what multigrid does not solve; if the result has a residual above the tolerance, or if this is null, a
+  // factorization does.
   Make_direct_solver make_direct_solver = nullptr;
   bool may_solve_directly = true;       // if not, what multigrid does not solve stays unsolved
+
+  Loops loops;
   Run_progress* progress = nullptr;     // is told of each iteration, and may end them unsolved; may be null
-  double part_of_rest = 0.9;            // of the progress's run: a solution takes so much of what is left, more or less
+  double part_of_rest = 0.9;            // of the progress's run: what a solution takes of the rest, more or less
 };
 
 inline bool is_stopped(const Linear_solver_options& options)

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {

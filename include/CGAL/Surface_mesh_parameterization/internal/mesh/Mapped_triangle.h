@@ -49,12 +49,6 @@ struct Mapped_triangle
       uv.fill(nowhere());
   }
 
-  static Point_2 nowhere()
-  {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    return Point_2(nan, nan);
-  }
-
   bool is_finite() const
   {
     return std::all_of(uv.begin(), uv.end(), [](const Point_2& p) { return internal::is_finite(p); });

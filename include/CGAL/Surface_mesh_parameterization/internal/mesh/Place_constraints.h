@@ -8,7 +8,6 @@
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/core/detection.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
@@ -102,10 +101,7 @@ inline bool is_border_mirrored(const Triangulated_surface_3& surface)
   for (std::size_t i = 0; i < at.size(); ++i)
     if ((i + 1 == at.size() ? at[0] + length : at[i + 1]) - at[i] > 0.5 * length)
       return false;
-  double area = 0;
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    area += doubled_area(polygon[0], polygon[i], polygon[i + 1]);
-  return area > 0;
+  return doubled_area(polygon) > 0;
 }
 
 // Whether more triangles of a map are negative than positive, or as many and the border is mirrored.

@@ -41,7 +41,8 @@ public:
           std::make_unique<Border_barrier>(m_level, m_options.newton.barrier_stiffness * m_energy.mean_weight());
   }
 
-  // Energies are reported as the sum over the triangles, or as the mean over the area if triangles are weighted so.
+  // Energies are reported in the unit of the level's energy: as the sum over the triangles, as the mean over the area
+  // if triangles are weighted so, or as the method says.
   // Returns `OK`, `ERROR_STOPPED` if a visitor stopped the run, or `GIVEN_UP` if keeping borders apart is in vain.
   Error_code run()
   {

@@ -105,7 +105,7 @@ private:
     m_accuracy.most_cycles = step.length >= 1 ? m_options.most_cycles : m_options.most_cycles_after_short_step;
     if (step.length > 0 && m_energy.is_flip_free())
       m_accuracy.forcing =
-          (std::max)(m_options.least_forcing, (std::min)(m_options.part_of_prediction_error * error_of_prediction(step),
+          (std::max)(m_options.least_forcing, (std::min)(m_options.forcing_per_error * error_of_prediction(step),
                                                          m_options.greatest_forcing));
   }
 

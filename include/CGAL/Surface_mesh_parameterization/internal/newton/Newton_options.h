@@ -8,55 +8,53 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// What Newton's method takes for granted unless it is told otherwise.
+// Constants of Newton's method.
+//
+// "Forcing" is the accuracy of a linear system: its solution is good enough when one more cycle lowers the quadratic
+// model by less than this part of what all cycles have lowered it by.
 struct Newton_options
 {
-  // The linear system. Conjugate gradients stop when the residual has fallen by the factor `residual_reduction`, or a
-  // cycle lowers the quadratic model by less than a part of what all have lowered it by, or after so many cycles: few
-  // unless the last step was in full length. The part is that factor of the error of the model's prediction in the last
-  // step, within the bounds, where energies keep triangles positive. The last steps to a minimum need exact solutions.
-  double part_of_prediction_error = 0.3, least_forcing = 0.01, greatest_forcing = 0.05, forcing_with_flips = 1e-3;
-  double residual_reduction = 1e-4, forcing_of_last_steps = 1e-8;
-  std::size_t most_cycles = 60, most_cycles_after_short_step = 10;
-  // The coarse grids of an earlier map serve as long as they need no more cycles than these: to make them costs as much
-  // as three. A finest level without coarse grids has its matrix factorized for each map: what the factors of an
-  // earlier one miss is little enough in a cycle to be taken for convergence.
+  // The linear system.
+  double forcing_per_error = 0.3;           // relative to the error of the model in the last step; see the bounds
+  double least_forcing = 0.01;              // of energies that keep triangles positive
+  double greatest_forcing = 0.05;           // of these, too, and in their first step
+  double forcing_with_flips = 1e-3;         // of energies that allow flips
+  double forcing_of_last_steps = 1e-8;      // of last_step()
+  double residual_reduction = 1e-4;         // a residual so much less than at the start is good enough as well
+  std::size_t most_cycles = 60;             // of a system, after a step in full length
+  std::size_t most_cycles_after_short_step = 10;
+
+  // When the coarse grids are made anew, at the cost of about three cycles: where those of an earlier map needed more
+  // cycles than the first number, unless the model of that map missed the decrease by no more than the second.
   std::size_t most_cycles_without_setup = 8;
-  // They serve for the next map, too, after a step whose decrease was off from the model's by no more than this part:
-  // then the model has hardly changed.
   double greatest_error_without_setup = 0.03;
-  // The part of what makes the Hessian indefinite that is kept at first, where it is kept: of energies that keep
-  // triangles positive, and of others.
-  double indefinite_part = 0.5, indefinite_part_with_flips = 0.95;
-  // It is kept after a step in full length that lowered the energy by this part at least of what the model said.
-  double least_part_of_prediction = 0.5;
-  // After a step that lowered it by more than this part, half of the rest is kept, too.
-  double great_part_of_prediction = 1.05;
-  // Of a spring that holds a fixed vertex, relative to its triangles.
-  double stiffness_of_fixed_vertex = 1e12;
-  // Where the step and the one before span less of the plane than this, relative to their lengths, they are not
-  // combined.
+
+  // The Hessian: the part of what makes it indefinite that is kept, in the first step and wherever that serves.
+  double indefinite_part = 0.5;             // of energies that keep triangles positive
+  double indefinite_part_with_flips = 0.95;
+  double least_part_of_prediction = 0.5;    // of the model's decrease that a step has to reach, or nothing is kept next
+  double great_part_of_prediction = 1.05;   // a step that reaches more lets half of the rest be kept next
+
+  double stiffness_of_fixed_vertex = 1e12;  // of the spring that holds it, relative to its diagonal block
+  // The determinant, relative to the product of its diagonal, from which on a step is combined with the one before.
   double least_relative_determinant = 1e-10;
 
-  // The line search. A step ends at this part of the way to the first triangle that vanishes, and must lower the energy
-  // by that part of what the slope promises.
-  double part_of_longest_step = 0.9, sufficient_decrease = 1e-4;
-  // A step that lowers the energy by less than this part of what the model said has gone too far.
-  double poor_part_of_prediction = 0.3;
-  // One that lowers it by more than this part has not gone far enough, where borders are kept apart.
-  double good_part_of_prediction = 1.2;
+  // The line search.
+  double part_of_longest_step = 0.9;        // of the way to the first triangle that vanishes
+  double sufficient_decrease = 1e-4;        // of what the slope promises for a step
+  double poor_part_of_prediction = 0.3;     // of the model's decrease: a step that reaches less is tried shorter
+  double good_part_of_prediction = 1.2;     // one that reaches more is tried longer, where borders are kept apart
   int most_halvings = 12;
-  // A step that was cut short, and whose direction took so many cycles, is bent. That takes up to so many cycles more,
-  // and a difference of this part of the step or of the way to the first triangle that vanishes.
-  std::size_t least_cycles_before_bend = 12, most_cycles_of_bend = 3;
-  double difference_for_bend = 0.01;
 
-  // Of the barrier that keeps borders apart, relative to the mean weight of a triangle.
-  double barrier_stiffness = 0.3;
+  // The bend of steps that were cut short.
+  std::size_t least_cycles_before_bend = 12;    // that the direction took
+  std::size_t most_cycles_of_bend = 3;          // that the bend may take
+  double difference_for_bend = 0.01;            // of finite differences, relative to the longest step, at most 1
 
-  // The barrier at the full turn comes into being when a step would pass it. Then it may cost that part of what the
-  // step promised; it is lowered by the factor where there is no more than its cost to be gained.
-  double first_slack = 1, decrease_of_slack = 0.3;
+  // The barriers.
+  double barrier_stiffness = 0.3;           // of that between borders, relative to the mean weight of a triangle
+  double first_slack = 1;                   // what that at the full turn may cost, relative to what the step promised
+  double decrease_of_slack = 0.3;           // its factor where no more than its cost is left to gain
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

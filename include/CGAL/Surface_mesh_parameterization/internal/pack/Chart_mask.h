@@ -9,7 +9,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Bitmap.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {

@@ -15,20 +15,22 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The halfedges of the border that encloses the greatest area in the plane.
-inline std::vector<Index> outer_border(const Corner_mesh& mesh, const std::vector<Point_2>& uv)
+// The border that encloses the greatest area in the plane.
+struct Outer_border
 {
-  std::vector<Index> result;
-  double greatest_area = 0;
+  std::vector<Index> halfedges;
+  double area = 0;
+};
+
+inline Outer_border outer_border(const Corner_mesh& mesh, const std::vector<Point_2>& uv)
+{
+  Outer_border result;
   for (std::vector<Index>& border : borders(mesh)) {
-    double area = 0;
+    std::vector<Point_2> polygon;
     for (const Index h : border)
-      area += 0.5 * cross(uv[mesh.source(h)] - uv[mesh.source(border[0])],
-                          uv[mesh.target(h)] - uv[mesh.source(border[0])]);
-    if (area > greatest_area) {
-      greatest_area = area;
-      result = std::move(border);
-    }
+      polygon.push_back(uv[mesh.target(h)]);
+    if (const double area = 0.5 * doubled_area(polygon); area > result.area)
+      result = { std::move(border), area };
   }
   return result;
 }
@@ -39,15 +41,15 @@ inline std::vector<Index> outer_border(const Corner_mesh& mesh, const std::vecto
 class Plane_path
 {
 public:
-  Plane_path(const Corner_mesh& mesh, const std::vector<Point_2>& uv, const std::vector<Index>& outer_border,
-             Index start, Index goal)
+  Plane_path(const Corner_mesh& mesh, const std::vector<Point_2>& uv, Index start, Index goal)
     : m_mesh(mesh), m_uv(uv), m_start(start), m_goal(goal), m_is_on_outer_border(mesh.number_of_vertices(), false),
       m_leaving(mesh.number_of_vertices()), m_queue(mesh.number_of_vertices()),
       m_last_halfedge(mesh.number_of_vertices(), no_index)
   {
-    for (const Index h : outer_border)
+    const Outer_border border = outer_border(mesh, uv);
+    for (const Index h : border.halfedges)
       m_is_on_outer_border[mesh.target(h)] = true;
-    m_has_holes = outer_border.size() < find_leaving_halfedges();
+    m_has_holes = border.halfedges.size() < find_leaving_halfedges();
     run();
   }
 

@@ -16,24 +16,29 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 struct Division_options
 {
-  double least_used_part = 0;               // of the square, up to which charts are divided
+  double least_used_part = 0;               // of the square: the aim
   std::size_t most_divisions = 50;
-  std::size_t most_packings = 10, most_trials = 200;        // to see how much is used
-  std::size_t most_charts = 200;            // more are not divided: no single one leaves much empty
+  std::size_t most_packings = 10;           // to see how much is used
+  std::size_t most_trials = 200;            // of each packing
+  std::size_t most_charts = 200;            // of an atlas: if there are more, no single one leaves much empty
+  // What charts have to cover of the boxes around them before they are packed, in parts of `least_used_part`; and
+  // absolutely, if that is less.
+  double least_part_of_boxes = 0.9, greatest_part_of_boxes = 0.7;
+
+  // A cut. Areas are relative to that of all charts, lengths to the root of that.
   std::size_t most_places = 200;            // on the border of a chart, between which cuts are tried
-  double least_part_of_chart = 0.02;        // on each side of a cut
-  double least_gain = 0.005;                // of the area of all charts: by how much boxes around charts become smaller
-  double cost_of_length = 0.2;              // of a cut as long as the root of that area, as a part of that area
-  double greatest_length = 1.2;             // of a box, of the side of the square; longer ones should be cut
-  // When no cut gains more than it costs, both become less, so often and by these factors.
+  double least_part_of_chart = 0.02;        // the area on each side, relative to the chart
+  double least_gain = 0.005;                // of the area of boxes
+  double cost_of_length = 0.2;              // the area that a cut of length 1 has to gain
+  double greatest_length = 1.2;             // of a box, in sides of the square: longer ones should be cut
+
+  // When no cut gains more than it costs, cost and length change by these factors, so many times.
   std::size_t most_changes = 4;
   double change_of_cost = 0.5, change_of_length = 0.9;
-  // Then, so often, a part is cut although that makes boxes no smaller, since further cuts may, as of a frame. Of what
-  // the part's outer border encloses so much is left on each side, and what is used has to grow by so much for a cut.
+  // Then, so many times, a part is cut although that makes boxes no smaller, since further cuts may, as of a frame.
   std::size_t most_losses = 8;
-  double least_part_at_loss = 0.3, least_growth_at_loss = 0.01;
-  // What charts cover of the boxes around them before they are packed, as a part of `least_used_part`, and no more.
-  double least_part_of_boxes = 0.9, greatest_part_of_boxes = 0.7;
+  double least_part_at_loss = 0.3;          // the area on each side, relative to what the outer border encloses
+  double least_growth_at_loss = 0.01;       // of the used part by each cut
 };
 
 // Divides charts of an atlas that have a map until they fill the square well enough if they are packed as the options

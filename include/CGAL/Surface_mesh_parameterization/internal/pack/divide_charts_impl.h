@@ -104,7 +104,7 @@ private:
   // The same that leaves such an area of what the outer border encloses on each side, whatever that gains.
   void find_cut(Divided_part& part, double least_area) const
   {
-    const std::vector<Index> border = outer_border(part.mesh, part.uv);
+    const std::vector<Index> border = outer_border(part.mesh, part.uv).halfedges;
     std::vector<Index> places;
     std::vector<Point_2> polygon;
     for (std::size_t i = 0; i < border.size(); i += border.size() / m_options.most_places + 1) {
@@ -168,24 +168,14 @@ private:
     std::sort(parts.rbegin(), parts.rend());
     return std::any_of(parts.begin(), parts.end(), [&](const auto& p) {
       Divided_part& part = m_parts[p.second];
-      find_cut(part, m_options.least_part_at_loss * enclosed_area(part));
+      find_cut(part, m_options.least_part_at_loss * outer_border(part.mesh, part.uv).area);
       return part.start != no_index && divide(part);
     });
   }
 
-  static double enclosed_area(const Divided_part& part)
-  {
-    double doubled = 0;
-    const Point_2& first = part.uv[0];
-    for (const Index h : outer_border(part.mesh, part.uv))
-      doubled += cross(part.uv[part.mesh.source(h)] - first, part.uv[part.mesh.target(h)] - first);
-    return 0.5 * doubled;
-  }
-
   bool divide(Divided_part& part)
   {
-    const std::vector<Index> cut =
-        Plane_path(part.mesh, part.uv, outer_border(part.mesh, part.uv), part.start, part.goal).halfedges();
+    const std::vector<Index> cut = Plane_path(part.mesh, part.uv, part.start, part.goal).halfedges();
     std::vector<Divided_part> sides;
     for (Chart_part& side : sides_of(part, cut))
       static_cast<Chart_part&>(sides.emplace_back()) = std::move(side);
@@ -231,8 +221,10 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 std::vector<std::size_t> divide_charts(Atlas& atlas, const std::vector<bool>& has_map, const Pack_options& pack_options,
                                        const Division_options& options)
 {
+  std::vector<std::size_t> result(atlas.charts.size());
+  std::iota(result.begin(), result.end(), std::size_t(0));
   if (atlas.charts.size() > options.most_charts)
-    return {};
+    return result;
   Chart_divider divider(atlas, has_map, pack_options, options);
   divider.run();
   const std::vector<std::size_t> old_chart_of_face = chart_of_face(atlas);
@@ -240,7 +232,7 @@ std::vector<std::size_t> divide_charts(Atlas& atlas, const std::vector<bool>& ha
   for (const Index h : divider.seam())
     atlas.sever(h);
   split_charts(corners, atlas);
-  std::vector<std::size_t> result;
+  result.clear();
   for (const std::vector<Index>& faces : atlas.charts)
     result.push_back(old_chart_of_face[faces.front()]);
   return result;

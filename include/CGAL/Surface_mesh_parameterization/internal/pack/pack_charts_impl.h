@@ -16,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -71,8 +70,14 @@ inline Grid_packer::Plan make_plan(const Grid_packer& packer, const Large_charts
   return plan;
 }
 
-// Packs several charts. The margin is a part of the side. Returns the side, and the distance that charts have.
-inline std::pair<double, double> pack_on_grid(std::vector<Flat_chart>& charts, const std::vector<double>& areas,
+struct Grid_packing
+{
+  double side;          // of the square
+  double distance;      // between charts
+};
+
+// Packs several charts. The margin is a part of the side.
+inline Grid_packing pack_on_grid(std::vector<Flat_chart>& charts, const std::vector<double>& areas,
                                               double margin, const Pack_options& options)
 {
   const double root = std::sqrt(double(charts.size()));
@@ -125,18 +130,18 @@ Packing pack_charts(std::vector<Flat_chart>& charts, const Pack_options& options
     for (Point_2& p : chart.points)
       p = p - first;
   }
-  double side, distance;
+  Grid_packing packing;
   if (charts.size() == 1) {
-    side = put_in_square(charts[0].points, margin);
-    distance = margin * side;
+    packing.side = put_in_square(charts[0].points, margin);
+    packing.distance = margin * packing.side;
   } else {
     for (Flat_chart& chart : charts)
       straighten(chart.points);
-    std::tie(side, distance) = pack_on_grid(charts, areas, margin, options);
+    packing = pack_on_grid(charts, areas, margin, options);
   }
-  if (!std::isfinite(side))
+  if (!std::isfinite(packing.side))
     return {};
-  return { side, total_area / (side * side), distance };
+  return { packing.side, total_area / (packing.side * packing.side), packing.distance };
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

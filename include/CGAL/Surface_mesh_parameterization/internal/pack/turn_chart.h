@@ -91,7 +91,7 @@ inline std::vector<Vector_2> directions_of_edges(const std::vector<Point_2>& pol
   std::vector<Vector_2> result;
   const std::size_t step = polygon.size() / most_directions + 1;
   for (std::size_t i = 0; i < polygon.size(); i += step) {
-    const Vector_2 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+    const Vector_2 edge = polygon[next_in_cycle(i, polygon.size())] - polygon[i];
     if (const double length = std::sqrt(edge.squared_length()); length > 0)
       result.emplace_back(edge.x() / length, -edge.y() / length);
   }

@@ -12,7 +12,6 @@
 #include <boost/config.hpp>
 #include <boost/range/iterator_range.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>

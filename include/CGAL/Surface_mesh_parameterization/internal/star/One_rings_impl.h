@@ -111,7 +111,8 @@ bool One_rings::link_ring(Index v)
   Index* out = m_neighbors.data() + m_first[v];
   if (begin == end)
     return false;
-  if (end - begin > 32)
+  constexpr std::ptrdiff_t most_edges_to_search = 32;       // for each neighbor
+  if (end - begin > most_edges_to_search)
     return link_large_ring(v);
 
   if (is_border(v))

@@ -35,7 +35,7 @@ public:
   // - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see Collapse_hierarchy_3; `unit_edges` is the
   //   default for a parameterizer with uniform weights
   // - `tolerance`, `number_of_iterations`: of the solver, see Multigrid_solver_traits
-  // - `flip_policy`: what becomes of a map with flips; a repair, if it is not given
+  // - `flip_policy`: what becomes of a map with flips, see flip_settlement_of()
   // - `fill_holes`: whether every further border is closed by a virtual vertex
   // - `visitor`: a model of HierarchyVisitor_3, whose hierarchy_built() and progressed() are called
   // - `summary`: a std::reference_wrapper<Parameterization_summary> that receives what the run did
