@@ -80,11 +80,27 @@ std::string repair_text(const SMP::Parameterization_summary& summary)
 
 std::string pairs_text(std::size_t n) { return counted(n, "pair of triangles", "pairs of triangles"); }
 
+// How many components the branches of the seam do not bring within the bound that the user gave.
+std::size_t components_above_bound(const Options& options, const Run_record& run)
+{
+  if (!run.atlas || !options.distortion_bound)
+    return 0;
+  const std::vector<SMP::Cut_summary::Component>& components = run.atlas->cut.components;
+  return std::size_t(std::count_if(components.begin(), components.end(), [&](const auto& component) {
+    return component.distortion > *options.distortion_bound;
+  }));
+}
+
 // Tells what the user may not expect of the map.
 void print_warnings(const Input& input, const Options& options, const Run_record& run)
 {
   constexpr double great_part = 0.1;
   const std::string name = one_line(input.name);
+  if (!options.start.empty() && run.summary.levels.size() > 1)
+    std::cerr << name << ": the method found no map from that of --start; this one starts from none\n";
+  if (const std::size_t n = components_above_bound(options, run); n > 0)
+    std::cerr << name << ": " << counted(n, "component")
+              << " above --distortion-bound: more branches gain too little\n";
   if (run.overlaps_of_one_chart > 0)
     std::cerr << name << ": one chart would lie over itself at " << pairs_text(run.overlaps_of_one_chart)
               << ", so this is an atlas; --globally-injective makes one chart, --cut none one with overlaps\n";

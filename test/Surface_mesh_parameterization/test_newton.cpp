@@ -63,13 +63,20 @@ Eigen::Matrix2d dense_of(const Block& b)
   return result;
 }
 
-// Triangles in space and in the plane, among them isometries and similarities.
+// Triangles in space and in the plane, well shaped in both, among them isometries and similarities.
 struct Random_triangle
 {
   std::array<Point_3, 3> p;
   std::array<Point_2, 3> q;
 
   Random_triangle(int kind, Random& random)
+  {
+    do
+      draw(kind, random);
+    while (!is_fat());
+  }
+
+  void draw(int kind, Random& random)
   {
     for (Point_3& point : p) {
       const double x = random(-1, 1), y = random(-1, 1);
@@ -106,7 +113,6 @@ struct Random_triangle
     return result;
   }
 
-  // Well shaped in space and in the plane.
   bool is_fat() const
   {
     for (int i = 0; i < 3; ++i) {
@@ -124,8 +130,6 @@ TYPED_TEST(Newton_of, gradient_is_that_of_the_star)
   Random random(1);
   for (int k = 0; k < 600; ++k) {
     const Random_triangle t(k % 3, random);
-    if (!t.is_fat())
-      continue;
     for (int i = 0; i < 3; ++i) {
       const auto d = t.star<TypeParam>(i).derivatives(t.q[i]);
       const Corner_hessian h = t.corner<TypeParam>(i);
@@ -141,8 +145,6 @@ TYPED_TEST(Newton_of, hessian_is_exact_at_an_isometry)
   Random random(2);
   for (int k = 0; k < 300; ++k) {
     const Random_triangle t(1, random);
-    if (!t.is_fat())
-      continue;
     for (int i = 0; i < 3; ++i) {
       const auto d = t.star<TypeParam>(i).derivatives(t.q[i]);
       const Corner_hessian h = t.corner<TypeParam>(i);
@@ -160,8 +162,6 @@ TYPED_TEST(Newton_of, hessian_is_symmetric_and_positive_semidefinite)
   Random random(3);
   for (int k = 0; k < 600; ++k) {
     const Random_triangle t(k % 3, random);
-    if (!t.is_fat())
-      continue;
     Eigen::Matrix<double, 6, 6> hessian;
     for (int i = 0; i < 3; ++i) {
       const Corner_hessian h = t.corner<TypeParam>(i);
@@ -255,8 +255,6 @@ TEST(Corner_hessian, of_a_scale_invariant_energy_is_the_derivative_of_the_gradie
   Random random(5);
   for (int k = 0; k < 300; ++k) {
     const Random_triangle t(k % 3, random);
-    if (!t.is_fat())
-      continue;
     const Rest_corner corner = SMP::internal::rest_corner(t.p[0], t.p[1], t.p[2]);
     const Vector_2 a = t.q[1] - t.q[0], b = t.q[2] - t.q[0];
     const auto at = [&](const Vector_2& move_of_v, const Vector_2& move_of_b) {

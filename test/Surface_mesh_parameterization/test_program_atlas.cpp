@@ -635,8 +635,9 @@ TEST(Program_advice, is_given_until_it_is_followed)
   };
   EXPECT_NE(error_of("").find("--atlas"), std::string::npos);
   EXPECT_GT(runs.report().at("quality").at("symmetric_dirichlet"), 50);
-  for (const std::string arguments : { "--atlas", "--cut none", "--quiet" })
+  for (const std::string arguments : { "--atlas", "--cut none", "--quiet", "--distortion-bound 4.6" })
     EXPECT_EQ(error_of(arguments), "");
+  EXPECT_NE(error_of("--distortion-bound 4").find("1 component above --distortion-bound"), std::string::npos);
   runs.write_input("in.off", cells(26, 26, [](long i, long j) { return i % 5 != 2 || j % 5 != 2; }));
   EXPECT_NE(error_of("").find("26 borders; --fill-holes"), std::string::npos);
   for (const std::string arguments : { "--fill-holes", "--atlas" })

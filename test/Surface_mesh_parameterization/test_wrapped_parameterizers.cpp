@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Discrete_authalic_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
@@ -22,6 +23,7 @@
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Two_vertices_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Scalar_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
@@ -254,6 +256,26 @@ TEST(Wrapped_borders, may_be_far_away)
   const Wrapped_map<Surface_mesh> near = run(0);
   for (const double distance : { 1e3, 1e6, 1e9 })
     run(distance).expect_equal(near, growth * rounding * distance + 1e-9);
+}
+
+TEST(Wrapped_borders, have_finite_places)
+{
+  Surface_mesh mesh = make<Surface_mesh>(grid(12, 12, wavy));
+  for (const double distance : { std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() }) {
+    Far_circle<Surface_mesh> circle;
+    circle.distance = distance;
+    Parameterization_summary summary;
+    const auto expect_refused = [&](auto method) {
+      Wrapped_map<Surface_mesh> mapped(mesh);
+      EXPECT_EQ(mapped.parameterize(method, longest_border(mesh)), ERROR_WRONG_PARAMETER);
+      EXPECT_STREQ(summary.error.cause, "the border parameterizer gave a vertex a place that is not finite");
+      EXPECT_TRUE(mapped.is_untouched());
+    };
+    const auto np = parameters::summary(std::ref(summary));
+    expect_refused(Hierarchical_parameterizer_3<Mean_value<Far_circle<Surface_mesh>>>(circle, np));
+    typedef Edge_energy_parameterizer_3<Surface_mesh, Uniform_edge_weights_3, Far_circle<Surface_mesh>>   Edge_energy;
+    expect_refused(Hierarchical_parameterizer_3<Edge_energy>(Edge_energy(circle), np));
+  }
 }
 
 TEST(Wrapped_borders, that_cannot_be_placed_are_errors_as_in_CGAL)

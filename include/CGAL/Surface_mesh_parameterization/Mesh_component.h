@@ -160,7 +160,8 @@ private:
       }
       m_surface.triangles.push_back(triangle);
     }
-    return true;
+    return m_faces.size() <= internal::most_triangles ||
+           fail(ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, internal::cause_of_size);
   }
 
   // Returns the vertex's index, a new one if need be.

@@ -41,7 +41,8 @@ std::vector<bool> is_at_hole(const TriangleMesh& mesh)
 }
 
 // Reads a mesh, cut open along the edges for which the map is true. Faces keep their order. Returns what is wrong:
-// `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, or `ERROR_WRONG_PARAMETER` if a coordinate is not finite.
+// `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, or `ERROR_WRONG_PARAMETER` if a coordinate is not finite or the mesh
+// too large.
 template <class TriangleMesh, class EdgeSeamMap>
 Parameterization_error read_corner_mesh(const TriangleMesh& mesh, EdgeSeamMap is_seam, Corner_mesh& corners)
 {
@@ -53,6 +54,8 @@ Parameterization_error read_corner_mesh(const TriangleMesh& mesh, EdgeSeamMap is
       return { ERROR_NON_TRIANGULAR_MESH, Parameterization_error::FACE, position };
     ++position;
   }
+  if (position > most_triangles)
+    return { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, cause_of_size };
 
   const auto point_map = get(CGAL::vertex_point, mesh);
   const auto index_of = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);

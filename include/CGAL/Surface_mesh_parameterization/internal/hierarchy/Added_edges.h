@@ -16,7 +16,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Added_edges
 {
 public:
-  void clear(std::size_t number_of_vertices)
+  void reset(std::size_t number_of_vertices)
   {
     m_first.assign(number_of_vertices, no_index);
     m_edges.clear();

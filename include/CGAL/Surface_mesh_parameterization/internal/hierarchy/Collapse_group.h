@@ -53,7 +53,7 @@ public:
   {
     const std::size_t n = mesh.points.size();
     m_is_locked.assign(n, 0);
-    m_added.clear(n);
+    m_added.reset(n);
     m_collapses.clear();
 
     shuffle_vertices(n, random);

@@ -23,7 +23,7 @@ Error_code lead_to_places(const Level_energy_with_springs& energy, bool borders_
 
 // Where all vertices of a level have given places, or springs that pull them to some, takes these if that is a map of
 // lower energy, and a valid one where the energy keeps triangles positive.
-void go_to_places(const Level_energy& energy, Level::Uv& uv);
+void take_better_places(const Level_energy& energy, Level::Uv& uv);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

@@ -26,7 +26,7 @@ Error_code lead_to_places(const Level_energy_with_springs& energy, bool borders_
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void go_to_places(const Level_energy& energy, Level::Uv& uv)
+void take_better_places(const Level_energy& energy, Level::Uv& uv)
 {
   const Level& level = energy.level();
   const std::vector<Index> fixed = fixed_vertices(level);

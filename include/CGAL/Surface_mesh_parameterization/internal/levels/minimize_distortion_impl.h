@@ -75,7 +75,7 @@ inline Error_code minimize_with_places(const Level_energy& free_energy, Level::U
   const auto springs = [&] { return springs_of_energy(free_energy, options.triangle_weight, uv); };
   follow_springs(Level_energy_with_springs(free_energy, springs()), uv);
   const Level_energy_with_springs energy(free_energy, springs());
-  go_to_places(energy, uv);
+  take_better_places(energy, uv);
   if (borders_must_not_meet && !separate_borders(level, uv))
     return ERROR_NO_1_TO_1_MAPPING;
   const double energy_start = energy(uv) / energy.unit();

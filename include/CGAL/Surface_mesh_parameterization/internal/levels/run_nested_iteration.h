@@ -202,6 +202,43 @@ bool make_start_if_readable(Make_starting_map make_starting_map, bool must_mirro
     return false;
 }
 
+// Gives vertices of a component the places that the method's border and the caller's constraints ask for.
+template <class Method, class TriangleMesh, class VertexUVMap>
+Parameterization_error place_vertices(Method& method, const Run_setup<TriangleMesh>& setup, const TriangleMesh& mesh,
+                                      typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
+                                      VertexUVMap uvmap, Mesh_component<TriangleMesh>& component, bool& is_mirrored)
+{
+  if (component.error().code != OK)
+    return component.error();
+  if (const Parameterization_error error = place_border(method, mesh, bhd, component); error.code != OK)
+    return error;
+  return add_places_if_readable(setup.constraints, mesh, uvmap, bool(setup.options.make_starting_map), component,
+                                is_mirrored);
+}
+
+template <class Method, class User_point_2, class TriangleMesh>
+Nested_iteration_options options_of_run(const Run_setup<TriangleMesh>& setup, const Loops& loops,
+                                        Triangulated_surface_3& surface)
+{
+  Nested_iteration_options result = setup.options;
+  result.round = rounding_to<User_point_2>(surface.scale_exponent);
+  result.flips.loops = loops;
+  result.must_hold_places = !setup.constraints.empty();
+  result.places_at_end = take_places_at_no_cost<Method>(surface);
+  return result;
+}
+
+// Completes what the summary tells of the error of a run.
+template <class TriangleMesh>
+void explain(const TriangleMesh& mesh, const Mesh_component<TriangleMesh>& component, const char* cause_of_method,
+             Parameterization_error& error)
+{
+  if (error.code == ERROR_WRONG_PARAMETER && !error.cause)
+    error.cause = cause_of_method;
+  else if (error.place == Parameterization_error::VERTEX)
+    error.index = position_in(vertices(mesh), component.vertices_of_component()[error.index]);
+}
+
 // Runs a model of RefinableParameterizer_3 coarse to fine on the component of a mesh, and writes to the property maps
 // if all went well. The visitor may be null.
 template <class Method, class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
@@ -210,36 +247,25 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
                                 typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap,
                                 VertexParameterizedMap vpmap)
 {
-  const Nested_iteration_options& options = setup.options;
+  typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
   Parameterization_summary unused_summary;
   Parameterization_summary& summary = setup.summary ? *setup.summary : unused_summary;
   summary = Parameterization_summary();
-  if (const char* fault = fault_of_run(options, method)) {
+  if (const char* fault = fault_of_run(setup.options, method)) {
     summary.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
     return ERROR_WRONG_PARAMETER;
   }
   CGAL::Real_timer timer;
   timer.start();
   Mesh_component<TriangleMesh> component(mesh, bhd, loops);
-  summary.error = component.error();
-  if (summary.error.code == OK)
-    summary.error = place_border(method, mesh, bhd, component);
   bool is_mirrored = false;
-  if (summary.error.code == OK)
-    summary.error = add_places_if_readable(setup.constraints, mesh, uvmap, bool(options.make_starting_map), component,
-                                           is_mirrored);
+  summary.error = place_vertices(method, setup, mesh, bhd, uvmap, component, is_mirrored);
   if (summary.error.code != OK)
     return summary.error.code;
-  if (options.fills_holes)
+  if (setup.options.fills_holes)
     component.fill_holes();
 
-  typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
-  Nested_iteration_options options_of_run = options;
-  options_of_run.round = rounding_to<User_point_2>(component.surface().scale_exponent);
-  options_of_run.flips.loops = loops;
-  options_of_run.must_hold_places = !setup.constraints.empty();
-  options_of_run.places_at_end = take_places_at_no_cost<Method>(component.surface());
-  Refinable_method_of<Method> engine_method(method, loops);
+  const Nested_iteration_options options = options_of_run<Method, User_point_2>(setup, loops, component.surface());
   std::vector<Point_2> uv;
   if (options.make_starting_map &&
       !make_start_if_readable(options.make_starting_map, is_mirrored, loops, component, uvmap, uv)) {
@@ -247,19 +273,18 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
     return summary.error.code;
   }
   const int scale_exponent = component.surface().scale_exponent;
-  Nested_iteration_attempts attempts(engine_method, options_of_run, visitor, summary);
-  Error_code status = attempts.run(std::move(component.surface()), timer, uv);
+  Refinable_method_of<Method> engine_method(method, loops);
+  Nested_iteration_attempts attempts(engine_method, options, visitor, summary);
+  if (attempts.run(std::move(component.surface()), timer, uv) != OK) {
+    explain(mesh, component, engine_method.cause(), summary.error);
+    return summary.error.code;
+  }
   if (is_mirrored)
     mirror(uv);
-  if (status == OK) {
-    status = summary.error.code = write_map(component, scale_exponent, uv, uvmap, vpmap);
-    if (status != OK)
-      summary.error.cause = cause_of_overflow;
-  } else if (status == ERROR_WRONG_PARAMETER && !summary.error.cause)
-    summary.error.cause = engine_method.cause();
-  else if (summary.error.place == Parameterization_error::VERTEX)
-    summary.error.index = position_in(vertices(mesh), component.vertices_of_component()[summary.error.index]);
-  return status;
+  summary.error.code = write_map(component, scale_exponent, uv, uvmap, vpmap);
+  if (summary.error.code != OK)
+    summary.error.cause = cause_of_overflow;
+  return summary.error.code;
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

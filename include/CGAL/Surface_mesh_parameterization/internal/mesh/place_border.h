@@ -59,6 +59,8 @@ public:
 template <class Method>
 constexpr bool places_border = is_detected<concept_checks::Place_border, Method, typename Method::Triangle_mesh>;
 
+inline constexpr const char* cause_of_bad_border = "the border parameterizer gave a vertex a place that is not finite";
+
 // Lets a method that has a place_border() fix vertices of the component, in the user's units.
 // Returns the method's error, or `ERROR_WRONG_PARAMETER` for a place that is not finite, and which.
 template <class Method, class TriangleMesh>
@@ -79,7 +81,7 @@ Parameterization_error place_border(Method& method, const TriangleMesh& mesh,
       const Point_2 place = times_power_of_two(to_point_2(get(maps.place, v)), surface.scale_exponent);
       if (!is_finite(place))
         return { ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, position_in(vertices(mesh), v),
-                 "the border parameterizer gave a vertex a place that is not finite" };
+                 cause_of_bad_border };
       surface.fixed_vertices.push_back({ Index(i), place });
     }
   }

@@ -11,7 +11,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Whether a connected surface is a disk with holes, and if not, the first vertex where several umbrellas meet,
+// Whether a connected surface is a disk with holes, and if not, the first vertex where several fans meet,
 // `no_index` if there is none.
 struct Disk_check
 {

@@ -19,7 +19,7 @@ Disk_check check_disk_with_holes(const Triangulated_surface_3& surface, const Lo
   rings.build(surface.points.size(), surface.triangles, loops);
   if (const Index bad_vertex = rings.first_non_manifold_vertex(); bad_vertex != no_index)
     return { false, bad_vertex };
-  // A connected surface whose vertices have one umbrella each is a disk with holes exactly if V - E + F = 2 - (number
+  // A connected surface whose vertices have one fan each is a disk with holes exactly if V - E + F = 2 - (number
   // of borders).
   long long border_edges = 0;
   for (Index v = 0; v < surface.points.size(); ++v)

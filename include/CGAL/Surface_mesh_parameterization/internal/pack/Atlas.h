@@ -69,6 +69,9 @@ std::vector<Index> vertices_of(const Corner_mesh& mesh, const std::vector<Index>
 // The number of each face's chart.
 std::vector<std::size_t> chart_of_face(const Atlas& atlas);
 
+// The area of a map's triangles in the plane.
+double area_in_plane(const Corner_mesh& mesh, const std::vector<Point_2>& uv);
+
 // Scales the map of a chart to the chart's area in space, or to within a factor of 2 of it where triangles would not
 // stay positive otherwise: scales by powers of two do not round. Returns whether the areas tell a scale.
 bool scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv);

@@ -53,15 +53,21 @@ inline void scale_map(const Corner_mesh& chart, double scale, std::vector<Point_
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+double area_in_plane(const Corner_mesh& mesh, const std::vector<Point_2>& uv)
+{
+  double area = 0;
+  for (const Index_triangle& t : triangles_of(mesh))
+    area += 0.5 * std::abs(doubled_area(uv[t[0]], uv[t[1]], uv[t[2]]));
+  return area;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool scale_to_area_in_space(const Corner_mesh& chart, std::vector<Point_2>& uv)
 {
-  double area_in_space = 0, area_in_plane = 0;
-  for (Index h = 0; h < chart.number_of_halfedges(); h += 3) {
-    const Index a = chart.vertex[h], b = chart.vertex[h + 1], c = chart.vertex[h + 2];
-    area_in_space += doubled_area(chart.points[a], chart.points[b], chart.points[c]);
-    area_in_plane += std::abs(doubled_area(uv[a], uv[b], uv[c]));
-  }
-  const double scale = std::sqrt(area_in_space / area_in_plane);
+  double area_in_space = 0;
+  for (Index f = 0; f < chart.number_of_faces(); ++f)
+    area_in_space += area_of_face(chart, f);
+  const double scale = std::sqrt(area_in_space / area_in_plane(chart, uv));
   if (!(std::isfinite(scale) && scale > 0))
     return false;
   scale_map(chart, scale, uv);

@@ -11,7 +11,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -38,15 +37,6 @@ struct Chart_part
                                                              rest.determinant(uv[v], uv[a], uv[b]));
     }
     return energy / area;
-  }
-
-  // The area of its triangles in the plane.
-  double area_in_plane() const
-  {
-    double area = 0;
-    for (Index h = 0; h < mesh.number_of_halfedges(); h += 3)
-      area += 0.5 * std::abs(doubled_area(uv[mesh.vertex[h]], uv[mesh.vertex[h + 1]], uv[mesh.vertex[h + 2]]));
-    return area;
   }
 
   // The halfedge of the atlas's mesh that a halfedge of the part is.

@@ -45,7 +45,7 @@ public:
         part.faces = atlas.charts[i];
         part.mesh = component_of(atlas.mesh, part.faces, scratch);
         part.uv = map_of(atlas, part.faces);
-        m_area += part.area_in_plane();
+        m_area += area_in_plane(part.mesh, part.uv);
       }
   }
 
@@ -96,7 +96,7 @@ private:
   // Where a part is to be cut.
   void find_cut(Divided_part& part) const
   {
-    find_cut(part, m_options.least_part_of_chart * part.area_in_plane());
+    find_cut(part, m_options.least_part_of_chart * area_in_plane(part.mesh, part.uv));
     if (!(part.gain > m_options.least_gain * m_area))
       part.gain = 0;
   }
@@ -164,7 +164,7 @@ private:
     ++m_losses;
     std::vector<std::pair<double, std::size_t>> parts;      // empty area and number
     for (std::size_t i = 0; i < m_parts.size(); ++i)
-      parts.emplace_back(m_parts[i].box - m_parts[i].area_in_plane(), i);
+      parts.emplace_back(m_parts[i].box - area_in_plane(m_parts[i].mesh, m_parts[i].uv), i);
     std::sort(parts.rbegin(), parts.rend());
     return std::any_of(parts.begin(), parts.end(), [&](const auto& p) {
       Divided_part& part = m_parts[p.second];

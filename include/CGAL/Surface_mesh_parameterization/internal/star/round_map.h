@@ -54,7 +54,8 @@ bool is_finite_in_users_numbers(const Point_2& p)
 }
 
 // Why a map cannot be written where they are not.
-inline constexpr const char* cause_of_overflow = "a coordinate of the map is not finite in the numbers of uvmap";
+inline constexpr const char* cause_of_overflow =
+    "a coordinate of the map is too large for the numbers of uvmap, or is not a number";
 
 // Rounds the coordinates of a valid map, or of the mirror image of one. A vertex whose star would not be valid any more
 // goes to the middle of the kernel of its star, rounded. Returns whether the result is valid, or its mirror image. If

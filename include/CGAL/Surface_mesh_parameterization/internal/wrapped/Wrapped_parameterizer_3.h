@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Component_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Filled_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_run.h>
@@ -127,6 +128,8 @@ private:
       if ((code == OK || code == ERROR_CANNOT_SOLVE_LINEAR_SYSTEM) &&
           std::count(is_placed.begin(), is_placed.end(), char(true)) < 2)
         return this->fail(ERROR_WRONG_PARAMETER, "a map needs two vertices that are held");
+    if (code == ERROR_CANNOT_SOLVE_LINEAR_SYSTEM && !Use::is_complex && !is_border_finite(mesh, bhd, run.index(), uv))
+      return this->fail(ERROR_WRONG_PARAMETER, cause_of_bad_border);
     const auto run_substitute = this->optional_steps().run_substitute;
     if (code == OK) {
       code = run.settle_flips(uv, is_placed, run_substitute != nullptr);
@@ -157,6 +160,16 @@ private:
         uv[i] = get(uvmap, vertices[i]);
         is_placed[i] = true;
       }
+  }
+
+  template <class IndexMap, class Point>
+  static bool is_border_finite(const Triangle_mesh& mesh, halfedge_descriptor bhd, IndexMap index,
+                               const std::vector<Point>& uv)
+  {
+    const auto border = halfedges_around_face(bhd, mesh);
+    return std::all_of(border.begin(), border.end(), [&](halfedge_descriptor h) {
+      return is_finite(to_point_2(uv[get(index, target(h, mesh))]));
+    });
   }
 
   // Calls `run_parameterizer(pointer)` for a parameterizer with the solver that suits it. It can be called once more if
