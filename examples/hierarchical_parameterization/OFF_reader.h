@@ -76,8 +76,8 @@ private:
       vertices = counts[0];
       faces = counts[1];
     } else {
-      if (read_on(vertices))
-        read_on(faces);
+      if (read_on(vertices) && read_on(faces))
+        skip_number_of_edges();
       m_file.skip_line();
     }
     if (vertices < 0 || faces < 0)
@@ -87,6 +87,18 @@ private:
     if (m_number_of_vertices > m_file.remaining() || m_number_of_faces > m_file.remaining())
       throw Input_error{ "is too short for " + std::to_string(vertices) + " vertices and " + std::to_string(faces) +
                          " faces" };
+  }
+
+  // It may be left out, or stand on a line of its own.
+  void skip_number_of_edges()
+  {
+    long long edges;
+    if (m_file.read(edges))
+      return;
+    File_scanner next_line = m_file;
+    next_line.skip_comments();
+    if (next_line.read(edges) && next_line.word().empty())
+      m_file = next_line;
   }
 
   Polygon_soup::Point read_vertex(std::size_t v)

@@ -55,7 +55,7 @@ void read_held_vertices(const std::string& file, Input& input)
   const std::vector<bool> is_in_chart = vertices_of_faces(input);
   std::size_t number = 0;
   try {
-    std::istringstream lines(read_content(file));
+    std::istringstream lines(read_content(file, true));
     for (std::string line; std::getline(lines, line);) {
       ++number;
       const std::size_t first = line.find_first_not_of(" \t\r");

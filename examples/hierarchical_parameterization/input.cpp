@@ -39,7 +39,7 @@
 namespace {
 
 // Everything that a stream holds, which may be about so many bytes.
-std::string read_content(std::istream& in, std::size_t expected_size = 0)
+std::string read_content(std::istream& in, bool may_be_empty, std::size_t expected_size)
 {
   std::string content;
   content.reserve(expected_size);
@@ -48,7 +48,7 @@ std::string read_content(std::istream& in, std::size_t expected_size = 0)
     content.append(block, std::size_t(in.gcount()));
   if (in.bad() || (&in == &std::cin && std::ferror(stdin)))
     throw Input_error{ "cannot be read" };
-  if (content.empty())
+  if (content.empty() && !may_be_empty)
     throw Input_error{ "is empty", SMP::ERROR_EMPTY_MESH };
   constexpr char byte_order_mark[] = "\xef\xbb\xbf";
   if (content.compare(0, 3, byte_order_mark) == 0)
@@ -58,7 +58,7 @@ std::string read_content(std::istream& in, std::size_t expected_size = 0)
 
 } // namespace
 
-std::string read_content(const std::string& file)
+std::string read_content(const std::string& file, bool may_be_empty)
 {
   namespace fs = std::filesystem;
   std::error_code unused_error;
@@ -72,7 +72,7 @@ std::string read_content(const std::string& file)
     throw Input_error{ "cannot be opened" };
   std::error_code error;
   const std::uintmax_t size = fs::file_size(file, error);      // a pipe has none
-  return read_content(in, error ? 0 : std::size_t(size));
+  return read_content(in, may_be_empty, error ? 0 : std::size_t(size));
 }
 
 namespace {
@@ -183,7 +183,7 @@ Polygon_soup read_polygons(const std::string& file)
 {
   if (file != "-")
     return read_soup(file, ::read_content(file));
-  const std::string content = read_content(std::cin);
+  const std::string content = read_content(std::cin, false, 0);
   const std::string suffix = guess_suffix(content);
   Polygon_soup soup = read_soup(suffix, content);
   if (suffix == ".obj" && soup.points.empty())      // any text may be that

@@ -16,7 +16,7 @@
 struct Polygon_soup;
 
 // All of the named file. Throws an Input_error.
-std::string read_content(const std::string& file);
+std::string read_content(const std::string& file, bool may_be_empty = false);
 
 struct Soup_options
 {

@@ -235,8 +235,12 @@ void read_atlas_numbers(const po::variables_map& values, Options& options)
 void check_texts(const po::variables_map& values)
 {
   for (const auto& [option, value] : values)
-    if (const auto* text = boost::any_cast<std::string>(&value.value()); text && text->empty())
-      throw Usage_error{ "--" + option + ": the value is empty" };
+    if (const auto* text = boost::any_cast<std::string>(&value.value())) {
+      if (text->empty())
+        throw Usage_error{ "--" + option + ": the value is empty" };
+      if (text->compare(0, 2, "--") == 0)
+        throw Usage_error{ "--" + option + ": the value is missing, or '" + *text + "' is to be './" + *text + "'" };
+    }
 }
 
 // Options that the method would not look at.

@@ -87,14 +87,17 @@ inline void check_OBJ_indices(const Polygon_soup& soup)
                            std::to_string(soup.points.size()) + ", counted from 1" };
 }
 
-// The content, with the lines joined that a backslash continues. Empty lines come after them instead, so that the
-// others keep their numbers.
+// The content, with the lines joined that a backslash continues, but for comments. Empty lines come after them instead,
+// so that the others keep their numbers.
 inline std::string with_joined_lines(const std::string& content)
 {
   std::string result;
   std::size_t joined = 0;
+  bool is_comment = false;
   for (std::size_t i = 0; i < content.size(); ++i) {
-    const bool is_continued = content[i] == '\\' && i + 1 < content.size() && File_scanner::is_line_end(content[i + 1]);
+    is_comment = !File_scanner::is_line_end(content[i]) && (is_comment || content[i] == '#');
+    const bool is_continued = !is_comment && content[i] == '\\' && i + 1 < content.size() &&
+                              File_scanner::is_line_end(content[i + 1]);
     if (is_continued) {
       result += ' ';
       i += content[i + 1] == '\r' && i + 2 < content.size() && content[i + 2] == '\n' ? 2 : 1;

@@ -194,7 +194,7 @@ is_field status '"ok"' "--start folded.obj"
 expect 1 --method lscm --start map.obj
 expect 1 --flat --start map.obj
 expect 1 --levels levels --start map.obj
-for option in output picture report levels start hold; do expect 1 --$option ''; done
+for option in output picture report levels start hold; do expect 1 --$option ''; expect 1 --$option --quiet; done
 for option in output picture report; do
   expect 3 nowhere.obj --$option levels
   grep -q folder stderr || fail "--$option levels: $(cat stderr)"
@@ -251,6 +251,8 @@ printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n' >square.obj
 expect 3 square.obj --hold turned.txt
 printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >closed.off
 expect 2 closed.off --hold turned.txt
+: >none.txt
+expect 0 --hold none.txt
 sed 's/^0 .*/0 1e9 1e9/' held.txt >far.txt
 expect 0 --hold far.txt
 

@@ -364,6 +364,22 @@ TEST(Atlas, tells_the_chart_of_each_face)
   }
 }
 
+// The map that LSCM finds of such a needle is mirrored.
+TEST(Atlas, has_no_mirrored_chart)
+{
+  const double thickness = 8.828180325246348e-44;
+  Flat_mesh m = single_triangle();
+  m.points.insert(m.points.end(), { { 0, -thickness, thickness }, { 107374592, 8.688e-44, -8.968e-44 },
+                                    { thickness, 0, -thickness } });
+  m.triangles.push_back({ 3, 4, 5 });
+  Surface surface(m);
+  const auto np_of_charts = parameters::flip_policy(Flip_policy::FAIL);
+  const Atlas_summary summary = atlas_parameterization<LSCM_parameterizer_3>(
+      surface.mesh, surface.uv, parameters::default_values(), np_of_charts);
+  EXPECT_TRUE(summary.is_ok());
+  expect_one_to_one(surface);
+}
+
 #ifdef CGAL_LINKED_WITH_TBB
 template <template <class...> class Method>
 void expect_same_with_several_threads(const Flat_mesh& m)

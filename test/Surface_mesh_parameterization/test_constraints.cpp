@@ -486,6 +486,22 @@ TYPED_TEST(Held_vertices, that_are_none_do_not_mirror_the_map)
   }
 }
 
+// Of a start and the places of a triangle that are turned differently, these are right.
+TYPED_TEST(Held_vertices, at_a_triangle_outweigh_a_mirrored_start)
+{
+  Constrained_mesh m(delaunay_patch(800, 3, wavy));
+  ASSERT_EQ(m.run<TypeParam>(), OK);
+  for (const auto v : vertices(m.mesh))
+    m.uvmap[v] = Kernel_point(-m.uvmap[v].x(), m.uvmap[v].y());
+  for (const auto v : vertices_around_face(m.mesh.halfedge(Mesh::Face_index(100)), m.mesh)) {
+    m.is_held[v] = true;
+    m.uvmap[v] = Kernel_point(-m.uvmap[v].x(), m.uvmap[v].y());
+  }
+  ASSERT_EQ(m.run_with<TypeParam>(parameters::initial_map(true).vertex_is_constrained_map(m.is_held)), OK);
+  m.expect_places_are_held();
+  EXPECT_TRUE(m.is_valid());
+}
+
 // It grows so fast that the symmetric Dirichlet energy is lowered at first.
 struct Steep_energy
 {

@@ -132,7 +132,8 @@ inline std::size_t first_contradiction(const Triangulated_surface_3& surface)
 }
 
 // Adds to a component's surface the places that the constraints ask for, as the user's map has them, but mirrored if
-// the map has to be, which `is_mirrored` tells then: if the border is, or the user's map if the run starts from it.
+// the map has to be, which `is_mirrored` tells then: if the border is, or the user's map if the run starts from it, as
+// far as a triangle between given places does not tell otherwise.
 // Returns `ERROR_WRONG_PARAMETER` for a place that is not finite or a weight that is negative or not finite,
 // `ERROR_NO_1_TO_1_MAPPING` for a triangle that given places leave no room for, and which.
 template <class TriangleMesh, class VertexUVMap>
@@ -162,7 +163,12 @@ Parameterization_error add_places(const Place_constraints<TriangleMesh>& constra
   is_mirrored = has_places && (is_start ? is_start_mirrored(surface, uv) : is_border_mirrored(surface));
   if (is_mirrored)
     mirror_places(surface);
-  const std::size_t f = first_contradiction(surface);
+  std::size_t f = first_contradiction(surface);
+  if (is_mirrored && is_start && f < surface.triangles.size()) {      // then it is the start that is the wrong way
+    mirror_places(surface);
+    is_mirrored = false;
+    f = first_contradiction(surface);
+  }
   if (f < surface.triangles.size())
     return { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::FACE,
              position_in(faces(mesh), component.faces_of_component()[f]),

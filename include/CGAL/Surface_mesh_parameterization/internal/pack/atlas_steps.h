@@ -25,6 +25,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+inline constexpr const char* cause_of_lost_chart = "rounding leaves the triangles of a chart no room";
+
 // The face of a chart at which an error lies, as a face of the mesh.
 inline Parameterization_error error_in_mesh(const Parameterization_error& error, const Corner_mesh& chart,
                                             const std::vector<Index>& faces)
@@ -165,7 +167,7 @@ inline Parameterization_error error_of_packing(const Packing& packing, const Rou
   if (!is_finite(round(Point_2(packing.side, packing.side))))
     return { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, cause_of_overflow };
   return { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::FACE, first_face,
-           packing.side == 0 ? "the charts have no area" : "rounding leaves the triangles of a chart no room" };
+           packing.side == 0 ? "the charts have no area" : cause_of_lost_chart };
 }
 
 // Packs the charts that have a map. Those that have none afterwards, as rounding left no room for it, are told.

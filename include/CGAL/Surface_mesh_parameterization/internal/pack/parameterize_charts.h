@@ -107,7 +107,23 @@ public:
   }
 
 private:
-  // Scales the map to the area in space.
+  // Scales the map of a chart to the area in space, and mirrors one whose triangles are all negative. Returns whether a
+  // map without flips has none afterwards.
+  static bool scale_chart(const Corner_mesh& chart, std::vector<Point_2>& uv)
+  {
+    bool was_positive = is_positive(chart_of(chart, uv));
+    if (!was_positive) {
+      mirror(uv);
+      was_positive = is_positive(chart_of(chart, uv));
+      if (!was_positive)
+        mirror(uv);
+    }
+    normalize(uv);
+    if (!scale_to_area_in_space(chart, uv))
+      scale_to_size_in_space(chart, uv);
+    return !was_positive || is_positive(chart_of(chart, uv));
+  }
+
   Parameterization_summary parameterize(Chart_part& part, double overlap_bound)
   {
     Parameterization_summary summary;
@@ -122,9 +138,8 @@ private:
           mesh, uvmap, with_options<Method<Chart_mesh>>(m_np, overlap_bound));
       if (summary.is_ok()) {
         part.uv.assign(uvmap.begin(), uvmap.end());
-        normalize(part.uv);
-        if (!scale_to_area_in_space(part.mesh, part.uv))
-          scale_to_size_in_space(part.mesh, part.uv);
+        if (!scale_chart(part.mesh, part.uv))
+          summary.error = { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::NOWHERE, 0, cause_of_lost_chart };
       } else if (summary.error.code == ERROR_STOPPED)
         m_is_stopped = true;
     }
