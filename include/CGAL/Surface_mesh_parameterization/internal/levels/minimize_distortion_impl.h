@@ -72,9 +72,9 @@ inline Error_code minimize_with_places(const Level_energy& free_energy, Level::U
   const bool borders_must_not_meet = options.is_globally_injective;
   if (has_first_map_and_springs(level) && minimize_near_places(free_energy, uv, given_options) == ERROR_STOPPED)
     return ERROR_STOPPED;
-  const auto springs = [&] { return springs_of_energy(free_energy, options.triangle_weight, uv); };
-  follow_springs(Level_energy_with_springs(free_energy, springs()), uv);
-  const Level_energy_with_springs energy(free_energy, springs());
+  const auto springs_at_uv = [&] { return springs_of_energy(free_energy, options.triangle_weight, uv); };
+  follow_springs(Level_energy_with_springs(free_energy, springs_at_uv()), uv);
+  const Level_energy_with_springs energy(free_energy, springs_at_uv());
   take_better_places(energy, uv);
   if (borders_must_not_meet && !separate_borders(level, uv))
     return ERROR_NO_1_TO_1_MAPPING;

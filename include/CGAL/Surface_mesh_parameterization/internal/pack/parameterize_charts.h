@@ -107,8 +107,8 @@ public:
   }
 
 private:
-  // Scales the map of a chart to the area in space, and mirrors one whose triangles are all negative. Returns whether a
-  // map without flips has none afterwards.
+  // Scales the map of a chart to the area in space, and mirrors one whose triangles are all negative. Returns false if
+  // that made flips, in a map that had none.
   static bool scale_chart(const Corner_mesh& chart, std::vector<Point_2>& uv)
   {
     bool was_positive = is_positive(chart_of(chart, uv));
