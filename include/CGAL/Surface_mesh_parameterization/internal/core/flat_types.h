@@ -43,7 +43,7 @@ inline double doubled_area(const Point_3& a, const Point_3& b, const Point_3& c)
   return std::sqrt(CGAL::cross_product(b - a, c - a).squared_length());
 }
 
-// The same for a polygon.
+// Twice the area that a polygon encloses; negative if it runs clockwise.
 inline double doubled_area(const std::vector<Point_2>& polygon)
 {
   double sum = 0;

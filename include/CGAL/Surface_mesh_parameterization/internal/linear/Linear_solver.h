@@ -25,8 +25,8 @@ struct Linear_solver_options
 {
   // When an iteration ends.
   double tolerance = 1e-10;             // for the residual, or for the rounding error if that is greater
-  // Once it is below the tolerance, the residual goes on to this times the tolerance, as long as so many steps in a row
-  // halve it; bi-conjugate gradients take two steps in an iteration.
+  // Once it is below the tolerance, the residual goes on to this times the tolerance, or to what rounding leaves, as
+  // long as so many steps in a row halve it; bi-conjugate gradients take two steps in an iteration.
   double aim = 1;
   int patience_below_tolerance = 4;
   std::size_t most_iterations = 300;
