@@ -462,6 +462,28 @@ auto wrong(Mesh& m, Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv
 }
 }
 
+namespace Seams_of_vertices { // the map of seams is none from the edges of the mesh to bool: it needs get(seams, e)
+auto wrong(Mesh& m, Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv,
+           Mesh::Property_map<Mesh::Vertex_index, bool> is_seam)
+{
+  return SMP::atlas_parameterization(m, uv, np::edge_is_constrained_map(is_seam));
+}
+}
+
+namespace Seams_of_faces { // the map of seams is none from the edges of the mesh to bool: it needs get(seams, e)
+auto wrong(const Mesh& m, Mesh::Property_map<Mesh::Face_index, bool> is_seam)
+{
+  return SMP::cut_to_disk(m, is_seam);
+}
+}
+
+namespace Mapped_vertices_by_edge { // vpmap is no map from the vertices of the mesh to bool: there is no get(vpmap, v)
+void wrong(const Mesh& m, UV_map uv, Mesh::Property_map<Mesh::Edge_index, bool> is_mapped)
+{
+  SMP::IO::write_OBJ(std::cout, m, uv, is_mapped);
+}
+}
+
 namespace Start_for_charts { // the named parameter 'initial_map' has no effect on charts
 auto wrong(Mesh& m, Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv)
 {

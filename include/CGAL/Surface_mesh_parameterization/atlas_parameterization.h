@@ -38,6 +38,22 @@ namespace CGAL::Surface_mesh_parameterization {
 
 namespace internal {
 
+// Where named parameters cut a mesh in any case, a map from its edges.
+template <class TriangleMesh, class NamedParameters>
+auto seams_of(const NamedParameters& np)
+{
+  const CGAL::Constant_property_map<typename boost::graph_traits<TriangleMesh>::edge_descriptor, bool> nowhere(false);
+  const auto seams =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained), nowhere);
+  typedef Seam_map_check<std::decay_t<decltype(seams)>, TriangleMesh>   Check;
+  if constexpr (Check::value)
+    return seams;
+  else {
+    Check::tell();
+    return nowhere;
+  }
+}
+
 // Reads a mesh and cuts it into charts, which have no maps yet.
 template <class TriangleMesh, class EdgeSeamMap>
 Atlas read_atlas(const TriangleMesh& mesh, EdgeSeamMap seams, const Atlas_options& options, const Loops& loops,
@@ -128,11 +144,8 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
   if constexpr (Check::value) {
     internal::assert_names<internal::Atlas_names>(np);
     internal::assert_names_of_charts<Chart_parameters>();
-    typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor   edge_descriptor;
     CGAL::Real_timer timer;
     timer.start();
-    const auto seams = parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
-                                                    CGAL::Constant_property_map<edge_descriptor, bool>(false));
     const internal::Loops loops = internal::Loops::of<ConcurrencyTag>();
     const internal::Atlas_options options = internal::atlas_options_of(np);
     if (const char* fault = internal::first_fault(
@@ -140,7 +153,7 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
       result.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
       return result;
     }
-    internal::Atlas atlas = internal::read_atlas(mesh, seams, options, loops, result);
+    internal::Atlas atlas = internal::read_atlas(mesh, internal::seams_of<TriangleMesh>(np), options, loops, result);
     if (!result.is_ok())
       return result;
     result.seconds_cut = timer.time();

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -36,7 +37,7 @@ struct Cut_summary
   };
 
   Parameterization_error error;             ///< what went wrong, and where
-  std::vector<Component> components;     ///< in the order of their first faces
+  std::vector<Component> components;        ///< in the order of their first faces
   std::size_t seam_edges = 0;               ///< number of edges that became seams
   double seam_length = 0;                   ///< their length in space, in the units of the mesh
 
@@ -144,7 +145,9 @@ Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeSeamMap seams,
                         const NamedParameters& np = parameters::default_values())
 {
   Cut_summary summary;
-  if constexpr (internal::Mesh_check<TriangleMesh>::value) {
+  typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
+                           internal::Seam_map_check<EdgeSeamMap, TriangleMesh, true>>   Check;
+  if constexpr (Check::value) {
     internal::assert_names<internal::Cut_names>(np);
     const internal::Cut_corners cut =
         internal::read_and_cut(mesh, seams, internal::cut_options_of(np), 0, internal::Loops(), summary);
@@ -154,7 +157,7 @@ Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeSeamMap seams,
           put(seams, edge(h, mesh), true);
       });
   } else
-    internal::Mesh_check<TriangleMesh>::tell();
+    Check::tell();
   return summary;
 }
 

@@ -140,7 +140,8 @@ template <class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
 void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, VertexParameterizedMap vpmap)
 {
   typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
-                           internal::Readable_uv_map_check<VertexUVMap, TriangleMesh>>   Check;
+                           internal::Readable_uv_map_check<VertexUVMap, TriangleMesh>,
+                           internal::Parameterized_map_check<VertexParameterizedMap, TriangleMesh>>   Check;
   if constexpr (Check::value)
     internal::write_OBJ(os, mesh, uvmap, vpmap);
   else

@@ -24,7 +24,7 @@ template <class, class, class> class Seam_mesh;
 
 } // namespace CGAL
 
-// What calls ask of a mesh and of the property maps of its vertices and halfedges: checks as in concept_checks.h.
+// What calls ask of a mesh and of the property maps of its vertices, edges and halfedges: checks as in concept_checks.h.
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -52,6 +52,7 @@ using Graph_traits =
     boost::graph_traits<std::enable_if_t<is_detected<Vertices_of, Mesh> && is_detected<Faces_of, Mesh>, Mesh>>;
 template <class Mesh> using Vertex_of = typename Graph_traits<Mesh>::vertex_descriptor;
 template <class Mesh> using Halfedge_of = typename Graph_traits<Mesh>::halfedge_descriptor;
+template <class Mesh> using Edge_of = typename Graph_traits<Mesh>::edge_descriptor;
 template <class Mesh> using Face_of = typename Graph_traits<Mesh>::face_descriptor;
 template <class Mesh>
 using Corner_of = decltype(target(next(opposite(halfedge(std::declval<Face_of<Mesh>>(), std::declval<const Mesh&>()),
@@ -204,6 +205,31 @@ struct Vertex_map_check
   }
 };
 
+// Of the map that tells which vertices have a place.
+template <class Map, class Mesh>
+struct Parameterized_map_check : Vertex_map_check<Map, Mesh, bool>
+{
+  static void tell()
+  {
+    static_assert(Parameterized_map_check::value, "vpmap is no map from the vertices of the mesh to bool: there is no "
+                                                  "get(vpmap, v)");
+  }
+};
+
+// Of a map of seams that a call reads and, if `is_written`, writes.
+template <class Map, class Mesh, bool is_written = false>
+struct Seam_map_check
+  : std::bool_constant<std::is_convertible<Edge_of<Mesh>, Detected<Key_of, Map>>::value &&
+                       is_detected_as<bool, Read, Map, Edge_of<Mesh>> &&
+                       (!is_written || is_detected<Write, Map, Edge_of<Mesh>, bool>)>
+{
+  static void tell()
+  {
+    static_assert(Seam_map_check::value, "the map of seams is none from the edges of the mesh to bool: it needs "
+                                         "get(seams, e) and, if it is written, put(seams, e, true)");
+  }
+};
+
 // Of a map from halfedges that a call only reads.
 template <class UVMap, class Mesh>
 struct Readable_halfedge_uv_map_check
@@ -263,8 +289,10 @@ using concept_checks::Index_map_check;
 using concept_checks::Kernel_uv_map_check;
 using concept_checks::Mesh_check;
 using concept_checks::Mesh_descriptors;
+using concept_checks::Parameterized_map_check;
 using concept_checks::Readable_halfedge_uv_map_check;
 using concept_checks::Readable_uv_map_check;
+using concept_checks::Seam_map_check;
 using concept_checks::Uncut_mesh_check;
 using concept_checks::Uv_map_check;
 using concept_checks::Vertex_map_check;
