@@ -81,7 +81,7 @@ public:
     const Places free = places();
     measure("from its result", free, np::initial_map(true));
     check(SMP::hierarchical_parameterization<SMP::LSCM_parameterizer_3>(
-              m_mesh, m_uvmap, np::flip_policy(SMP::Flip_policy::KEEP)).error.code);
+              m_mesh, m_uvmap, np::flip_policy(SMP::Flip_policy::KEEP)).error);
     measure("from LSCM", places(), np::initial_map(true));
     const Places target = bent(free);
     for (const std::size_t n : { 1, 10, 100, 1000 })
@@ -149,7 +149,8 @@ private:
     put(border);
     SMP::Parameterization_summary summary;
     const double seconds = seconds_of([&] {
-      SMP::parameterize(m_mesh, Method<Mesh>(options.summary(std::ref(summary))), outer_border(m_mesh), m_uvmap);
+      check(SMP::parameterize(m_mesh, Method<Mesh>(options.summary(std::ref(summary))), outer_border(m_mesh),
+                              m_uvmap));
     });
     print("circle to 1e-14 flat", border, summary, seconds, distance(map, places()));
   }

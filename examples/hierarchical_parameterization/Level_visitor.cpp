@@ -27,7 +27,7 @@ namespace {
 // One level as OBJ: its vertices where the input has them, or in the middle of a hole that was filled, its triangles,
 // and its map in units of the input, before flips are repaired.
 void write_level(std::ostream& os, const Mesh& mesh, const std::vector<Mesh::Vertex_index>& vertices_of_component,
-                        const SMP::Level& level, const SMP::Level::Uv& uv)
+                 const SMP::Level& level, const SMP::Level::Uv& uv)
 {
   SMP::internal::Text_writer out(os);
   const auto is_of_mesh = [&](SMP::Level::Index v) {

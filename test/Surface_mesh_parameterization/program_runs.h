@@ -86,7 +86,9 @@ public:
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
-  // The files there are, but for those of the test.
+  const fs::path& folder() const { return m_folder; }
+
+  // All files in the folder, sorted.
   std::vector<std::string> files() const
   {
     std::vector<std::string> names;
@@ -96,6 +98,7 @@ public:
     return names;
   }
 
+private:
   fs::path m_folder;
 };
 

@@ -75,7 +75,6 @@ TYPED_TEST(Initial_map, is_left_where_it_is_best)
   }
 }
 
-// Mirrored, of any size, folded, incomplete, none at all.
 // A developable surface can be unfolded in any direction; that of the start is as good.
 template <class Method>
 void expect_turned_map_to_stay()
@@ -98,6 +97,7 @@ TYPED_TEST(Initial_map, of_a_developable_surface_is_not_turned)
   expect_turned_map_to_stay<As_rigid_as_possible_parameterizer_3<Mesh>>();
 }
 
+// Mirrored, of any size, folded, incomplete, none at all.
 TYPED_TEST(Initial_map, leads_to_the_minimum_from_any_place)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

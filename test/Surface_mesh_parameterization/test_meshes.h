@@ -179,7 +179,7 @@ inline Flat_mesh annulus(Index n)
   return m;
 }
 
-// Rings of vertices around a pole, vertex 0, which is place(0, 0); at(r, phi) for ring r of `rings`, at the angle phi.
+// Rings of vertices around a pole, vertex 0, which is place(0, 0); place(r, phi) for ring r, at the angle phi.
 template <class Place>
 Flat_mesh rings_around_pole(Index rings, Index sectors, const Place& place)
 {

@@ -238,16 +238,16 @@ bool can_write_GLB()
 }
 
 // Runs on files, and what they hold.
-class Runs : public Program_folder
+class Runs : public Prografolder()
 {
 public:
-  explicit Runs(const Mesh& input) : Program_folder("atlas") { write_input("in.off", input); }
+  explicit Runs(const Mesh& input) : Prografolder()("atlas") { write_input("in.off", input); }
 
   void write_input(const std::string& name, const Mesh& m) const
   {
-    std::ofstream(m_folder / name, std::ios::binary) << OFF(m);
+    std::ofstream(folder() / name, std::ios::binary) << OFF(m);
   }
-  std::string content(const std::string& file) const { return content_of(m_folder / file); }
+  std::string content(const std::string& file) const { return content_of(folder() / file); }
   std::string error() const { return content("stderr.txt"); }
   nlohmann::json report() const { return nlohmann::json::parse(content("report.json")); }
 };
@@ -389,9 +389,9 @@ TEST(Program_parts, without_a_map_are_told_and_left_out)
 
   // Without any map there is no file.
   runs.write_input("in.off", joined(tube(3, 5), shifted(tube(3, 5), 20)));
-  fs::remove(runs.m_folder / "map.obj");
+  fs::remove(runs.folder() / "map.obj");
   EXPECT_EQ(runs.run("in.off --method lscm --cut none --flips fail --output map.obj"), failed);
-  EXPECT_FALSE(fs::exists(runs.m_folder / "map.obj"));
+  EXPECT_FALSE(fs::exists(runs.folder() / "map.obj"));
 }
 
 TEST(Program_parts, the_largest_may_be_cut)

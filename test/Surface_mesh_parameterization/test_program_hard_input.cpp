@@ -89,10 +89,10 @@ class Hard_input : public Program_input { };
 TEST_P(Hard_input, has_a_map_without_flips)
 {
   const Row& row = GetParam();
-  std::ofstream(m_folder / row.name, std::ios::binary) << row.content();
+  std::ofstream(folder() / row.name, std::ios::binary) << row.content();
   EXPECT_EQ(run(row.name + " --quiet --report report.json " + row.arguments), 0);
-  const std::string report = content_of(m_folder / "report.json");
-  EXPECT_EQ(content_of(m_folder / "stderr.txt"), "");
+  const std::string report = content_of(folder() / "report.json");
+  EXPECT_EQ(content_of(folder() / "stderr.txt"), "");
   EXPECT_EQ(field(report, "flips"), "0");
   EXPECT_EQ(field(report, "degenerate"), "0");
   if (row.arguments.find("globally-injective") != std::string::npos) {

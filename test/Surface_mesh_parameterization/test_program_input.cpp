@@ -33,10 +33,10 @@ TEST_P(Program_input, comes_to_what_is_expected)
     const std::string content = row.content();
     ASSERT_FALSE(content.empty() && row.name.find("empty") == std::string::npos)
         << "the row does not make what it says";
-    std::ofstream(m_folder / row.name, std::ios::binary) << content;
+    std::ofstream(folder() / row.name, std::ios::binary) << content;
   }
   const int exit_status = run(row.name + " --output map.obj --picture map.svg --report report.json " + row.arguments);
-  const std::string error = content_of(m_folder / "stderr.txt"), report = content_of(m_folder / "report.json");
+  const std::string error = content_of(folder() / "stderr.txt"), report = content_of(folder() / "report.json");
 
   EXPECT_EQ(exit_status, row.exit_status) << error;
   EXPECT_TRUE(row.status.empty() || field(report, "status") == "\"" + row.status + "\"") << report;
@@ -456,10 +456,10 @@ class Program_files : public Program_input { };
 TEST_P(Program_files, leave_nothing_behind)
 {
   const Row& row = GetParam();
-  std::ofstream(m_folder / "patch.off", std::ios::binary) << OFF(patch());
-  fs::create_directories(m_folder / "folder.off");
+  std::ofstream(folder() / "patch.off", std::ios::binary) << OFF(patch());
+  fs::create_directories(folder() / "folder.off");
   EXPECT_EQ(run(row.arguments), row.exit_status);
-  const std::string error = content_of(m_folder / "stderr.txt");
+  const std::string error = content_of(folder() / "stderr.txt");
   EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
   EXPECT_NE(error.find(row.words), std::string::npos) << error;
   EXPECT_EQ(files(), (std::vector<std::string>{ "folder.off", "patch.off", "stderr.txt", "stdout.txt" }));

@@ -183,7 +183,7 @@ private:
       return status;
     const bool has_scale = m_lambda > 0 || !level.hierarchy().springs().empty();
     return has_scale ? internal::minimize_energy(level_energy(level), uv, m_options, summary)
-                        : internal::minimize_conformal_energy(level, uv, m_options, summary);
+                     : internal::minimize_conformal_energy(level, uv, m_options, summary);
   }
 
   static Error_code lead_to_places(const Level& level, Level::Uv& uv, Level_summary& summary)

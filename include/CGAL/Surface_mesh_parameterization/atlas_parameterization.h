@@ -164,7 +164,7 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
 
     if (result.error.code != ERROR_STOPPED) {
       if (options.least_used_part > 0)
-        internal::divide_charts_of_summary(atlas, has_map, options.pack, options.least_used_part, result);
+        internal::divide_charts_and_tell(atlas, has_map, options.pack, options.least_used_part, result);
       typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
       internal::pack(atlas, has_map, options.pack, internal::rounding_to<User_point_2>(atlas.scale_exponent),
                      result);

@@ -4,11 +4,13 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_POWER_OF_TWO_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_POWER_OF_TWO_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Function_ref.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 // Scaling by powers of two, which does not round unless doubles underflow.
@@ -60,6 +62,15 @@ int normalize(std::vector<Point>& points)
   for (Point& p : points)
     p = times_power_of_two(p, exponent);
   return exponent;
+}
+
+// Scales a map, by the nearest power of two where the result is not good: that does not round.
+inline void scale_map(double scale, Function_ref<bool(const std::vector<Point_2>&)> is_good, std::vector<Point_2>& uv)
+{
+  std::vector<Point_2> result = scaled(uv, scale);
+  if (!is_good(result))
+    result = scaled(std::move(uv), std::exp2(std::round(std::log2(scale))));
+  uv = std::move(result);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -60,7 +60,7 @@ public:
     for (const Acceptance acceptance : { Acceptance::ROUND, Acceptance::NEEDLES, Acceptance::BENT_BORDERS }) {
       m_acceptance = acceptance;
       choose_in_order(mesh, fewest_vertices, loops);
-      if (m_collapses.size() >= n / few_collapses)
+      if (double(m_collapses.size()) >= least_part_of_vertices * double(n))
         break;
     }
     sort_collapses();
@@ -283,7 +283,7 @@ private:
     m_collapses.swap(m_sorted);
   }
 
-  static constexpr std::size_t few_collapses = 8;     // less than this part of the vertices
+  static constexpr double least_part_of_vertices = 1. / 8;      // that a group should remove
 
   std::vector<Index> m_order;
   std::vector<unsigned char> m_is_locked;

@@ -59,9 +59,9 @@ Error_code Map_finisher::settle_flips(const Level& level, bool may_give_up, Leve
     m_summary.energy = m_method.energy(level, uv);
   if (m_map_before.empty() || (status == OK && !is_repaired))
     return status;
-  constexpr double greatest_rise = 1.01;      // of the energy, by a repair whose map stays without comparison
+  constexpr double greatest_factor = 1.01;      // of the energy, by a repair whose map stays without comparison
   const bool is_good = status == OK && !leaves_little(m_summary.moved_vertices, uv.size()) &&
-                       m_summary.energy <= greatest_rise * m_summary.levels.back().energy_end &&
+                       m_summary.energy <= greatest_factor * m_summary.levels.back().energy_end &&
                        displaced_vertices(level, uv).empty();
   return is_good ? OK : replace_map(level, may_give_up, status, uv);
 }
@@ -90,13 +90,13 @@ const Map_finisher::Other_map& Map_finisher::other_map(const Level& level)
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Map_finisher::replace_map(const Level& level, bool has_given_up, Error_code status, Level::Uv& uv)
 {
-  constexpr double greatest_rise = 2;      // of the energy, by a map that is taken before all of the repair is tried
+  constexpr double greatest_factor = 2;      // of the energy, by a map that is taken before all of the repair is tried
   const Other_map& other = other_map(level);
   if (other.status == ERROR_STOPPED)
     return ERROR_STOPPED;
   if (other.status != OK)
     return status;
-  const bool is_better = status != OK ? !has_given_up || other.energy <= greatest_rise * m_summary.energy
+  const bool is_better = status != OK ? !has_given_up || other.energy <= greatest_factor * m_summary.energy
                                       : other.energy < m_summary.energy ||
                                             displaced_vertices(level, m_map_before).size() <
                                                 displaced_vertices(level, uv).size();

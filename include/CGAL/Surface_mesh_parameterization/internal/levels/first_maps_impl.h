@@ -5,7 +5,7 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_FIRST_MAPS_IMPL_H
 
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
-#include <CGAL/Surface_mesh_parameterization/internal/core/Function_ref.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/scale_of_area.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
@@ -122,23 +122,20 @@ Error_code choose_first_map(const Level_energy& energy, const Refinement_options
   return OK;
 }
 
-// Scales a map, by the nearest power of two where the result would not be valid, or not good.
-inline void scale_map(const Level& level, double scale, Function_ref<bool(const Level::Uv&)> is_good, Level::Uv& uv)
+// Whether a map that was scaled is still valid, and its borders apart if they must be.
+inline bool is_good_after_scaling(const Level& level, bool borders_must_not_meet, const Level::Uv& uv)
 {
-  Level::Uv result = scaled(uv, scale);
-  if (!is_map_valid(level.rings(), result, level.loops()) || !is_good(result))
-    result = scaled(uv, std::exp2(std::round(std::log2(scale))));
-  uv.swap(result);
+  return is_map_valid(level.rings(), uv, level.loops()) && !(borders_must_not_meet && has_crossings(level.rings(), uv));
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void scale_to_area(const Level& level, bool borders_must_not_meet, Level::Uv& uv)
 {
   const auto is_good = [&](const Level::Uv& result) {
-    return !(borders_must_not_meet && has_crossings(level.rings(), result));
+    return is_good_after_scaling(level, borders_must_not_meet, result);
   };
   if (const double scale = scale_of_area(level, uv); scale > 0)
-    scale_map(level, scale, is_good, uv);
+    scale_map(scale, is_good, uv);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -147,13 +144,13 @@ double scale_to_area(const Level_energy& energy, bool borders_must_not_meet, Lev
   const Level& level = energy.level();
   double value = (std::numeric_limits<double>::infinity)();
   const auto is_good = [&](const Level::Uv& result) {
-    if (borders_must_not_meet && has_crossings(level.rings(), result))
+    if (!is_good_after_scaling(level, borders_must_not_meet, result))
       return false;
     value = energy(result);
     return std::isfinite(value) || !std::isfinite(energy(uv));
   };
   if (const double scale = scale_of_area(level, uv); scale > 0)
-    scale_map(level, scale, is_good, uv);
+    scale_map(scale, is_good, uv);
   return std::isfinite(value) ? value : energy(uv);
 }
 

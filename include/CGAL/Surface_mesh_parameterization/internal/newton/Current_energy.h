@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner_options.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace CGAL::Surface_mesh_parameterization::internal {

@@ -41,15 +41,14 @@ std::vector<std::size_t> chart_of_face(const Atlas& atlas)
   return result;
 }
 
-// Scales the map of a chart, by the nearest power of two where triangles would not stay positive otherwise: that does
-// not round.
+// Scales the map of a chart so that triangles stay positive.
 inline void scale_map(const Corner_mesh& chart, double scale, std::vector<Point_2>& uv)
 {
   const std::vector<Index_triangle> triangles = triangles_of(chart);
-  Flat_chart flat{ scaled(uv, scale), triangles };
-  if (!is_positive(flat) && is_positive({ uv, triangles }))
-    flat.points = scaled(std::move(uv), std::exp2(std::round(std::log2(scale))));
-  uv = std::move(flat.points);
+  const auto is_good = [&](const std::vector<Point_2>& result) {
+    return is_positive({ result, triangles }) || !is_positive({ uv, triangles });
+  };
+  scale_map(scale, is_good, uv);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

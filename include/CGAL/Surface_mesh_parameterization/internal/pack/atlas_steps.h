@@ -128,8 +128,8 @@ inline Atlas_summary::Chart take_part(Atlas_summary::Chart& chart, std::size_t f
 }
 
 // Divides the charts that have a map, so that they fill the square better, and keeps the summary up to date.
-inline void divide_charts_of_summary(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& pack_options,
-                          double least_used_part, Atlas_summary& result)
+inline void divide_charts_and_tell(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& pack_options,
+                                   double least_used_part, Atlas_summary& result)
 {
   Division_options options;
   options.least_used_part = least_used_part;
