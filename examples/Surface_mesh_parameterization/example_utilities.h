@@ -20,7 +20,6 @@
 #include <CGAL/convex_hull_2.h>
 #include <CGAL/min_quadrilateral_2.h>
 
-#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <iostream>
@@ -163,11 +162,10 @@ inline Mesh read_surface(const Arguments& arguments)
 // An error of the surface is an Input_error; what a method fails with is not.
 inline void throw_if_failed(const SMP::Parameterization_error& error)
 {
-  const SMP::Error_code code = error.code;
-  if (code == SMP::ERROR_NO_1_TO_1_MAPPING || code == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM)
+  if (is_fault_of_method(error.code))
     throw std::runtime_error(SMP::error_message(error));
-  if (code != SMP::OK)
-    throw Input_error{ SMP::error_message(error), code };
+  if (error.code != SMP::OK)
+    throw Input_error{ SMP::error_message(error), error.code };
 }
 
 // Turns points of the plane so that the least rectangle around them has sides along the axes, the longer one upright.

@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 
+#include <optional>
 #include <string>
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -17,7 +18,7 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 struct Input_error
 {
   std::string message;
-  SMP::Error_code code = SMP::OK;     // OK: the file cannot be read
+  std::optional<SMP::Error_code> code = std::nullopt;     // none: the file cannot be read
 };
 
 // Something that is wrong with the command line.
@@ -25,5 +26,12 @@ struct Usage_error { std::string message; };
 
 // What a method, or its map, fails with.
 struct Method_error { std::string message; SMP::Error_code code; };
+
+// Whether it is the method that has failed; other errors are those of the surface.
+inline bool is_fault_of_method(SMP::Error_code code)
+{
+  return code == SMP::ERROR_NO_1_TO_1_MAPPING || code == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM ||
+         code == SMP::ERROR_NON_CONVEX_BORDER;
+}
 
 #endif // ERRORS_H

@@ -259,12 +259,10 @@ Exit_status run(const std::string& file, const Options& options, std::string& re
   try {
     run_input(file, options, input, run);
   } catch (const Input_error& error) {
-    exit_status = fail(BAD_INPUT, error.code == SMP::OK ? "unreadable" : error_name(error.code), error.message);
+    exit_status = fail(BAD_INPUT, error.code ? error_name(*error.code) : "unreadable", error.message);
   } catch (const Method_error& error) {
-    const bool is_input_good = error.code == SMP::ERROR_NO_1_TO_1_MAPPING ||
-                               error.code == SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM ||
-                               error.code == SMP::ERROR_NON_CONVEX_BORDER;
-    exit_status = fail(is_input_good ? METHOD_FAILED : BAD_INPUT, error_name(error.code), error.message);
+    exit_status =
+        fail(is_fault_of_method(error.code) ? METHOD_FAILED : BAD_INPUT, error_name(error.code), error.message);
   } catch (const CGAL::Failure_exception& error) {
     exit_status = fail(METHOD_FAILED, "failed",
                        "an assertion of CGAL failed: " + error.expression() + " in " + error.filename() + ", line " +

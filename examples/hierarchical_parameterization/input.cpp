@@ -247,7 +247,7 @@ void take_as_atlas(const std::vector<Component>& components, bool cuts, Input& i
       input.number_of_borders += c.number_of_borders;
     }
   if (input.faces.empty())
-    throw Input_error{ "has closed components and such with handles only; --cut auto cuts them",
+    throw Input_error{ "every component is closed or has handles; --cut auto cuts them",
                        SMP::ERROR_NO_TOPOLOGICAL_DISC };
   std::sort(input.faces.begin(), input.faces.end());
 }

@@ -41,15 +41,21 @@ Method_error error_of(const SMP::Parameterization_summary& summary, const Option
            summary.error.code };
 }
 
-void check_quality(const SMP::Parameterization_quality& quality, bool may_flip, bool may_overlap, bool may_mirror)
+// What a map must be, whatever it looks like.
+struct Promises
 {
-  if (quality.is_mirrored && !may_mirror)
+  bool has_no_flips, has_no_overlaps, is_not_mirrored;
+};
+
+void check_quality(const SMP::Parameterization_quality& quality, const Promises& promises)
+{
+  if (quality.is_mirrored && promises.is_not_mirrored)
     throw Method_error{ "the map is mirrored", SMP::ERROR_NO_1_TO_1_MAPPING };
-  if (quality.flips > 0 && !may_flip)
+  if (quality.flips > 0 && promises.has_no_flips)
     throw Method_error{ "no map without flips was found: " +
                             counted(quality.flips, "triangle is", "triangles are") + " not positive",
                         SMP::ERROR_NO_1_TO_1_MAPPING };
-  if (quality.overlaps > 0 && !may_overlap)
+  if (quality.overlaps > 0 && promises.has_no_overlaps)
     throw Method_error{ "no map without overlaps was found: " +
                             counted(quality.overlaps, "pair of triangles overlaps", "pairs of triangles overlap"),
                         SMP::ERROR_NO_1_TO_1_MAPPING };
@@ -68,8 +74,8 @@ void lay_out_chart(Input& input, const Options& options, Run_record& run)
   if (!run.summary.is_ok())
     throw error_of(run.summary, options);
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(input.mesh, input.faces, input.uvmap);
-  check_quality(quality, !options.method->is_flip_free, !options.is_globally_injective,
-                !options.method->is_flip_free || !options.hold.empty());
+  const bool is_flip_free = options.method->is_flip_free;
+  check_quality(quality, { is_flip_free, options.is_globally_injective, is_flip_free && options.hold.empty() });
   run.quality = quality;
 }
 
@@ -79,7 +85,7 @@ Corner_map add_corner_map(Mesh& mesh)
   return mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv", Kernel::Point_2(none, none)).first;
 }
 
-SMP::Atlas_summary run_atlas(Mesh& mesh, Corner_map corner_map, const Options& options)
+SMP::Atlas_summary atlas_with_sharp_seams(Mesh& mesh, Corner_map corner_map, const Options& options)
 {
   const Seam_map seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
   if (options.sharp_angle)
@@ -94,14 +100,14 @@ SMP::Atlas_summary run_atlas(Mesh& mesh, Corner_map corner_map, const Options& o
 }
 
 // Runs the method on the faces of the input. The faces of errors are those of the mesh.
-SMP::Atlas_summary run_atlas(Input& input, const Options& options)
+SMP::Atlas_summary atlas_of_chosen_faces(Input& input, const Options& options)
 {
   input.corner_map = add_corner_map(input.mesh);
   if (input.faces.size() == input.mesh.number_of_faces())
-    return run_atlas(input.mesh, input.corner_map, options);
+    return atlas_with_sharp_seams(input.mesh, input.corner_map, options);
   Mesh part = mesh_of(input.mesh, input.faces);
   const Corner_map corner_map = add_corner_map(part);
-  SMP::Atlas_summary atlas = run_atlas(part, corner_map, options);
+  SMP::Atlas_summary atlas = atlas_with_sharp_seams(part, corner_map, options);
   for (std::size_t i = 0; i < input.faces.size(); ++i) {
     Mesh::Halfedge_index h = input.mesh.halfedge(input.faces[i]);
     const Mesh::Face_index f = Mesh::Face_index(Mesh::size_type(i));
@@ -160,7 +166,7 @@ std::vector<const SMP::Atlas_summary::Chart*> charts_without_map(const SMP::Atla
 
 void lay_out_atlas(Input& input, const Options& options, Run_record& run)
 {
-  run.atlas = run_atlas(input, options);
+  run.atlas = atlas_of_chosen_faces(input, options);
   const auto has_no_map = [&](Mesh::Face_index f) {
     return !std::isfinite(input.corner_map[input.mesh.halfedge(f)].x());
   };
@@ -171,8 +177,8 @@ void lay_out_atlas(Input& input, const Options& options, Run_record& run)
                          : error_of(failed.front()->summary, options);
   run.summary = summary_of(*run.atlas);
   const SMP::Parameterization_quality quality = SMP::atlas_quality(input.mesh, input.faces, input.corner_map);
-  const bool may_flip = !options.method->is_flip_free;
-  check_quality(quality, may_flip, may_flip, may_flip);
+  const bool is_flip_free = options.method->is_flip_free;
+  check_quality(quality, { is_flip_free, is_flip_free, is_flip_free });
   run.quality = quality;
 }
 

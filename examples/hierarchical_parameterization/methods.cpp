@@ -7,6 +7,7 @@
 
 #include "run_shipped.h"
 
+#include <CGAL/Surface_mesh_parameterization/Option_defaults.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 
 #include <algorithm>
@@ -35,7 +36,7 @@ Method distortion_method(std::string name, std::string description, Run_method* 
 Method edge_energy_method(std::string name, std::string description, Run_method* run, Run_atlas* run_atlas)
 {
   Method result{ std::move(name), std::move(description), run, run_atlas };
-  result.tolerance = 1e-8;
+  result.tolerance = SMP::Option_defaults::tolerance_of_edge_energies;
   return result;
 }
 
@@ -44,7 +45,7 @@ Method linear_method_of_CGAL(std::string name, std::string description, Run_meth
                              Run_method* run_shipped)
 {
   Method result = edge_energy_method(std::move(name), std::move(description), run, run_atlas);
-  result.tolerance = 1e-10;
+  result.tolerance = SMP::Option_defaults::tolerance_of_linear_solver;
   result.has_levels = false;
   result.run_shipped = run_shipped;
   return result;

@@ -9,6 +9,7 @@
 #include "Mesh.h"
 
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/Option_defaults.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
 
@@ -66,7 +67,7 @@ struct Method
   Run_method* run = nullptr;
   Run_atlas* run_atlas = nullptr;
   double tolerance = 0;                       // the defaults of the options
-  std::size_t iterations = 300;
+  std::size_t iterations = SMP::Option_defaults::iterations_of_linear_solver;
   SMP::Triangle_weight triangle_weight = SMP::Triangle_weight::ONE;
   bool is_flip_free = false;                  // whether flips are a failure
   bool has_levels = true;                     // whether every level is parameterized

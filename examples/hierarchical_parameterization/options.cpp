@@ -5,12 +5,16 @@
 
 #include "options.h"
 
+#include "describe_options.h"
 #include "errors.h"
 #include "has_suffix.h"
 #include "name_for_input.h"
 
+#include <CGAL/Surface_mesh_parameterization/Option_defaults.h>
+
 #include <CGAL/version.h>
 
+#include <boost/algorithm/string/join.hpp>
 #include <boost/any.hpp>
 #include <boost/program_options.hpp>
 
@@ -24,20 +28,6 @@
 #include <vector>
 
 namespace {
-
-namespace po = boost::program_options;
-
-// What is chosen by words.
-struct Words
-{
-  std::string method, weights, flips, components, cut;
-};
-
-// Numbers as the command line has them: read as unsigned ones, -1 would be a huge one.
-struct Numbers
-{
-  long long iterations = 0, seed = 0;
-};
 
 // A number that an atlas is made with.
 struct Atlas_number
@@ -60,150 +50,35 @@ const std::vector<Atlas_number>& numbers_of_atlas()
   return numbers;
 }
 
-// One text of what `describe(method)` returns, for all of them.
-template <class Describe>
-std::string list_of_methods(const std::string& separator, const Describe& describe)
+// The word of an option must be one of these.
+void check_word(const std::string& option, const std::string& word, const std::vector<std::string>& words)
 {
-  std::string list;
+  if (std::find(words.begin(), words.end(), word) == words.end())
+    throw Usage_error{ "--" + option + ": '" + word + "' is none of " + boost::algorithm::join(words, ", ") };
+}
+
+void check_words(const Words& words)
+{
+  std::vector<std::string> names_of_methods;
   for (const Method& method : methods())
-    list += (list.empty() ? "" : separator) + describe(method);
-  return list;
-}
-
-// Texts for --help, and where the values go.
-po::options_description describe_options(Options& options, Words& words, Numbers& numbers)
-{
-  po::options_description described("Options");
-  auto add = described.add_options();
-  add("help,h", "print this text");
-  add("version", "print the version");
-  add("method", po::value(&words.method)->default_value("mips"), "one of those above");
-  add("output", po::value(&options.output),
-      "write the mesh with its map as OBJ, PLY or binary glTF (.glb); as OBJ if the name has no ending. PLY has the "
-      "vertex properties u and v, or the list texcoord of each face if corners of a vertex may have several places");
-  add("binary", po::bool_switch(&options.is_output_binary),
-      "write PLY in binary: two fifths shorter, in a third of the time. Then texcoord is a list of doubles");
-  add("components", po::value(&words.components),
-      "all (default): lay out every component, and pack the charts into the unit square; or largest: the one with the "
-      "most faces. The default is largest with --flat, --levels, --start and --hold, which take one chart");
-  add("cut", po::value(&words.cut),
-      "auto (default): cut components that are closed or have handles along short seams; or none: leave them out, and "
-      "let one chart lie over itself. The default is none with --flat, --levels, --start and --hold");
-  add("least-used-part", po::value<double>(),
-      "divide charts by short cuts until they cover this part of the unit square, from 0 to 1, or no cut helps; 0.7 is "
-      "within reach of most surfaces; 0: none. The default is 0.25. Makes an atlas of one component, too");
-  add("distortion-bound", po::value<double>(),
-      "cut surfaces until there are maps of them whose mean symmetric Dirichlet energy, 4 without distortion, is "
-      "within this bound, as far as 50 branches of the seam lead; inf: only what must be cut. The default is 4.5 for "
-      "surfaces that must be cut or exceed 8. Makes an atlas of one component, too");
-  add("overlap-bound", po::value<double>(),
-      "divide charts whose map would lie over itself with more than this part of its triangles, from 0 to 1; 1: none. "
-      "The default is 0.2. Makes an atlas of one component, too");
-  add("hole-bound", po::value<double>(),
-      "in an atlas, treat holes as parts of the surface whose border is no longer than this part, from 0 to 1, of the "
-      "square root of their component's area; 0: none. The default is 0.1. Makes an atlas of one component, too");
-  add("sharp-angle", po::value<double>(),
-      "part the surface into regions along edges at which it turns by at least this angle, from 0 to 180 degrees: 40, "
-      "for instance, parts the faces of a mechanical model, most of which have maps without distortion. Each region "
-      "has the distortion bound 4.5 unless another one is given. Makes an atlas of one component, too");
-  add("atlas", po::bool_switch(&options.makes_atlas),
-      "make an atlas of one component, too: its chart or charts in the unit square");
-  add("stitch", po::bool_switch(&options.is_stitched),
-      "join borders whose points coincide, as where every face has points of its own. Of points that are joined, the "
-      "first one stays; the numbers of those behind it change, also for --hold and --start, which count those of the "
-      "output");
-  add("start", po::value(&options.start),
-      "mips, symmetric-dirichlet, arap: start from the map that this file has for the vertices of INPUT: PLY with u "
-      "and v, or OBJ, as --output writes them for one chart");
-  add("hold", po::value(&options.hold),
-      "mips, symmetric-dirichlet, arap: hold vertices at the places that this file has: lines of a vertex, counted "
-      "from 0, and its two coordinates; lines that are empty or begin with # are none");
-  add("picture", po::value(&options.picture), "draw the map as SVG, colored by distortion");
-  add("report", po::value(&options.report), "write figures as JSON, one line per input");
-  add("levels", po::value(&options.levels),
-      "write every level of the hierarchy as OBJ into this folder: level_00.obj, the coarsest one, and so on, with "
-      "maps before the repair of flips. Files of an earlier run that had more levels stay there");
-  add("triangulate", po::bool_switch(&options.is_triangulated), "cut faces of more than three corners into triangles");
-  add("orient", po::bool_switch(&options.is_oriented),
-      "turn faces so that neighbors, which share points, have one orientation. Where that cannot be, where more than "
-      "two faces meet at an edge or several fans at a vertex, the surface is cut: points are there several times then, "
-      "the new ones behind those of the input. Triangles that have a vertex twice are left out");
-  add("flat", po::bool_switch(&options.flat),
-      "run the method without the hierarchy; those of CGAL as they are shipped. --tolerance and --iterations are for "
-      "mips and symmetric-dirichlet then: a direct solver, or CGAL, takes neither");
-  add("tolerance", po::value(&options.tolerance),
-      "mips, symmetric-dirichlet, arap: converged when a step lowers the energy by less than this part of its excess "
-      "over the minimum (default 1e-6); others: when the relative residual is not greater (default 1e-8, of CGAL's "
-      "1e-10)");
-  add("iterations", po::value(&numbers.iterations),
-      "mips, symmetric-dirichlet, arap: the most steps of Newton's method on a level (default 200; 0: vertices are "
-      "only relaxed one by one); others: of the linear solver, before a direct one takes over (default 300; 0: at "
-      "once)");
-  add("weights", po::value(&words.weights),
-      "mips, symmetric-dirichlet: of the triangles: triangle (all alike; default of mips) or area (in space; default "
-      "of symmetric-dirichlet)");
-  add("flips", po::value(&words.flips)->default_value("repair"),
-      "not for mips and symmetric-dirichlet, which flip no triangle: repair (default), fail (an error) or keep");
-  add("globally-injective", po::bool_switch(&options.is_globally_injective),
-      "mips, symmetric-dirichlet: keep the free border from running over itself, whatever that costs. By default a "
-      "chart for which it costs much becomes an atlas instead; with --cut none, --flat, --levels, --start and --hold "
-      "borders are kept apart by this option only");
-  add("fill-holes", po::bool_switch(&options.fills_holes),
-      "close every border but the longest one by a virtual vertex, so that a hole is laid out as a part of the "
-      "surface");
-  add("seed", po::value(&numbers.seed)->default_value(0),
-      "of the random choices: the same seed gives the same result");
-  add("threads", po::value(&options.threads)->default_value(0),
-      "the most threads to use, if built with TBB; 0: as many as there are. The result is the same");
-  add("quiet", po::bool_switch(&options.quiet), "print errors only");
-  return described;
-}
-
-void print_help(const po::options_description& described)
-{
-  std::cout << "Usage: hierarchical_parameterization [INPUT ...] [OPTION ...]\n\n"
-               "Lays triangulated surfaces (OFF, OBJ, PLY or STL) in the plane, coarse to fine.\n"
-               "One component that has a border and no handles becomes one chart. Anything else becomes an atlas: cut "
-               "into charts, all at one scale, in the unit square. So does one chart that mips or symmetric-dirichlet "
-               "would lay over itself, unless its borders can be kept apart with little distortion.\n"
-               "Without INPUT: a built-in face of 1042 vertices. INPUT may be -, the standard input.\n"
-               "The file of --output, --picture or --report may be -, the standard output; the summary goes to "
-               "stderr then.\n"
-               "In the names of --output and --picture, {.} stands for INPUT without its ending, and {/.} for the same "
-               "without its folder.\n\n"
-               "Examples:\n"
-               "  hierarchical_parameterization scan.ply --output scan.obj --picture map.svg\n"
-               "  hierarchical_parameterization --method symmetric-dirichlet statue.stl --output statue.glb\n"
-               "  hierarchical_parameterization --method symmetric-dirichlet --globally-injective scan.ply --output "
-               "map.ply\n"
-               "  hierarchical_parameterization charts/*.off --output 'maps/{/.}.ply' --report maps/report.json\n"
-               "  find charts -name '*.off' -print0 | xargs -0 -P 8 -n 100 hierarchical_parameterization --quiet "
-               "--threads 1 --report -\n\n"
-               "Methods:\n  "
-            << list_of_methods("\n  ",
-                               [](const Method& m) {
-                                 return m.name + ": " + m.description + (m.is_flip_free ? "; no triangle flips" : "");
-                               })
-            << "\n\n"
-            << described
-            << "\n"
-               "Exit status: 0 maps written, 1 wrong usage, 2 an input cannot be read or is no surface to "
-               "parameterize, or a part of it was left out, 3 a method failed or a file cannot be written.\n";
+    names_of_methods.push_back(method.name);
+  check_word("method", words.method, names_of_methods);
+  check_word("flips", words.flips, { "repair", "fail", "keep" });
+  if (!words.weights.empty())
+    check_word("weights", words.weights, { "triangle", "area" });
+  if (!words.components.empty())
+    check_word("components", words.components, { "all", "largest" });
+  if (!words.cut.empty())
+    check_word("cut", words.cut, { "auto", "none" });
 }
 
 void read_words(const Words& words, Options& options)
 {
+  check_words(words);
   options.method = find_method(words.method);
-  if (!options.method)
-    throw Usage_error{ "unknown method '" + words.method +
-                       "'; there are: " + list_of_methods(", ", [](const Method& m) { return m.name; }) };
-  if (!words.weights.empty() && words.weights != "triangle" && words.weights != "area")
-    throw Usage_error{ "unknown weights '" + words.weights + "'; there are: triangle, area" };
   options.triangle_weight = words.weights.empty()     ? options.method->triangle_weight
                             : words.weights == "area" ? SMP::Triangle_weight::AREA
                                                       : SMP::Triangle_weight::ONE;
-  if (words.flips != "fail" && words.flips != "repair" && words.flips != "keep")
-    throw Usage_error{ "unknown way with flips '" + words.flips + "'; there are: repair, fail, keep" };
   options.flip_policy = words.flips == "fail"     ? SMP::Flip_policy::FAIL
                         : words.flips == "repair" ? SMP::Flip_policy::REPAIR
                                                   : SMP::Flip_policy::KEEP;
@@ -212,10 +87,10 @@ void read_words(const Words& words, Options& options)
 void read_numbers(const Numbers& numbers, Options& options)
 {
   if (numbers.iterations < 0)
-    throw Usage_error{ "the number of iterations must not be negative" };
+    throw Usage_error{ "--iterations: a number that is not negative expected" };
   constexpr unsigned int greatest_seed = std::numeric_limits<unsigned int>::max();
   if (numbers.seed < 0 || numbers.seed > greatest_seed)
-    throw Usage_error{ "the seed must be from 0 to " + std::to_string(greatest_seed) };
+    throw Usage_error{ "--seed: a number from 0 to " + std::to_string(greatest_seed) + " expected" };
   options.iterations = std::size_t(numbers.iterations);
   options.seed = static_cast<unsigned int>(numbers.seed);
 }
@@ -283,11 +158,6 @@ void forbid_cuts(Options& options)
 // Which part of a mesh is laid out, and whether it may be cut: what the command line says, or the defaults.
 void read_part(const std::string& components, const std::string& cut, Options& options)
 {
-  constexpr double bound_of_regions = 4.5;      // between sharp edges, rings, too, as the side of a cylinder
-  if (!components.empty() && components != "all" && components != "largest")
-    throw Usage_error{ "unknown components '" + components + "'; there are: all, largest" };
-  if (!cut.empty() && cut != "auto" && cut != "none")
-    throw Usage_error{ "unknown way to cut '" + cut + "'; there are: auto, none" };
   const std::string atlas = option_of_atlas(components, cut, options), one_chart = options_of_one_chart(options);
   if (!one_chart.empty() && !atlas.empty())
     throw Usage_error{ atlas + ": not with " + one_chart + ", for which there is one chart" };
@@ -299,7 +169,7 @@ void read_part(const std::string& components, const std::string& cut, Options& o
   if (!options.cuts)
     forbid_cuts(options);
   else if (options.sharp_angle && !options.distortion_bound)
-    options.distortion_bound = bound_of_regions;
+    options.distortion_bound = SMP::Option_defaults::distortion_bound;      // rings, too, as the side of a cylinder
 }
 
 void check_several_inputs(const Options& options)
@@ -349,7 +219,7 @@ void check_options(const Options& options)
   if (options.flat && options.fills_holes && options.method->run_shipped)
     throw Usage_error{ "--fill-holes: not with --flat, which runs " + options.method->name + " as CGAL ships it" };
   if (options.threads < 0)
-    throw Usage_error{ "the number of threads must not be negative" };
+    throw Usage_error{ "--threads: a number that is not negative expected" };
   if (!options.levels.empty() && options.flat)
     throw Usage_error{ "--levels: not with --flat, which makes no levels" };
   if (!options.levels.empty() && !options.method->has_levels)

@@ -15,10 +15,10 @@
 #include <CGAL/Surface_mesh_parameterization/Harmonic_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Nested_iteration_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Option_defaults.h>
 #include <CGAL/Surface_mesh_parameterization/Shape_preserving_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas_options.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -58,7 +58,7 @@ void run_refinable(Input& input, const Method_options& options, Method method, S
 template <template <class, class> class Distortion>
 SMP::Parameterization_summary minimize_distortion(Input& input, const Method_options& options)
 {
-  const double overlap_bound = options.is_globally_injective ? 1 : SMP::internal::Atlas_options().overlap_bound;
+  const double overlap_bound = options.is_globally_injective ? 1 : SMP::Option_defaults::overlap_bound;
   SMP::Parameterization_summary summary;
   const Distortion<Mesh, CGAL::Parallel_if_available_tag> method(
     CGAL::parameters::tolerance(options.tolerance).summary(std::ref(summary)).triangle_weight(options.triangle_weight)

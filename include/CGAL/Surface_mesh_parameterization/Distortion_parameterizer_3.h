@@ -233,7 +233,7 @@ private:
   static bool is_out_of_reach(const internal::Level_energy_of<E>& energy, const Level::Uv& uv)
   {
     constexpr double greatest_ratio = 1e100;
-    const double value = energy(uv), minimum = energy.minimum() * energy.total_weight();
+    const double value = energy(uv), minimum = energy.minimum_of_map();
     return !std::isfinite(value) || (minimum > 0 && value > greatest_ratio * minimum);
   }
 
@@ -256,7 +256,7 @@ private:
         m_options.triangle_weight != Triangle_weight::ONE || !internal::is_free(level))
       return false;
     const auto energy = level_energy(level, m_energy);
-    const double minimum = energy.minimum() * energy.total_weight();
+    const double minimum = energy.minimum_of_map();
     return minimum > 0 && energy(uv) > greatest_ratio * minimum &&
            internal::number_of_flat_triangles(level) > few + level.triangles().size() / triangles_for_one;
   }

@@ -8,6 +8,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Option_defaults.h>
 #include <CGAL/Surface_mesh_parameterization/Refinable_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Refused.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/concept_checks.h>
@@ -158,8 +159,8 @@ public:
 private:
   Border_parameterizer m_border_parameterizer;
   Edge_weights m_weights;
-  double m_tolerance = 1e-8;
-  std::size_t m_number_of_iterations = 300;
+  double m_tolerance = Option_defaults::tolerance_of_edge_energies;
+  std::size_t m_number_of_iterations = Option_defaults::iterations_of_linear_solver;
   const char* m_fault_of_counts = nullptr;
 };
 

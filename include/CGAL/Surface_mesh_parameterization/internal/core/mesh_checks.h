@@ -24,7 +24,7 @@ template <class, class, class> class Seam_mesh;
 
 } // namespace CGAL
 
-// What calls ask of a mesh and of the property maps of its vertices, edges and halfedges: checks as in concept_checks.h.
+// What calls ask of a mesh and of property maps of its vertices, edges and halfedges: checks as in concept_checks.h.
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_OPTIONS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CUT_CUT_OPTIONS_H
 
+#include <CGAL/Surface_mesh_parameterization/Option_defaults.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 
 #include <cstddef>
@@ -12,7 +13,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 struct Cut_options
 {
-  double distortion_bound = 4.5;            // of the mean symmetric Dirichlet energy
+  double distortion_bound = Option_defaults::distortion_bound;      // of the mean symmetric Dirichlet energy
   double bound_of_disks = 8;                // surfaces that need no cut are cut, too, where they exceed this
   bool measures_all_disks = false;          // else only those with a short border are taken to exceed it
   double least_length_of_border = 0.5;      // of one that is not short, by that of a circle of the surface's area

@@ -67,9 +67,10 @@ inline bool is_small(const Level& level)
 // Whether the energy is so high that another start may lead to a better map.
 inline bool is_far_above_minimum(const Level_energy& energy, double value)
 {
-  const double greatest_ratio = is_small(energy.level()) ? 2 : 4;
+  constexpr double greatest_ratio_of_small = 2, greatest_ratio_of_large = 4;
   const double minimum = energy.minimum_of_map();
-  return minimum > 0 && !(value <= greatest_ratio * minimum);
+  return minimum > 0 &&
+         !(value <= (is_small(energy.level()) ? greatest_ratio_of_small : greatest_ratio_of_large) * minimum);
 }
 
 // Whether a run on a small surface has ended where much may be left, and not at a low limit of its user's.

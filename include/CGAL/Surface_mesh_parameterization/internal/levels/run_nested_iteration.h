@@ -13,9 +13,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_attempts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_options.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/Refinable_method.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Refinable_method_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Run_setup.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Place_constraints.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/position_in.h>
@@ -27,109 +26,10 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
-
-// A model of RefinableParameterizer_3 as the engine sees it.
-template <class Method>
-class Refinable_method_of final
-  : public Refinable_method
-{
-public:
-  Refinable_method_of(Method& method, const Loops& loops) : m_method(method), m_loops(loops) { }
-
-  bool is_flip_free() const override { return Method::is_flip_free; }
-  Loops loops() const override { return m_loops; }
-  Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) override
-  {
-    return checked(m_method.parameterize_coarsest(level, uv), level, uv);
-  }
-  Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) override
-  {
-    return checked(m_method.refine(level, uv, summary), level, uv);
-  }
-  bool leave_room() override
-  {
-    if constexpr (is_detected<Room_left, Method>)
-      return m_method.leave_room();
-    return false;
-  }
-  bool keep_borders_apart([[maybe_unused]] bool yes) override
-  {
-    if constexpr (keeps_borders_apart<Method>)
-      return m_method.keep_borders_apart(yes);
-    return false;
-  }
-
-  bool has_energy() const override { return is_detected<Energy_of, Method>; }
-  bool has_flip_free_alternative() const override
-  {
-    return is_detected<Energy_of, Method> && is_detected<Refined_without_flips, Method>;
-  }
-  double energy([[maybe_unused]] const Level& level, [[maybe_unused]] const Level::Uv& uv) const override
-  {
-    if constexpr (is_detected<Energy_of, Method>)
-      return m_method.energy(level, uv);
-    return 0;
-  }
-  Error_code refine_without_flips([[maybe_unused]] const Level& level, [[maybe_unused]] Level::Uv& uv,
-                                  [[maybe_unused]] Level_summary& summary) override
-  {
-    if constexpr (is_detected<Refined_without_flips, Method>)
-      return checked(m_method.refine_without_flips(level, uv, summary), level, uv);
-    return ERROR_NO_1_TO_1_MAPPING;
-  }
-
-  // Results without flips need no repair, and their methods do not compile it.
-  Error_code settle_flips(const Flip_settlement& settlement, const One_rings& rings,
-                          Function_ref<Triangulated_surface_3()> make_surface, Level::Uv& uv,
-                          Parameterization_summary& summary) const override
-  {
-    if constexpr (is_result_flip_free<Method>)
-      return settlement.policy == Flip_policy::KEEP || has_no_flips(rings, uv, settlement.loops)
-                 ? OK : ERROR_NO_1_TO_1_MAPPING;
-    else {
-      const Error_code status = internal::settle_flips(settlement, rings, make_surface, uv, summary);
-      if (status == OK && settlement.policy != Flip_policy::KEEP && !places_border<Method>)
-        mirror_back(rings, uv);
-      return status;
-    }
-  }
-
-  // Why the method has returned ERROR_WRONG_PARAMETER.
-  const char* cause() const
-  {
-    return m_has_resized_map ? "the method has changed the number of places in the map of a level"
-                             : "the method refuses one of its options";
-  }
-
-private:
-  // What the method returns, unless its map is none of the level.
-  Error_code checked(Error_code status, const Level& level, const Level::Uv& uv)
-  {
-    m_has_resized_map = status == OK && uv.size() != level.number_of_vertices();
-    return m_has_resized_map ? ERROR_WRONG_PARAMETER : status;
-  }
-
-  // The optional members of the concept.
-  template <class M>
-  using Room_left = decltype(std::declval<M&>().leave_room());
-
-  template <class M>
-  using Energy_of = decltype(std::declval<const M&>().energy(std::declval<const Level&>(),
-                                                             std::declval<const Level::Uv&>()));
-
-  template <class M>
-  using Refined_without_flips = decltype(std::declval<M&>().refine_without_flips(
-      std::declval<const Level&>(), std::declval<Level::Uv&>(), std::declval<Level_summary&>()));
-
-  Method& m_method;
-  Loops m_loops;
-  bool m_has_resized_map = false;
-};
 
 // A method of the package tells what is wrong with its options.
 template <class Method>
@@ -151,20 +51,6 @@ inline Parameterization_error unreadable_map()
            "uvmap cannot be read, but the run starts from it or holds vertices there" };
 }
 
-// Does what add_places() does, or returns `ERROR_WRONG_PARAMETER` if the map can only be written.
-template <class TriangleMesh, class VertexUVMap>
-Parameterization_error add_places_if_readable(const Place_constraints<TriangleMesh>& constraints,
-                                              const TriangleMesh& mesh, VertexUVMap uvmap, bool is_start,
-                                              Mesh_component<TriangleMesh>& component, bool& is_mirrored)
-{
-  if (constraints.empty())
-    return Parameterization_error();
-  if constexpr (Readable_uv_map_check<VertexUVMap, TriangleMesh>::value)
-    return add_places(constraints, mesh, uvmap, is_start, component, is_mirrored);
-  else
-    return unreadable_map();
-}
-
 // For a method of this package, how many vertices can be brought to given places at no cost: a map may be moved and
 // turned, or scaled, too.
 template <class Method>
@@ -184,60 +70,116 @@ std::vector<Triangulated_surface_3::Fixed_vertex> take_places_at_no_cost(Triangu
   return {};
 }
 
-// Makes the map of a component's surface, in its units, that the user gives to start from, if it is one to start from;
-// else it is empty. Returns false if the user's map can only be written.
-template <class TriangleMesh, class VertexUVMap>
-bool make_start_if_readable(Make_starting_map make_starting_map, bool must_mirror, const Loops& loops,
-                            Mesh_component<TriangleMesh>& component, VertexUVMap uvmap, std::vector<Point_2>& start)
-{
-  if constexpr (Readable_uv_map_check<VertexUVMap, TriangleMesh>::value) {
-    start = read_map(component, component.surface().scale_exponent, uvmap);
-    start.resize(component.surface().points.size(), nowhere());      // where holes were filled
-    if (must_mirror)
-      mirror(start);
-    if (!make_starting_map(component.surface(), loops, start))
-      start.clear();
-    return true;
-  } else
-    return false;
-}
-
-// Gives vertices of a component the places that the method's border and the caller's constraints ask for.
+// The run of a model of RefinableParameterizer_3 on the component of a mesh: what it takes from the mesh and from the
+// user's map, and how both get the result.
 template <class Method, class TriangleMesh, class VertexUVMap>
-Parameterization_error place_vertices(Method& method, const Run_setup<TriangleMesh>& setup, const TriangleMesh& mesh,
-                                      typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd,
-                                      VertexUVMap uvmap, Mesh_component<TriangleMesh>& component, bool& is_mirrored)
+class Refinable_run
 {
-  if (component.error().code != OK)
-    return component.error();
-  if (const Parameterization_error error = place_border(method, mesh, bhd, component); error.code != OK)
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor   halfedge_descriptor;
+  typedef typename boost::property_traits<VertexUVMap>::value_type          User_point_2;
+
+  static constexpr bool is_map_readable = Readable_uv_map_check<VertexUVMap, TriangleMesh>::value;
+
+public:
+  Refinable_run(Method& method, const Run_setup<TriangleMesh>& setup, const Loops& loops, const TriangleMesh& mesh,
+                halfedge_descriptor bhd, VertexUVMap uvmap)
+    : m_method(method), m_setup(setup), m_loops(loops), m_mesh(mesh), m_bhd(bhd), m_uvmap(uvmap),
+      m_timer(started_timer()), m_component(mesh, bhd, loops)
+  { }
+
+  // Parameterizes the component, and writes to the property maps if all went well. The visitor may be null. Returns the
+  // error that completes the summary.
+  template <class VertexParameterizedMap>
+  Parameterization_error run(Any_hierarchy_visitor* visitor, VertexParameterizedMap vpmap,
+                             Parameterization_summary& summary)
+  {
+    if (const Parameterization_error error = place_vertices(); error.code != OK)
+      return error;
+    if (m_setup.options.fills_holes)
+      m_component.fill_holes();
+    const Nested_iteration_options options = make_options();
+    std::vector<Point_2> uv;
+    if (options.make_starting_map && !make_start(uv))
+      return unreadable_map();
+    const int scale_exponent = m_component.surface().scale_exponent;
+    Refinable_method_of<Method> method(m_method, m_loops);
+    Nested_iteration_attempts attempts(method, options, visitor, summary);
+    if (attempts.run(std::move(m_component.surface()), m_timer, uv) != OK)
+      return explained(summary.error, method.cause());
+    if (m_is_mirrored)
+      mirror(uv);
+    const Error_code status = write_map(m_component, scale_exponent, uv, m_uvmap, vpmap);
+    return { status, Parameterization_error::NOWHERE, 0, status == OK ? nullptr : cause_of_overflow };
+  }
+
+private:
+  static CGAL::Real_timer started_timer()
+  {
+    CGAL::Real_timer timer;
+    timer.start();
+    return timer;
+  }
+
+  // Gives vertices of the component the places that the method's border and the caller's constraints ask for.
+  Parameterization_error place_vertices()
+  {
+    if (m_component.error().code != OK)
+      return m_component.error();
+    const Parameterization_error error = place_border(m_method, m_mesh, m_bhd, m_component);
+    if (error.code != OK || m_setup.constraints.empty())
+      return error;
+    if constexpr (is_map_readable)
+      return add_places(m_setup.constraints, m_mesh, m_uvmap, bool(m_setup.options.make_starting_map), m_component,
+                        m_is_mirrored);
+    else
+      return unreadable_map();
+  }
+
+  Nested_iteration_options make_options()
+  {
+    Nested_iteration_options result = m_setup.options;
+    result.round = rounding_to<User_point_2>(m_component.surface().scale_exponent);
+    result.flips.loops = m_loops;
+    result.must_hold_places = !m_setup.constraints.empty();
+    result.places_at_end = take_places_at_no_cost<Method>(m_component.surface());
+    return result;
+  }
+
+  // Makes the map of the component's surface, in its units, that the user gives to start from, if it is one to start
+  // from; else it is empty. Returns false if the user's map can only be written.
+  bool make_start(std::vector<Point_2>& start)
+  {
+    if constexpr (is_map_readable) {
+      start = read_map(m_component, m_component.surface().scale_exponent, m_uvmap);
+      start.resize(m_component.surface().points.size(), nowhere());      // where holes were filled
+      if (m_is_mirrored)
+        mirror(start);
+      if (!m_setup.options.make_starting_map(m_component.surface(), m_loops, start))
+        start.clear();
+    }
+    return is_map_readable;
+  }
+
+  // An error of the engine, in terms of the mesh.
+  Parameterization_error explained(Parameterization_error error, const char* cause_of_method) const
+  {
+    if (error.code == ERROR_WRONG_PARAMETER && !error.cause)
+      error.cause = cause_of_method;
+    else if (error.place == Parameterization_error::VERTEX)
+      error.index = position_in(vertices(m_mesh), m_component.vertices_of_component()[error.index]);
     return error;
-  return add_places_if_readable(setup.constraints, mesh, uvmap, bool(setup.options.make_starting_map), component,
-                                is_mirrored);
-}
+  }
 
-template <class Method, class User_point_2, class TriangleMesh>
-Nested_iteration_options options_of_run(const Run_setup<TriangleMesh>& setup, const Loops& loops,
-                                        Triangulated_surface_3& surface)
-{
-  Nested_iteration_options result = setup.options;
-  result.round = rounding_to<User_point_2>(surface.scale_exponent);
-  result.flips.loops = loops;
-  result.must_hold_places = !setup.constraints.empty();
-  result.places_at_end = take_places_at_no_cost<Method>(surface);
-  return result;
-}
-
-// Completes what the summary tells of the error of a run.
-template <class TriangleMesh>
-void explain(const TriangleMesh& mesh, const Mesh_component<TriangleMesh>& component, const char* cause_of_method,
-             Parameterization_error& error)
-{
-  if (error.code == ERROR_WRONG_PARAMETER && !error.cause)
-    error.cause = cause_of_method;
-  else if (error.place == Parameterization_error::VERTEX)
-    error.index = position_in(vertices(mesh), component.vertices_of_component()[error.index]);
-}
+  Method& m_method;
+  const Run_setup<TriangleMesh>& m_setup;
+  const Loops& m_loops;
+  const TriangleMesh& m_mesh;
+  halfedge_descriptor m_bhd;
+  VertexUVMap m_uvmap;
+  CGAL::Real_timer m_timer;
+  Mesh_component<TriangleMesh> m_component;
+  bool m_is_mirrored = false;
+};
 
 // Runs a model of RefinableParameterizer_3 coarse to fine on the component of a mesh, and writes to the property maps
 // if all went well. The visitor may be null.
@@ -247,43 +189,15 @@ Error_code run_nested_iteration(Method method, const Run_setup<TriangleMesh>& se
                                 typename boost::graph_traits<TriangleMesh>::halfedge_descriptor bhd, VertexUVMap uvmap,
                                 VertexParameterizedMap vpmap)
 {
-  typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
   Parameterization_summary unused_summary;
   Parameterization_summary& summary = setup.summary ? *setup.summary : unused_summary;
   summary = Parameterization_summary();
-  if (const char* fault = fault_of_run(setup.options, method)) {
+  if (const char* fault = fault_of_run(setup.options, method))
     summary.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
-    return ERROR_WRONG_PARAMETER;
+  else {
+    Refinable_run<Method, TriangleMesh, VertexUVMap> run(method, setup, loops, mesh, bhd, uvmap);
+    summary.error = run.run(visitor, vpmap, summary);
   }
-  CGAL::Real_timer timer;
-  timer.start();
-  Mesh_component<TriangleMesh> component(mesh, bhd, loops);
-  bool is_mirrored = false;
-  summary.error = place_vertices(method, setup, mesh, bhd, uvmap, component, is_mirrored);
-  if (summary.error.code != OK)
-    return summary.error.code;
-  if (setup.options.fills_holes)
-    component.fill_holes();
-
-  const Nested_iteration_options options = options_of_run<Method, User_point_2>(setup, loops, component.surface());
-  std::vector<Point_2> uv;
-  if (options.make_starting_map &&
-      !make_start_if_readable(options.make_starting_map, is_mirrored, loops, component, uvmap, uv)) {
-    summary.error = unreadable_map();
-    return summary.error.code;
-  }
-  const int scale_exponent = component.surface().scale_exponent;
-  Refinable_method_of<Method> engine_method(method, loops);
-  Nested_iteration_attempts attempts(engine_method, options, visitor, summary);
-  if (attempts.run(std::move(component.surface()), timer, uv) != OK) {
-    explain(mesh, component, engine_method.cause(), summary.error);
-    return summary.error.code;
-  }
-  if (is_mirrored)
-    mirror(uv);
-  summary.error.code = write_map(component, scale_exponent, uv, uvmap, vpmap);
-  if (summary.error.code != OK)
-    summary.error.cause = cause_of_overflow;
   return summary.error.code;
 }
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_LINEAR_SOLVER_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LINEAR_LINEAR_SOLVER_H
 
+#include <CGAL/Surface_mesh_parameterization/Option_defaults.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
@@ -23,13 +24,13 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Residuals are relative to that of the free unknowns at 0, with rows scaled to unit diagonal.
 struct Linear_solver_options
 {
-  // When an iteration ends.
-  double tolerance = 1e-10;             // for the residual, or for the rounding error if that is greater
+  // When an iteration ends: by the residual, or by the rounding error if that is greater.
+  double tolerance = Option_defaults::tolerance_of_linear_solver;
   // Once it is below the tolerance, the residual goes on to this times the tolerance, or to what rounding leaves, as
   // long as so many steps in a row halve it; bi-conjugate gradients take two steps in an iteration.
   double aim = 1;
   int patience_below_tolerance = 4;
-  std::size_t most_iterations = 300;
+  std::size_t most_iterations = Option_defaults::iterations_of_linear_solver;
   int patience = 60;                    // iterations that do not halve the residual; an indefinite matrix may have many
   double rounding_error = 1e-15;        // a backward error of the free unknowns that is as good as the tolerance
   int most_starts = 3;                  // from the true residual, when rounding has let the carried one drift away

@@ -33,6 +33,9 @@ public:
     std::size_t cycles = 0;       // of multigrid
     double slack = 0;             // a bound of what the barrier at the full turn costs
     double missed = 0;            // what the model could be lowered by, about, where its minimum was not found
+
+    // The decrease along the slope at the start, by a part of the step.
+    double promised_by_slope(double part) const { return 2 * part * predicted; }
   };
 
   // `barrier`, if there is one, keeps the borders apart; its energy is minimized along with the level's.
@@ -147,10 +150,9 @@ private:
     Step result;
     energy += m_objective.find_contacts(uv);
     if (find_direction(uv, result)) {
-      const double slope = -2 * result.predicted;
-      search_line(uv, m_system.moves(), energy, slope, result);
+      search_line(uv, m_system.moves(), energy, result);
       if (is_worth_bending(result))
-        bend_step(uv, energy, slope, result);
+        bend_step(uv, energy, result);
     }
     return result;
   }
@@ -173,7 +175,7 @@ private:
 
   // Halves the step until the energy falls and the map is valid. Ends early at a trial that fails only by the angles at
   // the border, while no barrier holds them.
-  void search_line(Level::Uv& uv, const Block_vectors& direction, double energy, double slope, Step& result)
+  void search_line(Level::Uv& uv, const Block_vectors& direction, double energy, Step& result)
   {
     const double longest = m_options.part_of_longest_step * m_objective.longest_step(uv, direction);
     double length = (std::min)(1., longest);
@@ -181,16 +183,16 @@ private:
     for (int i = 0; i < m_options.most_halvings; ++i, length *= 0.5) {
       go(uv, length, direction, m_trial);
       const double decrease = energy - m_objective(m_trial);
-      if (!(decrease > -m_options.sufficient_decrease * length * slope))
+      if (!(decrease > m_options.sufficient_decrease * result.promised_by_slope(length)))
         continue;
       if (m_objective.is_valid(uv, m_trial)) {
         uv.swap(m_trial);
         result.decrease = decrease;
         result.length = length;
-        if (!(decrease > m_options.poor_part_of_prediction * -0.5 * length * slope))
-          shorten_step(uv, direction, energy, slope, result);
+        if (!(decrease > m_options.poor_part_of_prediction * length * result.predicted))
+          shorten_step(uv, direction, energy, result);
         else if (m_objective.has_barrier())
-          lengthen_step(uv, direction, energy, slope, longest, result);
+          lengthen_step(uv, direction, energy, longest, result);
         return;
       }
       if (m_objective.lost_gaps() > 0 && !m_objective.has_barrier())
@@ -200,9 +202,10 @@ private:
 
   // After a step that gained little because it went too far: goes back to the minimum of the parabola that has the
   // slope at its start and the energy at its end, if that is lower.
-  void shorten_step(Level::Uv& uv, const Block_vectors& direction, double energy, double slope, Step& result)
+  void shorten_step(Level::Uv& uv, const Block_vectors& direction, double energy, Step& result)
   {
-    const double promise = -result.length * slope, length = 0.5 * result.length * promise / (promise - result.decrease);
+    const double promise = result.promised_by_slope(result.length),
+                 length = 0.5 * result.length * promise / (promise - result.decrease);
     Level::Uv trial(uv.size());
     go(m_trial, length, direction, trial);
     const double decrease = energy - m_objective(trial);
@@ -215,12 +218,11 @@ private:
 
   // Doubles a step, up to the length `longest`, while it lowers the energy by more than the model says. The model is
   // too stiff where borders are close: a step that Newton's method takes there is a small part of the way.
-  void lengthen_step(Level::Uv& uv, const Block_vectors& direction, double energy, double slope, double longest,
-                     Step& result)
+  void lengthen_step(Level::Uv& uv, const Block_vectors& direction, double energy, double longest, Step& result)
   {
     Level::Uv trial(uv.size());
     while (2 * result.length <= longest &&
-           result.decrease > m_options.good_part_of_prediction * -0.5 * result.length * slope) {
+           result.decrease > m_options.good_part_of_prediction * result.length * result.predicted) {
       go(m_trial, 2 * result.length, direction, trial);
       const double decrease = energy - m_objective(trial);
       if (!(decrease > result.decrease) || !m_objective.is_valid(m_trial, trial))
@@ -242,7 +244,7 @@ private:
   // Replaces a step along a line by one along a parabola, if there is a longer one that lowers the energy more.
   // Source: Transtrum, Sethna, Improvements to the Levenberg-Marquardt algorithm for nonlinear least-squares
   // minimization, 2012 (geodesic acceleration).
-  void bend_step(Level::Uv& uv, double energy, double slope, Step& result)
+  void bend_step(Level::Uv& uv, double energy, Step& result)
   {
     const Block_vectors direction = m_system.moves();
     if (result.length == 0)
@@ -259,8 +261,8 @@ private:
         trial[v] = start[v] + Vector_2(move.x, move.y);
       });
       const double decrease = energy - m_objective(trial);
-      if (decrease > (std::max)(result.decrease, -m_options.sufficient_decrease * length * slope) &&
-          m_objective.is_valid(start, trial)) {
+      const double least_decrease = m_options.sufficient_decrease * result.promised_by_slope(length);
+      if (decrease > (std::max)(result.decrease, least_decrease) && m_objective.is_valid(start, trial)) {
         uv.swap(trial);
         result.decrease = decrease;
         result.length = length;

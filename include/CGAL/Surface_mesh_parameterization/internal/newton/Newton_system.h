@@ -114,9 +114,9 @@ public:
     return cycles;
   }
 
-  // Lets the coarse grids serve for the next map, however many cycles they took. A finest level without coarse grids has
-  // its matrix factorized for each map: what the factors of an earlier one miss is little enough in a cycle to be taken
-  // for convergence.
+  // Lets the coarse grids serve for the next map, however many cycles they took. A finest level without coarse grids
+  // has its matrix factorized for each map: what the factors of an earlier one miss is little enough in a cycle to be
+  // taken for convergence.
   void keep_coarse_grids() { m_needs_setup = m_multigrid.is_direct() && m_level.is_finest(); }
 
   // Finds half of the second derivative by t of the path that leads from `uv` down the valley of the model's minima,

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_OPTIONS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_OPTIONS_H
 
+#include <CGAL/Surface_mesh_parameterization/Option_defaults.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Cut_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts.h>
@@ -38,9 +39,9 @@ struct Atlas_options
 {
   Cut_options cut;
   Pack_options pack;
-  double least_used_part = 0.25;    // of the square, by the charts; 0: they are not divided for it
-  double overlap_bound = 0.2;       // the part of a chart that may lie over itself before the chart is divided
-  double hole_bound = 0.1;          // of the length of a hole's border, by the root of the area; greater ones stay open
+  double least_used_part = Option_defaults::least_used_part;      // 0: charts are not divided for it
+  double overlap_bound = Option_defaults::overlap_bound;          // above it a chart is divided
+  double hole_bound = Option_defaults::hole_bound;                // above it a hole stays open
 
   // What is out of its bounds; null if nothing is. The options of the cut are checked where it is made.
   const char* fault() const
