@@ -9,10 +9,12 @@
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_progress.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
@@ -311,6 +313,28 @@ TEST(Atlas, tells_of_charts_without_a_map)
   for (const Kernel::Point_2& p : surface.corners())
     untouched_corners += p == untouched;
   EXPECT_EQ(untouched_corners, 3 * summary.charts[0].faces);
+}
+
+// Weighted means put a triangle on a line whose corner has no neighbors but the other two.
+TEST(Atlas, has_no_flips_with_methods_for_which_they_are_errors)
+{
+  const Flat_mesh surface = part(grid(12, 12, wavy), [](const Point_3& p) {
+    return std::abs(p.x() - 0.5) > 0.3 || std::abs(p.y() - 0.5) > 0.3 || p.x() + 0.5 * p.y() < 0.4;
+  });
+  Surface repaired(surface), failed(surface);
+  const Atlas_summary summary =
+      atlas_parameterization<Mean_value_coordinates_parameterizer_3>(repaired.mesh, repaired.uv);
+  ASSERT_TRUE(summary.is_ok());
+  EXPECT_GT(summary.charts[0].summary.flips, 0u);
+  for (const auto& chart : repaired.charts())
+    for (const internal::Triangle_2& t : chart)
+      EXPECT_TRUE(internal::is_left_turn(t[0], t[1], t[2]));
+  const Parameterization_error error =
+      atlas_parameterization<Mean_value_coordinates_parameterizer_3>(
+          failed.mesh, failed.uv, parameters::default_values(), parameters::flip_policy(Flip_policy::FAIL)).error;
+  EXPECT_EQ(error.code, ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(error.index, 0u);
+  EXPECT_NE(error.cause, nullptr);
 }
 
 struct Stopping_visitor : Hierarchy_visitor_3

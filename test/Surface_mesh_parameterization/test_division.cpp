@@ -377,6 +377,22 @@ TEST(Division, leaves_what_fills_the_square)
   EXPECT_EQ(surface.corners(), same.corners());
 }
 
+// Margins that the user wants wide are no reason to divide: more charts have more of them.
+TEST(Division, leaves_what_would_fill_the_square_with_narrow_margins)
+{
+  const Flat_mesh corner = part(grid(4, 4, flat), [](const Point_3& p) { return p.x() < 0.25 || p.y() < 0.25; });
+  Flat_mesh m = corner;
+  for (Index i = 1; i < 60; ++i)
+    m = with_component(m, corner);
+  Surface wide(m), narrow(m);
+  const Atlas_summary summary = atlas_parameterization(wide.mesh, wide.uv, parameters::margin(0.1)),
+                      expected = atlas_parameterization(narrow.mesh, narrow.uv);
+  ASSERT_TRUE(summary.is_ok() && expected.is_ok());
+  EXPECT_LT(summary.used_part, 0.25);
+  EXPECT_GE(expected.used_part, 0.25);
+  EXPECT_EQ(summary.divisions, 0u);
+}
+
 // What cannot be had costs no more than what can: the best division is taken, and never one that uses less.
 TEST(Division, does_its_best_for_all_of_the_square)
 {

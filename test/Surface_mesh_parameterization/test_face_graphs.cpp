@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/cut_to_disk.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -198,6 +199,25 @@ TEST(Map_of_denormal_doubles, has_no_flips)
         SMP::parameterize(mesh, Hierarchical_parameterizer_3<MIPS_parameterizer_3<Surface_mesh>>(), bhd, uvmap);
     EXPECT_EQ(status == OK, is_valid(mesh, bhd, uvmap)) << exponent;
     EXPECT_EQ(status, exponent < 1070 ? OK : ERROR_NO_1_TO_1_MAPPING);
+  }
+}
+
+// The two descriptors of an edge of a Linear_cell_complex are equal, but not to a map that orders them.
+TEST(Ordered_map_of_seams, has_what_is_true_of_either_descriptor)
+{
+  const auto mesh = make<Linear_cell_complex>(sphere(5, 8));
+  typedef boost::graph_traits<Linear_cell_complex>::edge_descriptor   Edge;
+  for (std::size_t i = 0; i < num_edges(mesh); ++i) {
+    std::map<Edge, bool> is_seam;
+    std::size_t position = 0;
+    for (const Edge e : edges(mesh))
+      is_seam[e] = position++ == i;
+    const Cut_summary cut = cut_to_disk(mesh, boost::make_assoc_property_map(is_seam));
+    ASSERT_TRUE(cut.is_ok());
+    std::size_t seams = 0;
+    for (const Edge e : edges(mesh))
+      seams += is_seam[e];
+    EXPECT_EQ(seams, cut.seam_edges + 1);
   }
 }
 

@@ -238,10 +238,10 @@ bool can_write_GLB()
 }
 
 // Runs on files, and what they hold.
-class Runs : public Prografolder()
+class Runs : public Program_folder
 {
 public:
-  explicit Runs(const Mesh& input) : Prografolder()("atlas") { write_input("in.off", input); }
+  explicit Runs(const Mesh& input) : Program_folder("atlas") { write_input("in.off", input); }
 
   void write_input(const std::string& name, const Mesh& m) const
   {

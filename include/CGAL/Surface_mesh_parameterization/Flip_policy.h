@@ -19,7 +19,8 @@ enum class Flip_policy
   FAIL,     ///< flips are an error, `ERROR_NO_1_TO_1_MAPPING`
   KEEP,     ///< the map is returned as it is
   REPAIR    ///< flips are removed; vertices near them move, and others only where that is not enough; the
-            ///< default of most methods, but `FAIL` is that of barycentric and mean value coordinates on a circle
+            ///< default of most methods and of charts in an atlas, but `FAIL` is that of single maps by barycentric and
+            ///< mean value coordinates on a circle
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

@@ -107,9 +107,10 @@ Atlas read_atlas(const TriangleMesh& mesh, EdgeSeamMap seams, const Atlas_option
 /// - `least_used_part`: the part of the square, from 0 to 1, that the charts should cover: until they do, charts are
 ///   divided where a short cut lets boxes around both sides become smaller, or, where no single cut does, as in a
 ///   frame, so that further ones can. Up to 50 cuts are tried, and the best division is taken, which need not reach the
-///   value; 0.7 is within reach of most surfaces. The map of a part remains. More than 200 charts are not divided. 0:
-///   no chart is divided. A `double` or a `std::optional<double>`. Default: 0.25, which only slender surfaces, frames
-///   and the like do not reach in one chart
+///   value; 0.7 is within reach of most surfaces. The map of a part remains. More than 200 charts are not divided, nor
+///   those that would cover the part if a `margin` greater than the default were the default. 0: no chart is divided. A
+///   `double` or a `std::optional<double>`. Default: 0.25, which only slender surfaces, frames and the like do not reach
+///   in one chart
 /// - `overlap_bound`: the part of a chart's triangles, from 0 to 1, that may lie over others, counted by their
 ///   centroids, when the method has minimized its energy, or before it keeps borders apart if it can do so. Where more
 ///   do, the chart is divided; a part that exceeds `distortion_bound` is cut further. 1: no chart is divided. A
@@ -120,10 +121,11 @@ Atlas read_atlas(const TriangleMesh& mesh, EdgeSeamMap seams, const Atlas_option
 ///   component and seams stay open, and with `join_borders` all holes do. Energies, flips and levels of charts are
 ///   those of the closed ones. 0: none. A `double` or a `std::optional<double>`. Default: 0.1
 /// \param np_of_charts those of `hierarchical_parameterization()` for every chart, but for `summary`, `overlap_bound`
-///        and those of the mesh's vertices: `vertex_is_constrained_map`, `position_weight_map` and `initial_map`. A
-///        `visitor` is told of one chart after the other, and of the parts of a chart that is divided, with
-///        `CGAL::Parallel_tag` of several at the same time, in their threads; if it stops one, no other one begins, and
-///        there is no atlas. It is not asked while the surface is cut and while charts are packed
+///        and those of the mesh's vertices: `vertex_is_constrained_map`, `position_weight_map` and `initial_map`. The
+///        default of `flip_policy` is `REPAIR` for all methods. A `visitor` is told of one chart after the other, and
+///        of the parts of a chart that is divided, with `CGAL::Parallel_tag` of several at the same time, in their
+///        threads; if it stops one, no other one begins, and there is no atlas. It is not asked while the surface is
+///        cut and while charts are packed
 ///
 /// \return what was done, with the first error:
 /// - `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, or `ERROR_WRONG_PARAMETER` where a number is out of its bounds, a

@@ -37,6 +37,8 @@ public:
     result.m_is_parallel = is_parallel;
 #ifndef CGAL_LINKED_WITH_TBB
     static_assert(!is_parallel, "CGAL::Parallel_tag needs TBB: link with CGAL::TBB_support");
+#elif defined CGAL_HIERARCHICAL_PARAMETERIZATION_CORE_WITHOUT_TBB
+    static_assert(!is_parallel, "CGAL::Parallel_tag needs TBB: the core was compiled without it");
 #endif
     return result;
   }

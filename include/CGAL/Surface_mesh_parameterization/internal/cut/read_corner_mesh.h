@@ -74,8 +74,8 @@ Parameterization_error read_corner_mesh(const TriangleMesh& mesh, EdgeSeamMap is
       return { ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, v, "a coordinate is not a finite number" };
   for_each_corner(mesh, [&](auto h, Index) {
     const auto o = opposite(h, mesh);
-    corners.opposite.push_back(CGAL::is_border(o, mesh) || get(is_seam, edge(h, mesh)) ? no_index
-                                                                                : get(halfedge_index_of, o));
+    const bool is_open = CGAL::is_border(o, mesh) || get(is_seam, edge(h, mesh)) || get(is_seam, edge(o, mesh));
+    corners.opposite.push_back(is_open ? no_index : get(halfedge_index_of, o));
   });
   split_vertices(corners);
   return {};

@@ -27,7 +27,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 inline constexpr const char* cause_of_lost_chart = "rounding leaves the triangles of a chart no room";
 
-// The face of a chart at which an error lies, as a face of the mesh.
+// The face of a chart at which an error lies, as a face of the mesh; the chart's first one if it lies nowhere.
 inline Parameterization_error error_in_mesh(const Parameterization_error& error, const Corner_mesh& chart,
                                             const std::vector<Index>& faces)
 {
@@ -36,6 +36,8 @@ inline Parameterization_error error_in_mesh(const Parameterization_error& error,
     return result;
   result.place = Parameterization_error::FACE;
   result.index = faces.front();
+  if (error.code == ERROR_NO_1_TO_1_MAPPING && error.place == Parameterization_error::NOWHERE && !error.cause)
+    result.cause = "no map without flips was found of the chart with this face";
   if (error.place == Parameterization_error::FACE)
     result.index = faces[error.index];
   else if (error.place == Parameterization_error::VERTEX)

@@ -51,15 +51,15 @@ public:
 
   void run()
   {
-    double used_part = find_used_part();
-    if (used_part >= m_options.least_used_part)
+    double used_part = find_used_part(m_pack_options);
+    if (used_part >= m_options.least_used_part || would_fill_square_by_default())
       return;
     for (Divided_part& part : m_parts)
       find_cut(part);
     std::vector<Divided_part> best_parts = m_parts;
     std::size_t best_size_of_seam = 0, divisions = 0;
     for (std::size_t packings = 1; packings < m_options.most_packings && divide_until_boxes_are_full(); ++packings) {
-      const double other = find_used_part();
+      const double other = find_used_part(m_pack_options);
       const double least_growth = m_losses > 0 ? m_options.least_growth_at_loss * double(m_divisions - divisions) : 0;
       if (other > (1 + least_growth) * used_part) {
         divisions = m_divisions;
@@ -78,12 +78,24 @@ public:
   const std::vector<Index>& seam() const { return m_seam; }
 
 private:
-  double find_used_part() const
+  double find_used_part(const Pack_options& options) const
   {
     std::vector<Flat_chart> charts;
     for (const Divided_part& part : m_parts)
       charts.push_back(chart_of(part.mesh, part.uv));
-    return pack_charts(charts, m_pack_options).used_part;
+    return pack_charts(charts, options).used_part;
+  }
+
+  // Whether it is only margins wider than the default that leave the square empty: more charts have more of them.
+  bool would_fill_square_by_default() const
+  {
+    const Pack_options defaults;
+    if (m_pack_options.margin <= defaults.margin)
+      return false;
+    Pack_options narrow = m_pack_options;
+    narrow.margin = defaults.margin;
+    narrow.margin_of_chart = defaults.margin_of_chart;
+    return find_used_part(narrow) >= m_options.least_used_part;
   }
 
   // Of what the boxes around all parts take, what the parts cover.

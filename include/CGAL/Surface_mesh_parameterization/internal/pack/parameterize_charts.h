@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Atlas_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
@@ -14,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Cut_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_component.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_part.h>
@@ -38,23 +40,27 @@ constexpr bool takes_name = [] {
     return has_name<Tag>(Taken());
 }();
 
-// With the value `true` for `globally_injective` if the caller gives none, and with an `overlap_bound`, if the method
-// takes these names.
-template <class Method, class NamedParameters>
-auto with_options(const NamedParameters& np, [[maybe_unused]] double overlap_bound)
+// The parameters with a value for a name that the caller does not give, if it is wanted.
+template <class Tag, bool is_wanted, class Value, class NamedParameters>
+auto with_default(const NamedParameters& np, [[maybe_unused]] Value value)
 {
-  typedef parameters::is_default_parameter<NamedParameters, internal_np::globally_injective_t>   Is_not_given;
-  const auto with_injectivity = [&np] {
-    if constexpr (takes_name<Method, internal_np::globally_injective_t> && Is_not_given::value)
-      return Named_parameters<bool, internal_np::globally_injective_t, NamedParameters>(true, np);
-    else
-      return np;
-  }();
-  if constexpr (takes_name<Method, internal_np::overlap_bound_t>)
-    return Named_parameters<double, internal_np::overlap_bound_t, std::decay_t<decltype(with_injectivity)>>(
-        overlap_bound, with_injectivity);
+  if constexpr (is_wanted && parameters::is_default_parameter<NamedParameters, Tag>::value)
+    return Named_parameters<Value, Tag, NamedParameters>(value, np);
   else
-    return with_injectivity;
+    return np;
+}
+
+// The options of a chart. No two triangles shall overlap, as far as the method knows how, and flips are repaired: a
+// chart without a map leaves a gap in the atlas.
+template <class Method, class NamedParameters>
+auto options_of_chart(const NamedParameters& np, double overlap_bound)
+{
+  const auto injective =
+      with_default<internal_np::globally_injective_t, takes_name<Method, internal_np::globally_injective_t>>(np, true);
+  const auto bounded =
+      with_default<internal_np::overlap_bound_t, takes_name<Method, internal_np::overlap_bound_t>>(injective,
+                                                                                                  overlap_bound);
+  return with_default<internal_np::flip_policy_t, !is_result_flip_free<Method>>(bounded, Flip_policy::REPAIR);
 }
 
 // What is wrong with the numbers among the options of charts, as far as the method is not the user's; null if nothing
@@ -135,7 +141,7 @@ private:
     else {
       const auto uvmap = mesh.add_property_map<Chart_mesh::Vertex_index, Point_2>("v:uv").first;
       summary = hierarchical_parameterization<Method, ConcurrencyTag>(
-          mesh, uvmap, with_options<Method<Chart_mesh>>(m_np, overlap_bound));
+          mesh, uvmap, options_of_chart<Method<Chart_mesh>>(m_np, overlap_bound));
       if (summary.is_ok()) {
         part.uv.assign(uvmap.begin(), uvmap.end());
         if (!scale_chart(part.mesh, part.uv))
