@@ -16,8 +16,8 @@
 /// of one without may be `static`.
 ///
 /// For a triangle of area 1, a run compares the first derivatives at a few places with differences of values, and a
-/// scale-invariant energy at two scales. Where they are not the same it ends with `ERROR_WRONG_PARAMETER`, and the error
-/// tells which is wrong. Second derivatives are not checked: wrong ones make a run slow.
+/// scale-invariant energy at two scales. Where they are not the same it ends with `ERROR_WRONG_PARAMETER`, and the
+/// error tells which is wrong. Second derivatives are not checked: wrong ones make a run slow.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::As_rigid_as_possible_energy_2`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::MIPS_energy_2`
