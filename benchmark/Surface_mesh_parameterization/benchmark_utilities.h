@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
@@ -42,6 +43,7 @@ typedef Kernel::Point_2                                        Point_2;
 typedef Kernel::Point_3                                        Point_3;
 typedef CGAL::Surface_mesh<Point_3>                            Mesh;
 typedef Mesh::Property_map<Mesh::Vertex_index, Point_2>        Uv_map;
+typedef std::vector<Point_2>                                   Places;       // in the plane, one for each vertex
 typedef SMP::MIPS_parameterizer_3<Mesh>                        MIPS;
 typedef SMP::Hierarchical_parameterizer_3<MIPS>                Hierarchical_MIPS;
 
@@ -125,6 +127,21 @@ inline double part_of(const po::variables_map& values, const std::string& option
   return value;
 }
 
+// `--subdivide`, for a program that measures the mesh once.
+inline void add_subdivide_option(po::options_description& options)
+{
+  options.add_options()("subdivide", po::value<int>()->default_value(0), "Loop subdivisions of the mesh");
+}
+
+// The same for a program that measures the mesh and all its subdivisions.
+inline void add_subdivide_option(po::options_description& options, int default_subdivisions)
+{
+  options.add_options()("subdivide", po::value<int>()->default_value(default_subdivisions),
+                        "measure after 0, 1, ... so many Loop subdivisions");
+}
+
+inline std::size_t subdivisions_of(const po::variables_map& values) { return count_of(values, "subdivide", 0, 12); }
+
 inline bool contains(const std::vector<std::string>& names, const std::string& name)
 {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -156,9 +173,22 @@ inline Mesh built_in_face()
   return mesh;
 }
 
+// Leaves no removed elements.
 inline void subdivide(Mesh& mesh, std::size_t times)
 {
   CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(unsigned(times)));
+  mesh.collect_garbage();
+}
+
+// Calls `measure(k)` when the mesh has k = 0, 1, ..., `subdivisions` Loop subdivisions.
+template <class Measure>
+void for_each_subdivision(Mesh& mesh, std::size_t subdivisions, const Measure& measure)
+{
+  for (std::size_t k = 0; k <= subdivisions; ++k) {
+    if (k > 0)
+      subdivide(mesh, 1);
+    measure(k);
+  }
 }
 
 inline Mesh::Halfedge_index outer_border(const Mesh& mesh)
@@ -211,6 +241,46 @@ inline Named_mesh only_mesh(const po::variables_map& values)
 inline Uv_map add_uv_map(Mesh& mesh)
 {
   return mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
+}
+
+// The map of any mesh, in doubles.
+template <class TriangleMesh, class VertexUVMap>
+Places places_of(const TriangleMesh& mesh, const VertexUVMap& uvmap)
+{
+  Places places;
+  for (const auto v : vertices(mesh)) {
+    const auto& p = get(uvmap, v);
+    places.emplace_back(p.x(), p.y());
+  }
+  return places;
+}
+
+inline CGAL::Bbox_2 box_of(const Places& places)
+{
+  CGAL::Bbox_2 box;
+  for (const Point_2& p : places)
+    box += p.bbox();
+  return box;
+}
+
+inline double diagonal_of(const CGAL::Bbox_2& box)
+{
+  return std::hypot(box.x_span(), box.y_span());
+}
+
+// The greatest distance between the places of a vertex in two maps.
+inline double greatest_distance(const Places& map, const Places& other)
+{
+  double greatest = 0;
+  for (std::size_t v = 0; v < map.size(); ++v)
+    greatest = (std::max)(greatest, CGAL::squared_distance(map[v], other[v]));
+  return std::sqrt(greatest);
+}
+
+// The same relative to the diagonal of the first map.
+inline double relative_distance(const Places& map, const Places& other)
+{
+  return greatest_distance(map, other) / diagonal_of(box_of(map));
 }
 
 template <class Parameterizer>

@@ -211,12 +211,10 @@ private:
 
   void print(const std::string& solver, std::size_t iterations, const SMP::Level::Uv& uv, double seconds) const
   {
-    double error = 0;
-    for (std::size_t v = 0; v < uv.size(); ++v)
-      error = (std::max)(error, CGAL::squared_distance(uv[v], m_solution[v]));
     std::cout << m_weights << ',' << solver << ',' << m_mesh.number_of_faces() << ',' << m_mesh.number_of_vertices()
               << ',' << iterations << ',' << m_problem.system().relative_residual(uv) << ','
-              << std::ldexp(std::sqrt(error), -m_problem.level().scale_exponent()) << ',' << seconds << std::endl;
+              << std::ldexp(greatest_distance(uv, m_solution), -m_problem.level().scale_exponent()) << ',' << seconds
+              << std::endl;
   }
 
   Mesh& m_mesh;
@@ -229,25 +227,22 @@ private:
 void run(int argc, char* argv[])
 {
   po::options_description options("Options");
+  add_subdivide_option(options, 3);
   options.add_options()
-    ("subdivide", po::value<int>()->default_value(3), "measure after 0, 1, ... so many Loop subdivisions")
     ("iterations", po::value<int>()->default_value(10000), "the most iterations of a solver")
     ("tolerance", po::value<double>()->default_value(1e-8), "the relative residual to be reached");
   const po::variables_map values =
       parse(argc, argv, options, "edge_energies [MESH.off] [--subdivide K] [--iterations N] [--tolerance T]");
-  const std::size_t subdivisions = count_of(values, "subdivide", 0, 12);
+  const std::size_t subdivisions = subdivisions_of(values);
   const Limits limits = { positive_number_of(values, "tolerance"), count_of(values, "iterations", 1, 100000000) };
   Named_mesh input = only_mesh(values);
 
   std::cout << "weights,solver,triangles,vertices,iterations,residual,error,seconds" << std::endl;
-  for (std::size_t k = 0; k <= subdivisions; ++k) {
-    if (k > 0)
-      subdivide(input.mesh, 1);
-    input.mesh.collect_garbage();
+  for_each_subdivision(input.mesh, subdivisions, [&](std::size_t) {
     Measurement<SMP::Uniform_edge_weights_3>(input.mesh, "uniform", limits).run();
     Measurement<SMP::Harmonic_edge_weights_3>(input.mesh, "harmonic", limits).run();
     Measurement<SMP::Mean_value_edge_weights_3>(input.mesh, "mean-value", limits).run();
-  }
+  });
 }
 
 int main(int argc, char* argv[])

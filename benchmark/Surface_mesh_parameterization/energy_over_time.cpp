@@ -62,14 +62,13 @@ void measure(Mesh& mesh, const std::string& method, double minimum, bool with_fl
 void run(int argc, char* argv[])
 {
   po::options_description options("Options");
+  add_subdivide_option(options);
   options.add_options()
-    ("subdivide", po::value<int>()->default_value(0), "measure after so many Loop subdivisions")
     ("flat", po::bool_switch(), "also without the hierarchy, with a direct solver");
   const po::variables_map values =
       parse(argc, argv, options, "energy_over_time [MESH.off] [--subdivide K] [--flat]");
   Mesh mesh = only_mesh(values).mesh;
-  subdivide(mesh, count_of(values, "subdivide", 0, 12));
-  mesh.collect_garbage();
+  subdivide(mesh, subdivisions_of(values));
 
   const bool with_flat = values["flat"].as<bool>();
   std::cout << "method,run,triangles,seconds,relative_excess" << std::endl;

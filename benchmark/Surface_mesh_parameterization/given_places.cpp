@@ -12,7 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
-#include <CGAL/Bbox_2.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,21 +26,7 @@
 
 namespace np = SMP::parameters;
 
-typedef std::vector<Point_2>                             Places;
 typedef Mesh::Property_map<Mesh::Vertex_index, bool>     Held_map;
-
-CGAL::Bbox_2 box_of(const Places& places)
-{
-  CGAL::Bbox_2 box;
-  for (const Point_2& p : places)
-    box += p.bbox();
-  return box;
-}
-
-double diagonal_of(const CGAL::Bbox_2& box)
-{
-  return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-}
 
 // Each coordinate moves by a twentieth of the map's size times a sine or cosine of the other one.
 Places bent(const Places& places)
@@ -53,15 +39,6 @@ Places bent(const Places& places)
     result.emplace_back(p.x() + 0.05 * size * std::sin(4 * y), p.y() + 0.05 * size * std::cos(3 * x));
   }
   return result;
-}
-
-// The greatest distance of two places of a vertex, relative to the diagonal of the first map.
-double distance(const Places& map, const Places& other)
-{
-  double greatest = 0;
-  for (std::size_t v = 0; v < map.size(); ++v)
-    greatest = (std::max)(greatest, CGAL::squared_distance(map[v], other[v]));
-  return std::sqrt(greatest) / diagonal_of(box_of(map));
 }
 
 // Runs of a method on a mesh, and a row for each.
@@ -96,13 +73,7 @@ public:
   }
 
 private:
-  Places places() const
-  {
-    Places result;
-    for (const Mesh::Vertex_index v : m_mesh.vertices())
-      result.push_back(m_uvmap[v]);
-    return result;
-  }
+  Places places() const { return places_of(m_mesh, m_uvmap); }
 
   void put(const Places& places)
   {
@@ -130,7 +101,7 @@ private:
   // The longest border on a circle whose area is that of the surface.
   void hold_border()
   {
-    constexpr double area_of_circle = 0.785398163397448;      // of diameter 1
+    constexpr double area_of_circle = CGAL_PI / 4;      // of diameter 1
     hold_none();
     const auto index = m_mesh.add_property_map<Mesh::Vertex_index, int>("v:index").first;
     check(SMP::Circular_border_arc_length_parameterizer_3<Mesh>().parameterize(m_mesh, outer_border(m_mesh), m_uvmap,
@@ -152,7 +123,7 @@ private:
       check(SMP::parameterize(m_mesh, Method<Mesh>(options.summary(std::ref(summary))), outer_border(m_mesh),
                               m_uvmap));
     });
-    print("circle to 1e-14 flat", border, summary, seconds, distance(map, places()));
+    print("circle to 1e-14 flat", border, summary, seconds, relative_distance(map, places()));
   }
 
   template <class NamedParameters>

@@ -112,14 +112,15 @@ void run(int argc, char* argv[])
 {
   constexpr std::size_t enough_faces = 1000000;
   po::options_description options("Options");
+  add_subdivide_option(options);
   options.add_options()
-    ("subdivide", po::value<int>()->default_value(0), "Loop subdivisions of the mesh")
     ("repetitions", po::value<int>()->default_value(5), "runs to take the median of")
-    ("coarsest-size", po::value<int>()->default_value(100), "vertices of the coarsest level at most");
+    ("coarsest-size", po::value<int>()->default_value(int(SMP::Collapse_hierarchy_3::default_coarsest_size)),
+     "vertices of the coarsest level at most");
   const po::variables_map values =
       parse(argc, argv, options,
             "hierarchy_construction [MESH.off] [--subdivide K] [--repetitions N] [--coarsest-size N]");
-  std::size_t subdivisions = count_of(values, "subdivide", 0, 12);
+  std::size_t subdivisions = subdivisions_of(values);
   const std::size_t repetitions = count_of(values, "repetitions", 1, 1000),
                     coarsest_size = count_of(values, "coarsest-size", 3, 1000000000);
 

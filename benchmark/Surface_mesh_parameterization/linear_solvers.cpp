@@ -320,10 +320,12 @@ const std::vector<Named_solver>& all_solvers()
 
 // ---- measuring ----
 
-// Prints `name` and the rest of the row that `measure` prints in a process of its own, or that many empty fields if it
-// fails.
+// What `measure` prints of a row, in this order, each field after a comma.
+typedef std::vector<std::string>   Columns;
+
+// Prints `name` and the rest of the row that `measure` prints in a process of its own, or empty fields if it fails.
 template <class Measure>
-void print_row(const std::string& name, std::size_t fields, const Measure& measure)
+void print_row(const std::string& name, const Columns& columns, const Measure& measure)
 {
   std::cout << name << std::flush;
   const pid_t child = fork();
@@ -337,7 +339,7 @@ void print_row(const std::string& name, std::size_t fields, const Measure& measu
   int status = 0;
   waitpid(child, &status, 0);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    std::cout << std::string(fields, ',');
+    std::cout << std::string(columns.size(), ',');
   std::cout << std::endl;
 }
 
@@ -363,10 +365,19 @@ struct Choice
   std::size_t most_arap_triangles;
 };
 
+// `solver` is the name of the column that tells the runs of a method apart.
+void print_header(const std::string& solver, const Columns& columns)
+{
+  std::cout << "mesh,triangles,method," << solver << ',' << boost::algorithm::join(columns, ",") << std::endl;
+}
+
 std::string row_name(const Named_mesh& input, const std::string& method, const std::string& solver)
 {
   return input.name + ',' + std::to_string(input.mesh.number_of_faces()) + ',' + method + ',' + solver;
 }
+
+const Columns solver_columns = { "seconds", "seconds_assembly", "seconds_component", "seconds_hierarchy",
+                                 "seconds_setup", "seconds_solve", "iterations", "residual", "peak_megabytes" };
 
 template <template <class, class, class> class Parameterizer>
 void compare_solvers(Named_mesh& input, const std::string& method, bool is_symmetric, const Choice& choice)
@@ -390,8 +401,7 @@ void compare_solvers(Named_mesh& input, const std::string& method, bool is_symme
   for (const Named_solver& solver : all_solvers()) {
     if (!contains(choice.solvers, solver.name) || (solver.needs_symmetry && !is_symmetric))
       continue;
-    constexpr std::size_t fields = 9;
-    print_row(row_name(input, method, solver.name), fields, [&] {
+    print_row(row_name(input, method, solver.name), solver_columns, [&] {
       const Peak_memory memory;
       const Solution solution = solver.solve(problem);
       const std::optional<double> peak = megabytes(memory);
@@ -409,6 +419,8 @@ void compare_solvers(Named_mesh& input, const std::string& method, bool is_symme
   }
 }
 
+const Columns whole_call_columns = { "seconds", "peak_megabytes", "flips" };
+
 template <class Flat, class Hierarchical>
 void compare_whole_calls(Named_mesh& input, const std::string& method, const Choice& choice,
                          std::size_t most_flat_triangles)
@@ -418,8 +430,7 @@ void compare_whole_calls(Named_mesh& input, const std::string& method, const Cho
   const Mesh::Halfedge_index border = outer_border(input.mesh);
   const Uv_map uv = add_uv_map(input.mesh);
   const auto compare = [&](const std::string& run, const auto& make_parameterizer) {
-    constexpr std::size_t fields = 3;
-    print_row(row_name(input, method, run), fields, [&] {
+    print_row(row_name(input, method, run), whole_call_columns, [&] {
       const Peak_memory memory;
       const double seconds =
           seconds_of([&] { check(SMP::parameterize(input.mesh, make_parameterizer(), border, uv)); });
@@ -447,8 +458,8 @@ void run(int argc, char* argv[])
   std::vector<std::string> solver_names;
   for (const Named_solver& solver : all_solvers())
     solver_names.push_back(solver.name);
+  add_subdivide_option(options, 3);
   options.add_options()
-    ("subdivide", po::value<int>()->default_value(3), "measure after 0, 1, ... so many Loop subdivisions")
     ("finest", po::bool_switch(), "measure after the last subdivision only")
     ("method", po::value<std::vector<std::string>>()->default_value({}, "all"),
      "barycentric, mean-value, conformal; with --whole also lscm, arap")
@@ -463,7 +474,7 @@ void run(int argc, char* argv[])
       parse(argc, argv, options,
             "linear_solvers [MESH.off] [--subdivide K] [--finest] [--method M]... [--solver S]... [--tolerance T] "
             "[--whole] [--arap-triangles N]");
-  const std::size_t subdivisions = count_of(values, "subdivide", 0, 12);
+  const std::size_t subdivisions = subdivisions_of(values);
   const bool is_whole = values["whole"].as<bool>();
   std::vector<std::string> methods = { "barycentric", "mean-value", "conformal" };
   if (is_whole)
@@ -473,16 +484,13 @@ void run(int argc, char* argv[])
                           count_of(values, "arap-triangles", 0, (std::numeric_limits<int>::max)()) };
   Named_mesh input = only_mesh(values);
 
-  std::cout << (is_whole ? "mesh,triangles,method,run,seconds,peak_megabytes,flips"
-                         : "mesh,triangles,method,solver,seconds,seconds_assembly,seconds_component,seconds_hierarchy,"
-                           "seconds_setup,seconds_solve,iterations,residual,peak_megabytes")
-            << std::endl;
-  for (std::size_t k = 0; k <= subdivisions; ++k) {
-    if (k > 0)
-      subdivide(input.mesh, 1);
-    input.mesh.collect_garbage();
+  if (is_whole)
+    print_header("run", whole_call_columns);
+  else
+    print_header("solver", solver_columns);
+  for_each_subdivision(input.mesh, subdivisions, [&](std::size_t k) {
     if (values["finest"].as<bool>() && k < subdivisions)
-      continue;
+      return;
     if (!is_whole) {
       compare_solvers<SMP::Barycentric_mapping_parameterizer_3>(input, "barycentric", true, choice);
       compare_solvers<SMP::Mean_value_coordinates_parameterizer_3>(input, "mean-value", false, choice);
@@ -495,7 +503,7 @@ void run(int argc, char* argv[])
       compare_whole_calls<SMP::ARAP_parameterizer_3<Mesh>, SMP::As_rigid_as_possible_parameterizer_3<Mesh>>(
           input, "arap", choice, choice.most_arap_triangles);
     }
-  }
+  });
 }
 
 int main(int argc, char* argv[])

@@ -62,12 +62,12 @@ void compare(Mesh& mesh, std::size_t sweeps, SMP::Optimizer optimizer, const std
 void run(int argc, char* argv[])
 {
   po::options_description options("Options");
+  add_subdivide_option(options);
   options.add_options()
-    ("subdivide", po::value<int>()->default_value(0), "Loop subdivisions of the mesh")
     ("sweeps", po::value<int>()->default_value(10), "the most sweeps on every level but the coarsest");
   const po::variables_map values =
       parse(argc, argv, options, "sweeps_against_flat [MESH.off] [--subdivide K] [--sweeps N]");
-  const std::size_t subdivisions = count_of(values, "subdivide", 0, 12),
+  const std::size_t subdivisions = subdivisions_of(values),
                     sweeps = count_of(values, "sweeps", 1, 1000000);
   Named_mesh input = only_mesh(values);
   Mesh& mesh = input.mesh;

@@ -52,7 +52,7 @@ double seconds_of_direct_solver(const Mesh& mesh)
   });
 }
 
-struct Run
+struct Run_kind
 {
   std::string method;
   double minimum;       // of the energy
@@ -72,58 +72,55 @@ SMP::Parameterization_summary run_method(Mesh& mesh, bool is_flat, double tolera
   return summary;
 }
 
-void print_name(const Mesh& mesh, const Run& run)
+void print_name(const Mesh& mesh, const Run_kind& kind)
 {
-  std::cout << run.method << ',' << (run.is_flat ? "flat" : "hierarchical") << ',' << run.threads << ','
+  std::cout << kind.method << ',' << (kind.is_flat ? "flat" : "hierarchical") << ',' << kind.threads << ','
             << mesh.number_of_faces() << ',' << mesh.number_of_vertices() << ',';
 }
 
 // Finds the optimum, then the greatest tolerance that comes close enough, and prints what that run took.
 template <class Method>
-void measure(Mesh& mesh, const Run& run, double unit)
+void measure(Mesh& mesh, const Run_kind& kind, double unit)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(run.threads));
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(kind.threads));
 #endif
   constexpr double accuracy = 1e-3, greatest_tolerance = 0.1, ratio_of_tolerances = 0.3, tolerance_of_optimum = 1e-8;
   const double optimum = run_method<Method>(mesh, false, tolerance_of_optimum).energy;
   for (double tolerance = greatest_tolerance; tolerance > tolerance_of_optimum; tolerance *= ratio_of_tolerances) {
     const Peak_memory memory;
-    const SMP::Parameterization_summary summary = run_method<Method>(mesh, run.is_flat, tolerance);
-    if (summary.energy - run.minimum > (1 + accuracy) * (optimum - run.minimum))
+    const SMP::Parameterization_summary summary = run_method<Method>(mesh, kind.is_flat, tolerance);
+    if (summary.energy - kind.minimum > (1 + accuracy) * (optimum - kind.minimum))
       continue;
     const double seconds = summary.seconds_hierarchy + summary.seconds_parameterize;
-    print_name(mesh, run);
+    print_name(mesh, kind);
     std::cout << summary.levels.back().iterations << ',' << summary.levels.back().cycles << ','
-              << summary.energy - run.minimum << ',' << optimum - run.minimum << ',' << summary.seconds_hierarchy << ','
-              << seconds << ',' << unit << ',' << seconds / unit << ','
+              << summary.energy - kind.minimum << ',' << optimum - kind.minimum << ','
+              << summary.seconds_hierarchy << ',' << seconds << ',' << unit << ',' << seconds / unit << ','
               << memory.peak().value_or(0) / double(mesh.number_of_vertices()) << std::endl;
     return;
   }
-  print_name(mesh, run);
-  std::cout << ",,," << optimum - run.minimum << ",,,,," << std::endl;
+  print_name(mesh, kind);
+  std::cout << ",,," << optimum - kind.minimum << ",,,,," << std::endl;
 }
 
 void run(int argc, char* argv[])
 {
   po::options_description options("Options");
+  add_subdivide_option(options, 2);
   options.add_options()
-    ("subdivide", po::value<int>()->default_value(2), "measure after 0, 1, ... so many Loop subdivisions")
     ("threads", po::value<int>()->default_value(1), "the most threads to use, if built with TBB")
     ("flat", po::bool_switch(), "also without the hierarchy, with a direct solver");
   const po::variables_map values =
       parse(argc, argv, options, "time_to_energy [MESH.off] [--subdivide K] [--threads N] [--flat]");
-  const std::size_t subdivisions = count_of(values, "subdivide", 0, 12);
+  const std::size_t subdivisions = subdivisions_of(values);
   Named_mesh input = only_mesh(values);
 
   const int threads = int(count_of(values, "threads", 1, 1024));
   std::cout << "method,run,threads,triangles,vertices,steps,cycles,excess,optimal_excess,seconds_hierarchy,seconds,"
                "unit_seconds,units,peak_bytes_per_vertex"
             << std::endl;
-  for (std::size_t k = 0; k <= subdivisions; ++k) {
-    if (k > 0)
-      subdivide(input.mesh, 1);
-    input.mesh.collect_garbage();
+  for_each_subdivision(input.mesh, subdivisions, [&](std::size_t) {
     const double unit = seconds_of_direct_solver(input.mesh);
     for (const bool is_flat : { false, true })
       if (!is_flat || values["flat"].as<bool>()) {
@@ -133,7 +130,7 @@ void run(int argc, char* argv[])
         measure<SMP::Symmetric_Dirichlet_parameterizer_3<Mesh, CGAL::Parallel_if_available_tag>>(
           input.mesh, { "symmetric-dirichlet", SMP::Symmetric_Dirichlet_energy_2::minimum, is_flat, threads }, unit);
       }
-  }
+  });
 }
 
 int main(int argc, char* argv[])

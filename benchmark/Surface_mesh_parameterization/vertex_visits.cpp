@@ -69,11 +69,11 @@ void print_row(const std::string& name, const std::vector<double>& nanoseconds)
 void run(int argc, char* argv[])
 {
   po::options_description options("Options");
+  add_subdivide_option(options);
   options.add_options()
-    ("subdivide", po::value<int>()->default_value(0), "Loop subdivisions of the mesh")
     ("sweeps", po::value<int>()->default_value(20), "sweeps to take the median of");
   const po::variables_map values = parse(argc, argv, options, "vertex_visits [MESH.off] [--subdivide K] [--sweeps N]");
-  const std::size_t subdivisions = count_of(values, "subdivide", 0, 12),
+  const std::size_t subdivisions = subdivisions_of(values),
                     sweeps = count_of(values, "sweeps", 1, 1000000);
   Named_mesh input = only_mesh(values);
   subdivide(input.mesh, subdivisions);

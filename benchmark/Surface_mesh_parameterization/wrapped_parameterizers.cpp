@@ -24,8 +24,6 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 
-#include <cmath>
-
 typedef CGAL::Polyhedron_3<Kernel>                                 Polyhedron;
 typedef Mesh::Property_map<Mesh::Edge_index, bool>                 Seam_edge_map;
 typedef Mesh::Property_map<Mesh::Vertex_index, bool>               Seam_vertex_map;
@@ -65,20 +63,6 @@ struct Map
   }
 };
 
-// The greatest distance between the places of a vertex in two maps, relative to the diagonal of the first.
-template <class TriangleMesh>
-double difference(const TriangleMesh& mesh, const Map<TriangleMesh>& expected, const Map<TriangleMesh>& found)
-{
-  CGAL::Bbox_2 box;
-  double greatest = 0;
-  for (const auto v : vertices(mesh)) {
-    const auto p = get(expected.uvmap, v);
-    box += p.bbox();
-    greatest = (std::max)(greatest, CGAL::squared_distance(p, get(found.uvmap, v)));
-  }
-  return std::sqrt(greatest) / std::hypot(box.x_span(), box.y_span());
-}
-
 template <class Parameterizer>
 void compare(const Named_mesh& input, typename Parameterizer::Triangle_mesh& mesh, const std::string& mesh_type,
              const std::string& name, const std::string& border, const Choice& choice)
@@ -98,7 +82,9 @@ void compare(const Named_mesh& input, typename Parameterizer::Triangle_mesh& mes
   const double seconds_flat = median(flat.seconds), seconds = median(hierarchical.seconds);
   std::cout << input.name << ',' << input.mesh.number_of_faces() << ',' << mesh_type << ',' << name << ',' << border
             << ',' << int(flat.code) << ',' << int(hierarchical.code) << ',' << seconds_flat << ',' << seconds << ','
-            << seconds / seconds_flat << ',' << difference(mesh, flat, hierarchical) << ',' << summary.flips << ','
+            << seconds / seconds_flat << ','
+            << relative_distance(places_of(mesh, flat.uvmap), places_of(mesh, hierarchical.uvmap)) << ','
+            << summary.flips << ','
             << summary.moved_vertices << ',' << summary.linear_solver.iterations << ','
             << summary.linear_solver.direct_solutions << std::endl;
 }
@@ -213,8 +199,8 @@ void run(int argc, char* argv[])
                                                     "iterative-authalic", "lscm" };
 
   po::options_description options("Options");
+  add_subdivide_option(options);
   options.add_options()
-    ("subdivide", po::value<int>()->default_value(0), "Loop subdivisions of the mesh")
     ("runs", po::value<int>()->default_value(3), "runs of each; seconds are their median")
     ("repair", po::bool_switch(), "repair flips, which is the default of the adaptor, but not of CGAL")
     ("mesh-type", po::value<std::vector<std::string>>()->default_value({}, "all"),
@@ -229,8 +215,7 @@ void run(int argc, char* argv[])
                           count_of(values, "runs", 1, 100),
                           values["repair"].as<bool>() ? SMP::Flip_policy::REPAIR : SMP::Flip_policy::KEEP };
   Named_mesh input = only_mesh(values);
-  subdivide(input.mesh, count_of(values, "subdivide", 0, 12));
-  input.mesh.collect_garbage();
+  subdivide(input.mesh, subdivisions_of(values));
   std::cout << "mesh,triangles,mesh_type,parameterizer,border,error_of_cgal,error,seconds_of_cgal,seconds,ratio,"
                "difference,flips,moved_vertices,iterations,direct_solutions"
             << std::endl;
