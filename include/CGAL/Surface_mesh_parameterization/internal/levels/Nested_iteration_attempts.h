@@ -35,6 +35,13 @@ public:
   Error_code run(Triangulated_surface_3 surface, CGAL::Real_timer& timer, std::vector<Point_2>& uv);
 
 private:
+  // What follows an attempt: nothing, since there is a map or an error; another one, which is prepared; or the same
+  // with the places given from the start, since the finished map could not be brought to them.
+  enum class Next { NOTHING, ATTEMPT, HOLD_PLACES };
+
+  // Writes the places if the method finds a map of this hierarchy.
+  Next attempt(const Collapse_hierarchy_3& hierarchy, std::vector<Point_2>& uv);
+
   // Finds a map that has the vertices at their places, for the next attempt to start from, where these are much farther
   // apart than the vertices on the surface, or less: by a run as if the surface were so large. Returns whether there is
   // one, the first time.
@@ -60,9 +67,9 @@ private:
   Parameterization_summary& m_summary;
   std::vector<Point_2> m_start;     // of the next attempt, in the order of the surface's vertices; empty: no map
   unsigned int m_number_of_seeds = 0;
-  bool m_has_other_scale = false;   // was tried
+  bool m_has_other_scale = false;         // was tried
   bool m_has_closed_surface = false;      // was tried
-  bool m_is_flat = false;           // the hierarchy has only the finest level
+  bool m_is_flat = false;                 // the hierarchy has only the finest level
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

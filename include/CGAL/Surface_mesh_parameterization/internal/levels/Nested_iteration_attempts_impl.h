@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_NESTED_ITERATION_ATTEMPTS_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_NESTED_ITERATION_ATTEMPTS_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/Option_defaults.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/vertex_order.h>
@@ -44,32 +45,13 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
     const Collapse_hierarchy_3 hierarchy(std::move(surface), m_options.hierarchy, m_method.loops());
     m_summary = Parameterization_summary();
     m_summary.seconds_hierarchy = seconds_hierarchy = timer.time() - seconds_parameterize;
-
     find_start_on_closed_surface(hierarchy);
-    Level::Uv uv_by_rank;
-    uv_by_rank.reserve(hierarchy.number_of_vertices());
-    Nested_iteration attempt(m_method, m_options, m_visitor, m_progress, m_summary);
-    Error_code status = attempt.run(hierarchy, std::exchange(m_start, {}), uv_by_rank);
-    if (status == OK && !m_progress.finish())
-      status = ERROR_STOPPED;
-    m_summary.error.code = status;
+    const Next next = attempt(hierarchy, uv);
     m_summary.seconds_parameterize = seconds_parameterize = timer.time() - seconds_hierarchy;
-    m_summary.converged = m_summary.converged && status == OK;
-    if (status == OK) {
-      uv = in_input_order(hierarchy, uv_by_rank);
-      return OK;
-    }
-    const bool must_hold_places = attempt.has_lost_places();
-    const bool has_another_way =
-        status == ERROR_NO_1_TO_1_MAPPING && !m_progress.is_stopped() &&
-        (must_hold_places || find_start_at_scale_of_places(hierarchy) ||
-         (!attempt.is_finished() && prepare_another_way(hierarchy)));
-    if (m_progress.is_stopped())
-      m_summary.error = { ERROR_STOPPED, Parameterization_error::NOWHERE, 0 };
-    if (!has_another_way || m_progress.is_stopped())
+    if (next == Next::NOTHING)
       return m_summary.error.code;
     surface = input_surface(hierarchy);
-    if (must_hold_places) {
+    if (next == Next::HOLD_PLACES) {
       surface.fixed_vertices = std::exchange(m_options.places_at_end, {});
       m_start = std::move(start_of_user);
       m_has_closed_surface = false;
@@ -77,14 +59,41 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
   }
 }
 
-// The length up to which a hole in the surface of a level is small.
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Nested_iteration_attempts::Next Nested_iteration_attempts::attempt(const Collapse_hierarchy_3& hierarchy,
+                                                                   std::vector<Point_2>& uv)
+{
+  Level::Uv uv_by_rank;
+  uv_by_rank.reserve(hierarchy.number_of_vertices());
+  Nested_iteration iteration(m_method, m_options, m_visitor, m_progress, m_summary);
+  Error_code status = iteration.run(hierarchy, std::exchange(m_start, {}), uv_by_rank);
+  if (status == OK && !m_progress.finish())
+    status = ERROR_STOPPED;
+  m_summary.error.code = status;
+  m_summary.converged = m_summary.converged && status == OK;
+  if (status == OK)
+    uv = in_input_order(hierarchy, uv_by_rank);
+  Next next = Next::NOTHING;
+  if (status == ERROR_NO_1_TO_1_MAPPING && !m_progress.is_stopped()) {
+    if (iteration.has_lost_places())
+      next = Next::HOLD_PLACES;
+    else if (find_start_at_scale_of_places(hierarchy) || (!iteration.is_finished() && prepare_another_way(hierarchy)))
+      next = Next::ATTEMPT;
+  }
+  if (status != OK && m_progress.is_stopped()) {
+    m_summary.error = { ERROR_STOPPED, Parameterization_error::NOWHERE, 0 };
+    next = Next::NOTHING;
+  }
+  return next;
+}
+
+// The length up to which a hole in the surface of a level is small, as in an atlas.
 inline double greatest_length_of_small_holes(const Level& level)
 {
-  constexpr double part_of_root_of_area = 0.1;
   double area = 0;
   for (const Level::Triangle& t : level.triangles())
     area += 0.5 * doubled_area(level.point(t[0]), level.point(t[1]), level.point(t[2]));
-  return part_of_root_of_area * std::sqrt(area);
+  return Option_defaults::hole_bound * std::sqrt(area);
 }
 
 inline std::vector<Point_3> places_in_space(const Border& border, const Level& level)

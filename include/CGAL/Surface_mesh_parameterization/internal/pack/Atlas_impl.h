@@ -130,7 +130,7 @@ void split_charts(const std::vector<Point_2>& corners, Atlas& atlas)
     atlas.uv[mesh.vertex[h]] = corners[h];
 }
 
-inline bool is_near(const std::vector<Point_2>& points, const std::vector<Point_2>& others, double distance)
+inline bool are_within(const std::vector<Point_2>& points, const std::vector<Point_2>& others, double distance)
 {
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!((points[i] - others[i]).squared_length() <= distance * distance))
@@ -199,7 +199,7 @@ inline Packing place_charts(Atlas& atlas, std::vector<bool>& is_wanted, const Pa
           round_chart(chart, scaled(shape, scale), most_distance, round,
                       [&] { return surface_of(component_of(atlas.mesh, faces, scratch)); }) &&
           part_borders(chart, shape, round);
-      if (is_wanted[number] && !is_near(chart.points, exact, most_distance))
+      if (is_wanted[number] && !are_within(chart.points, exact, most_distance))
         strayed.push_back(number);
     } else
       for (Point_2& p : chart.points)

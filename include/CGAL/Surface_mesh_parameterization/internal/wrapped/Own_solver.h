@@ -109,7 +109,7 @@ struct Own_solver_traits<Orbifold_Tutte_parameterizer_3<SeamMesh, SolverTraits>>
 // How systems are solved that are not for multigrid: complex ones by a factorization of their own; others as without
 // the adaptor, where that is known and nobody has to say how the solver is made, else by a factorization, too.
 template <class Parameterizer>
-void set_direct_solver(Linear_solver_options& options)
+void set_fallback(Linear_solver_options& options)
 {
   typedef typename Own_solver_traits<Parameterizer>::type   Traits;
   if constexpr (!std::is_void<Traits>::value && !std::is_same<Traits, Multigrid_solver_traits>::value) {

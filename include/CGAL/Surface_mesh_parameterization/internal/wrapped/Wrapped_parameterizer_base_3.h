@@ -102,7 +102,7 @@ private:
     hierarchy_defaults.has_unit_edges = Solver_use<Parameterizer>::has_uniform_weights;
     m_options = wrapped_options_of<may_have_flips<Parameterizer>>(np, hierarchy_defaults);
     m_options.set_loops(Loops::of<ConcurrencyTag>());
-    set_direct_solver<Parameterizer>(m_options.solver);
+    set_fallback<Parameterizer>(m_options.solver);
     m_optional_steps = Optional_steps<Parameterizer>::template of<ConcurrencyTag>(np);
   }
 
