@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_progress.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
@@ -19,9 +20,16 @@
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/boost/graph/properties.h>
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
 // Meshes with maps.
@@ -37,16 +45,58 @@ using SMP::Parameterization_summary;
 using SMP::internal::is_map_valid;
 using SMP::parameterization_quality;
 
+typedef std::vector<Kernel::Point_2>   Points;
+
+// Whether a method minimizes the MIPS energy: it knows no scale and sums over triangles, not over the area.
+template <class Method>
+constexpr bool is_mips = std::is_same_v<Method, SMP::MIPS_parameterizer_3<Surface_mesh>>;
+
+// The places of a component's vertices, in its order.
+template <class TriangleMesh, class VertexUVMap>
+std::vector<Point_2> places_of(const Mesh_component<TriangleMesh>& component, VertexUVMap uvmap)
+{
+  std::vector<Point_2> uv;
+  for (const auto v : component.vertices_of_component())
+    uv.push_back(Point_2(get(uvmap, v).x(), get(uvmap, v).y()));
+  return uv;
+}
+
 // Whether a map is free of flips, with less than one turn at each border vertex, by exact predicates.
 template <class TriangleMesh, class VertexUVMap>
 bool is_valid(const TriangleMesh& mesh, Halfedge<TriangleMesh> bhd, VertexUVMap uvmap)
 {
   Mesh_component<TriangleMesh> component(mesh, bhd);
-  std::vector<Point_2> uv;
-  for (const auto v : component.vertices_of_component())
-    uv.push_back(Point_2(get(uvmap, v).x(), get(uvmap, v).y()));
+  const std::vector<Point_2> uv = places_of(component, uvmap);
   const std::vector<Index_triangle>& triangles = component.surface().triangles;
   return is_map_valid(One_rings(uv.size(), triangles), uv) && are_all_positive(triangles, uv);
+}
+
+// The map of a mesh of any kind, in the order of its vertices. After an error the user's map must be untouched.
+template <class TriangleMesh, class Parameterizer>
+Points map_of(TriangleMesh& mesh, const Parameterizer& parameterizer, Error_code expected = SMP::OK)
+{
+  const auto uvmap = get(CGAL::dynamic_vertex_property_t<Kernel::Point_2>(), mesh);
+  for (const auto v : vertices(mesh))
+    put(uvmap, v, untouched());
+  EXPECT_EQ(SMP::parameterize(mesh, parameterizer, longest_border(mesh), uvmap), expected);
+  Points uv;
+  for (const auto v : vertices(mesh)) {
+    uv.push_back(get(uvmap, v));
+    EXPECT_EQ(uv.back() == untouched(), expected != SMP::OK);
+  }
+  return uv;
+}
+
+// Between a vertex in one map and in another; infinite where one has no place.
+inline double greatest_distance(const Points& a, const Points& b)
+{
+  EXPECT_EQ(a.size(), b.size());
+  double greatest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double d = CGAL::squared_distance(a[i], b[i]);
+    greatest = (std::max)(greatest, std::isfinite(d) ? std::sqrt(d) : std::numeric_limits<double>::infinity());
+  }
+  return greatest;
 }
 
 // A mesh with a map that says "untouched" where nobody wrote.
@@ -65,8 +115,6 @@ struct Mapped_mesh
 
   Mapped_mesh(const Mapped_mesh&) = delete;
 
-  static Kernel::Point_2 untouched() { return Kernel::Point_2(-77, 77); }
-
   template <class Parameterizer>
   Error_code parameterize(const Parameterizer& parameterizer)
   {
@@ -76,15 +124,15 @@ struct Mapped_mesh
   bool is_valid() const { return test_meshes::is_valid(mesh, longest_border(mesh), uvmap); }
   Parameterization_quality quality() const { return parameterization_quality(mesh, uvmap); }
 
-  std::vector<Kernel::Point_2> uv() const
+  Points uv() const
   {
-    std::vector<Kernel::Point_2> result;
+    Points result;
     for (const auto v : vertices(mesh))
       result.push_back(uvmap[v]);
     return result;
   }
 
-  bool is_untouched() const { return uv() == std::vector<Kernel::Point_2>(mesh.number_of_vertices(), untouched()); }
+  bool is_untouched() const { return uv() == Points(mesh.number_of_vertices(), untouched()); }
 };
 
 // Checks every level.

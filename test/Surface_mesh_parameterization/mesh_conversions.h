@@ -33,6 +33,13 @@ using SMP::internal::One_rings;
 typedef CGAL::Simple_cartesian<double>         Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3>    Surface_mesh;
 
+// What is in a map before a run.
+template <class Point = Kernel::Point_2>
+Point untouched()
+{
+  return Point(-77, 77);
+}
+
 template <class TriangleMesh>
 using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
@@ -93,11 +100,7 @@ typename boost::graph_traits<TriangleMesh>::halfedge_descriptor longest_border(c
   std::size_t most = 0;
   for (const auto h : halfedges(mesh))
     if (CGAL::is_border(h, mesh)) {
-      std::size_t size = 0;
-      for (const auto g : CGAL::halfedges_around_face(h, mesh)) {
-        static_cast<void>(g);
-        ++size;
-      }
+      const std::size_t size = CGAL::halfedges_around_face(h, mesh).size();
       if (size > most) {
         most = size;
         longest = h;

@@ -36,12 +36,12 @@ using SMP::internal::number_of_overlapping_pairs;
 typedef Surface_mesh   Mesh;
 
 // A mesh with a map; the border that is longest in space is the outer one.
-struct Mapped_mesh : test_meshes::Mapped_mesh
+struct Mapped_mesh_with_border : Mapped_mesh
 {
   Mesh::Halfedge_index bhd;
 
-  explicit Mapped_mesh(const Flat_mesh& m)
-    : test_meshes::Mapped_mesh(m), bhd(CGAL::Polygon_mesh_processing::longest_border(mesh).first)
+  explicit Mapped_mesh_with_border(const Flat_mesh& m)
+    : Mapped_mesh(m), bhd(CGAL::Polygon_mesh_processing::longest_border(mesh).first)
   { }
 
   template <class Parameterizer>
@@ -54,15 +54,13 @@ struct Mapped_mesh : test_meshes::Mapped_mesh
   bool is_locally_one_to_one() const
   {
     Mesh_component<Mesh> component(mesh, bhd);
-    std::vector<Point_2> places;
-    for (const auto v : component.vertices_of_component())
-      places.emplace_back(uvmap[v].x(), uvmap[v].y());
+    const std::vector<Point_2> places = places_of(component, uvmap);
     return has_no_flips(One_rings(places.size(), component.surface().triangles), places);
   }
 };
 
 // A ring of `turns` turns in the plane.
-inline Mapped_mesh& bend(Mapped_mesh& ring, double turns)
+inline Mapped_mesh_with_border& bend(Mapped_mesh_with_border& ring, double turns)
 {
   const auto& points = ring.mesh.points();
   double longest = 0, widest = 0;
@@ -77,7 +75,7 @@ inline Mapped_mesh& bend(Mapped_mesh& ring, double turns)
   return ring;
 }
 
-inline std::size_t pairs_by_counting(const Mapped_mesh& m)
+inline std::size_t pairs_by_counting(const Mapped_mesh_with_border& m)
 {
   std::vector<Triangle_2> triangles;
   for (const auto f : faces(m.mesh))

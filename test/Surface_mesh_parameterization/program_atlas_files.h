@@ -29,7 +29,7 @@ using CGAL::Surface_mesh_parameterization::internal::Point_2;
 using hostile_meshes::Point;
 
 // What a file holds. A face without a map has no places.
-struct Mapped_mesh
+struct Mesh_of_file
 {
   typedef std::optional<std::array<Point_2, 3>>   Places;
 
@@ -39,9 +39,9 @@ struct Mapped_mesh
   std::size_t number_of_places = 0;     // as the file has them: lines of OBJ, vertices of glTF
 };
 
-inline Mapped_mesh read_OBJ(const std::string& content)
+inline Mesh_of_file read_OBJ(const std::string& content)
 {
-  Mapped_mesh m;
+  Mesh_of_file m;
   std::vector<Point_2> uv;
   std::istringstream file(content);
   for (std::string line, word; std::getline(file, line);) {
@@ -63,7 +63,7 @@ inline Mapped_mesh read_OBJ(const std::string& content)
       }
       EXPECT_TRUE(number_of_places == 0 || number_of_places == 3) << line;
       m.polygons.push_back(polygon);
-      m.places.push_back(number_of_places == 3 ? Mapped_mesh::Places(places) : std::nullopt);
+      m.places.push_back(number_of_places == 3 ? Mesh_of_file::Places(places) : std::nullopt);
     } else
       ADD_FAILURE() << line;
   }
@@ -71,9 +71,9 @@ inline Mapped_mesh read_OBJ(const std::string& content)
   return m;
 }
 
-inline Mapped_mesh read_PLY(const std::string& content)
+inline Mesh_of_file read_PLY(const std::string& content)
 {
-  Mapped_mesh m;
+  Mesh_of_file m;
   std::istringstream file(content);
   std::size_t number_of_vertices = 0, number_of_faces = 0;
   for (std::string word; file >> word && word != "end_header";) {
@@ -131,15 +131,15 @@ private:
   std::size_t m_at;
 };
 
-inline Mapped_mesh read_binary_PLY(const std::string& content, std::size_t number_of_vertices,
-                                   std::size_t number_of_faces)
+inline Mesh_of_file read_binary_PLY(const std::string& content, std::size_t number_of_vertices,
+                                    std::size_t number_of_faces)
 {
   const std::string end_of_header = "property list uchar double texcoord\nend_header\n";
   const std::size_t header = content.find(end_of_header);
   EXPECT_NE(header, std::string::npos);
   EXPECT_EQ(content.find("ply\nformat binary_"), 0u);
   Byte_reader bytes(content, header + end_of_header.size());
-  Mapped_mesh m;
+  Mesh_of_file m;
   for (std::size_t v = 0; v < number_of_vertices; ++v)
     for (double& coordinate : m.points.emplace_back())
       coordinate = bytes.number<double>();
@@ -185,7 +185,7 @@ public:
   }
 
   nlohmann::json json;
-  Mapped_mesh mesh;
+  Mesh_of_file mesh;
 
 private:
   template <class Number>

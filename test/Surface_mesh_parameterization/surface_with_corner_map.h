@@ -25,8 +25,6 @@ namespace internal = CGAL::Surface_mesh_parameterization::internal;
 
 typedef Surface_mesh::Property_map<Surface_mesh::Halfedge_index, Kernel::Point_2>   Corner_map;
 
-const Kernel::Point_2 untouched(-77, 77);
-
 // A surface, with a place for every corner and a seam.
 struct Surface
 {
@@ -36,7 +34,7 @@ struct Surface
 
   explicit Surface(const Flat_mesh& m)
     : mesh(make<Surface_mesh>(m)),
-      uv(mesh.add_property_map<Surface_mesh::Halfedge_index, Kernel::Point_2>("h:uv", untouched).first),
+      uv(mesh.add_property_map<Surface_mesh::Halfedge_index, Kernel::Point_2>("h:uv", untouched()).first),
       seams(mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:seam", false).first)
   { }
   Surface(const Surface&) = delete;

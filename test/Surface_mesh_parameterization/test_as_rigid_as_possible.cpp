@@ -88,11 +88,11 @@ double energy_by_definition(const Flat_mesh& m, const std::vector<Kernel::Point_
   return 0.5 * sum;
 }
 
-struct Mapped_mesh : test_meshes::Mapped_mesh
+struct Mesh_with_ARAP_map : Mapped_mesh
 {
   const Flat_mesh flat_mesh;
 
-  explicit Mapped_mesh(const Flat_mesh& m) : test_meshes::Mapped_mesh(m), flat_mesh(m) { }
+  explicit Mesh_with_ARAP_map(const Flat_mesh& m) : Mapped_mesh(m), flat_mesh(m) { }
 
   Error_code parameterize_hierarchically(double lambda, double tolerance = 1e-6, unsigned int seed = 0)
   {
@@ -113,7 +113,7 @@ TEST(As_rigid_as_possible, refuses_a_lambda_below_zero)
 {
   for (const double lambda : { -1., std::numeric_limits<double>::quiet_NaN() })
     for (const bool starts_from_map : { false, true }) {
-      Mapped_mesh m(grid(20, 20, wavy));
+      Mesh_with_ARAP_map m(grid(20, 20, wavy));
       const auto options = parameters::lambda(lambda).initial_map(starts_from_map);
       if (starts_from_map)
         for (const auto v : vertices(m.mesh))
@@ -132,7 +132,7 @@ TEST(As_rigid_as_possible, energy_is_that_of_the_definition)
 {
   for (const Flat_mesh& m : { grid(12, 9, wavy), crumpled_grid(14, 1), deep_cap() })
     for (const double lambda : { 0., 1e-4, 0.02, 1000. }) {
-      Mapped_mesh mapped(m);
+      Mesh_with_ARAP_map mapped(m);
       EXPECT_EQ(mapped.parameterize_hierarchically(lambda, 1e-3), OK);
       EXPECT_NEAR(mapped.summary.energy, mapped.energy(lambda), 1e-8 * mapped.summary.energy + 1e-14)
           << "lambda " << lambda;
@@ -146,7 +146,7 @@ TEST(As_rigid_as_possible, energy_is_not_above_that_of_CGAL)
     meshes.push_back(m);
   for (const Flat_mesh& m : meshes)
     for (const double lambda : { 0.01, 1., 1000. }) {
-      Mapped_mesh ours(m), theirs(m);
+      Mesh_with_ARAP_map ours(m), theirs(m);
       EXPECT_EQ(ours.parameterize_hierarchically(lambda), OK);
       theirs.parameterize(
           ARAP_parameterizer_3<Surface_mesh>(lambda));      // its repair of flips may fail, and leaves the map
@@ -159,7 +159,7 @@ TEST(As_rigid_as_possible, energy_is_not_above_that_of_CGAL)
 TEST(As_rigid_as_possible, converges_in_few_steps)
 {
   for (const Flat_mesh& m : { cap(24, 60, 0.93 * CGAL_PI), cap(40, 100, 0.93 * CGAL_PI) }) {
-    Mapped_mesh mapped(m);
+    Mesh_with_ARAP_map mapped(m);
     EXPECT_EQ(mapped.parameterize_hierarchically(1000, 1e-9), OK);
     EXPECT_TRUE(mapped.summary.converged);
     EXPECT_LE(mapped.summary.levels.back().iterations, 8u);
@@ -171,7 +171,7 @@ TEST(As_rigid_as_possible, finds_the_isometry_of_a_developable_surface)
   for (const Flat_mesh& m :
        { grid(12, 9, flat), grid(12, 9, rolled), delaunay_patch(150, 4, flat), strip(20), single_triangle() })
     for (const double lambda : { 1e-3, 1000., infinity }) {
-      Mapped_mesh mapped(m);
+      Mesh_with_ARAP_map mapped(m);
       EXPECT_EQ(mapped.parameterize_hierarchically(lambda), OK);
       EXPECT_LT(mapped.summary.energy, 1e-9) << m.triangles.size() << " triangles, lambda " << lambda;
       EXPECT_NEAR(mapped.quality().symmetric_dirichlet, 4, 1e-4);
@@ -182,7 +182,7 @@ TEST(As_rigid_as_possible, hierarchical_and_flat_runs_find_the_same_minimum)
 {
   for (const Flat_mesh& m : smooth_meshes())
     for (const double lambda : { 0.1, 1000. }) {
-      Mapped_mesh mapped(m);
+      Mesh_with_ARAP_map mapped(m);
       EXPECT_EQ(mapped.parameterize_hierarchically(lambda, 1e-9), OK);
       Parameterization_summary flat;
       EXPECT_EQ(mapped.parameterize(Method(parameters::lambda(lambda).tolerance(1e-9).summary(std::ref(flat)))), OK);
@@ -193,7 +193,7 @@ TEST(As_rigid_as_possible, hierarchical_and_flat_runs_find_the_same_minimum)
 
 TEST(As_rigid_as_possible, lambda_weighs_lengths_against_angles)
 {
-  Mapped_mesh mapped(grid(16, 12, wavy));
+  Mesh_with_ARAP_map mapped(grid(16, 12, wavy));
   double angles = -1, lengths = infinity;
   for (const double lambda : { 1e-3, 1e-2, 0.1, 10. }) {
     EXPECT_EQ(mapped.parameterize_hierarchically(lambda, 1e-9), OK);
@@ -207,7 +207,7 @@ TEST(As_rigid_as_possible, lambda_weighs_lengths_against_angles)
 
 TEST(As_rigid_as_possible, great_lambdas_are_as_good_as_infinity)
 {
-  Mapped_mesh mapped(grid(16, 12, wavy));
+  Mesh_with_ARAP_map mapped(grid(16, 12, wavy));
   EXPECT_EQ(mapped.parameterize_hierarchically(infinity, 1e-9), OK);
   const double rigid = mapped.summary.energy;
   for (const double lambda : { 1e6, 1e15, 1e300 }) {
@@ -224,7 +224,7 @@ TEST(As_rigid_as_possible, keeps_flips_in_floats)
     return SMP::parameterize(mapped.mesh, Hierarchical_method(parameters::flip_policy(Flip_policy::KEEP)),
                              longest_border(mapped.mesh), uvmap);
   };
-  Mapped_mesh mapped(crumpled_grid(14, 1));
+  Mesh_with_ARAP_map mapped(crumpled_grid(14, 1));
   const auto floats = mapped.mesh.add_property_map<Surface_mesh::Vertex_index, Float_point>("v:float_uv").first;
   ASSERT_EQ(map_in(mapped, mapped.uvmap), OK);
   ASSERT_GT(mapped.quality().flips, 0u);
@@ -238,20 +238,20 @@ TEST(As_rigid_as_possible, keeps_flips_in_floats)
 TEST(As_rigid_as_possible, is_not_written_where_floats_overflow)
 {
   typedef CGAL::Simple_cartesian<float>::Point_2   Float_point;
-  Mapped_mesh m(affine_image(grid(8, 8, flat), 1e45, 0, 0, 1e45));
-  const Float_point untouched(-77, 77);
-  auto map = m.mesh.add_property_map<Surface_mesh::Vertex_index, Float_point>("v:float_uv", untouched).first;
+  Mesh_with_ARAP_map m(affine_image(grid(8, 8, flat), 1e45, 0, 0, 1e45));
+  auto map =
+      m.mesh.add_property_map<Surface_mesh::Vertex_index, Float_point>("v:float_uv", untouched<Float_point>()).first;
   const Hierarchical_method arap(parameters::flip_policy(Flip_policy::KEEP).summary(std::ref(m.summary)));
   EXPECT_EQ(SMP::parameterize(m.mesh, arap, longest_border(m.mesh), map), ERROR_WRONG_PARAMETER);
   EXPECT_NE(std::string(m.summary.error.cause).find("too large"), std::string::npos);
   for (const auto v : vertices(m.mesh))
-    EXPECT_EQ(map[v], untouched);
+    EXPECT_EQ(map[v], untouched<Float_point>());
 }
 
 // Where angles cannot be kept and a change of scale costs next to nothing, the cheapest map is a point.
 TEST(As_rigid_as_possible, shrinks_the_map_for_tiny_lambda)
 {
-  Mapped_mesh mapped(crumpled_grid(14, 1));
+  Mesh_with_ARAP_map mapped(crumpled_grid(14, 1));
   EXPECT_EQ(mapped.parameterize_hierarchically(1e-12), OK);
   EXPECT_LE(mapped.energy(1e-12), 0.5e-12 * double(mapped.flat_mesh.triangles.size()) * (1 + 1e-6));
 }
@@ -261,7 +261,7 @@ TEST(As_rigid_as_possible, is_the_least_squares_conformal_map_for_lambda_0)
 {
   for (const Flat_mesh& m : { grid(8, 6, wavy), disk_with_hole(), fan(5) })
     for (const bool is_hierarchical : { true, false }) {
-      Mapped_mesh mapped(m);
+      Mesh_with_ARAP_map mapped(m);
       EXPECT_EQ(is_hierarchical ? mapped.parameterize_hierarchically(0, 1e-12)
                                 : mapped.parameterize(
                                       Method(parameters::lambda(0.).flip_policy(Flip_policy::KEEP).tolerance(1e-12))),
@@ -294,13 +294,13 @@ TEST(As_rigid_as_possible, is_the_least_squares_conformal_map_for_lambda_0)
 TEST(As_rigid_as_possible, lambda_is_in_the_units_of_the_mesh)
 {
   const Flat_mesh m = delaunay_patch(300, 1, wavy);
-  Mapped_mesh mapped(m);
+  Mesh_with_ARAP_map mapped(m);
   EXPECT_EQ(mapped.parameterize_hierarchically(0.01), OK);
   for (const double scale : { std::ldexp(1., -60), 0.25, 3., 1e60 }) {
     Flat_mesh larger = m;
     for (Point_3& p : larger.points)
       p = Point_3(scale * p.x(), scale * p.y(), scale * p.z());
-    Mapped_mesh scaled(larger);
+    Mesh_with_ARAP_map scaled(larger);
     EXPECT_EQ(scaled.parameterize_hierarchically(0.01 * scale * scale), OK);
     EXPECT_NEAR(scaled.summary.energy / (scale * scale * mapped.summary.energy), 1, 1e-6) << "scale " << scale;
     const bool is_power_of_two = std::log2(scale) == std::round(std::log2(scale));
@@ -313,7 +313,7 @@ TEST(As_rigid_as_possible, lambda_is_in_the_units_of_the_mesh)
 TEST(As_rigid_as_possible, same_seed_same_bytes)
 {
   const auto run = [](unsigned int seed) {
-    Mapped_mesh mapped(delaunay_patch(300, 1, wavy));
+    Mesh_with_ARAP_map mapped(delaunay_patch(300, 1, wavy));
     EXPECT_EQ(mapped.parameterize_hierarchically(1000, 1e-6, seed), OK);
     return mapped.uv();
   };
@@ -326,7 +326,7 @@ TEST(As_rigid_as_possible, replaces_a_map_by_one_that_has_converged)
 {
   std::size_t replaced = 0;
   for (const Flat_mesh& m : { deep_cap(), tube(20, 12, 12), cap(20, 24, 0.97 * CGAL_PI) }) {
-    Mapped_mesh mapped(m);
+    Mesh_with_ARAP_map mapped(m);
     EXPECT_EQ(mapped.parameterize(Hierarchical_method(Method(), parameters::summary(std::ref(mapped.summary)))), OK);
     if (!mapped.summary.is_replaced)
       continue;
@@ -347,7 +347,7 @@ TEST(As_rigid_as_possible, energy_is_that_of_the_result)
   std::size_t repaired = 0, replaced = 0;
   for (const Flat_mesh& m : { deep_cap(), tube(20, 12, 12), crumpled_grid(12, 1), cap(20, 24, 0.97 * CGAL_PI) })
     for (const double lambda : { 1., 1000. }) {
-      Mapped_mesh mapped(m), with_flips(m), without_flips(m);
+      Mesh_with_ARAP_map mapped(m), with_flips(m), without_flips(m);
       EXPECT_EQ(mapped.parameterize(Hierarchical_method(
                     Method(parameters::lambda(lambda)), parameters::summary(std::ref(mapped.summary)))),
                 OK);
@@ -374,8 +374,8 @@ TEST(As_rigid_as_possible, repairs_large_folds_where_that_costs_little)
   const Flat_mesh surface = tents(30, 10, 3, random);
   for (const double lambda : { 0., 1e-6 })
     for (const bool is_hierarchical : { true, false }) {
-      Mapped_mesh mapped(surface), with_flips(surface);
-      const auto run = [&](Mapped_mesh& m, Flip_policy policy) {
+      Mesh_with_ARAP_map mapped(surface), with_flips(surface);
+      const auto run = [&](Mesh_with_ARAP_map& m, Flip_policy policy) {
         const auto options = parameters::lambda(lambda).flip_policy(policy).summary(std::ref(m.summary));
         return is_hierarchical ? m.parameterize(Hierarchical_method(options)) : m.parameterize(Method(options));
       };
@@ -390,7 +390,7 @@ TEST(As_rigid_as_possible, repairs_large_folds_where_that_costs_little)
 // The repair moves two vertices: the tips of ears that are a fifth of the area.
 TEST(As_rigid_as_possible, compares_a_repair_that_costs_energy_with_a_map_without_flips)
 {
-  Mapped_mesh mapped(square_with_ears(10, 1000));
+  Mesh_with_ARAP_map mapped(square_with_ears(10, 1000));
   EXPECT_EQ(mapped.parameterize(Hierarchical_method(Method(), parameters::summary(std::ref(mapped.summary)))), OK);
   EXPECT_GT(mapped.summary.flips, 0u);
   EXPECT_TRUE(mapped.summary.is_replaced);
@@ -402,7 +402,7 @@ TEST(As_rigid_as_possible, compares_a_repair_that_costs_energy_with_a_map_withou
 TEST(As_rigid_as_possible, threads_do_not_change_the_map)
 {
   typedef As_rigid_as_possible_parameterizer_3<Surface_mesh, CGAL::Parallel_tag>   Parallel_method;
-  Mapped_mesh mapped(grid(120, 110, wavy));     // groups of several blocks
+  Mesh_with_ARAP_map mapped(grid(120, 110, wavy));     // groups of several blocks
   EXPECT_EQ(mapped.parameterize(Hierarchical_method()), OK);
   const std::vector<Kernel::Point_2> sequential = mapped.uv();
   for (const int threads : { 1, 2, 5 }) {
@@ -429,7 +429,7 @@ TEST(As_rigid_as_possible, takes_every_mesh)
     for (const double lambda : { 0., 1000., infinity })
       for (const Optimizer optimizer : { Optimizer::NEWTON, Optimizer::SWEEPS, Optimizer::RANDOM_VERTICES }) {
         SCOPED_TRACE(name + ", lambda " + std::to_string(lambda) + ", optimizer " + std::to_string(int(optimizer)));
-        Mapped_mesh mapped(m);
+        Mesh_with_ARAP_map mapped(m);
         const Method method(parameters::lambda(lambda).optimizer(optimizer).number_of_iterations(20));
         EXPECT_EQ(mapped.parameterize(Hierarchical_method(method, parameters::coarsest_size(20)
                                                                       .flip_policy(Flip_policy::KEEP)
@@ -451,7 +451,7 @@ typedef Hierarchical_parameterizer_3<CGAL_method>   Hierarchical_CGAL_method;
 TEST(Hierarchical_ARAP_parameterizer, takes_the_arguments_of_CGALs_and_named_parameters)
 {
   const Two_vertices_parameterizer_3<Surface_mesh> border;
-  Mapped_mesh mapped(grid(16, 12, wavy));
+  Mesh_with_ARAP_map mapped(grid(16, 12, wavy));
   const auto uv = [&mapped](const auto& parameterizer) {
     EXPECT_EQ(mapped.parameterize(parameterizer), OK);
     return mapped.uv();
@@ -479,7 +479,7 @@ TEST(Hierarchical_ARAP_parameterizer, takes_the_arguments_of_CGALs_and_named_par
 
 TEST(Hierarchical_ARAP_parameterizer, tells_what_it_did)
 {
-  Mapped_mesh mapped(hemisphere());
+  Mesh_with_ARAP_map mapped(hemisphere());
   EXPECT_EQ(mapped.parameterize(
                 Hierarchical_CGAL_method(10., parameters::coarsest_size(20).summary(std::ref(mapped.summary)))),
             OK);
@@ -487,7 +487,7 @@ TEST(Hierarchical_ARAP_parameterizer, tells_what_it_did)
   EXPECT_GT(mapped.summary.levels.size(), 3u);
   EXPECT_NEAR(mapped.summary.energy, mapped.energy(10), 1e-8 * mapped.summary.energy);
 
-  Mapped_mesh theirs(hemisphere());
+  Mesh_with_ARAP_map theirs(hemisphere());
   EXPECT_EQ(theirs.parameterize(CGAL_method(10.)), OK);
   EXPECT_LE(mapped.summary.energy, theirs.energy(10) * (1 + 1e-6));
 }

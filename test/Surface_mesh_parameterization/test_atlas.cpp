@@ -311,7 +311,7 @@ TEST(Atlas, tells_of_charts_without_a_map)
   EXPECT_TRUE(summary.charts[1].summary.is_ok());
   std::size_t untouched_corners = 0;
   for (const Kernel::Point_2& p : surface.corners())
-    untouched_corners += p == untouched;
+    untouched_corners += p == untouched();
   EXPECT_EQ(untouched_corners, 3 * summary.charts[0].faces);
 }
 
@@ -368,7 +368,7 @@ TEST(Atlas, is_not_made_if_a_visitor_stops_a_chart)
     for (const Atlas_summary::Chart& chart : summary.charts)
       EXPECT_TRUE(chart.faces > 0 && (!chart.summary.is_ok() || &chart == &summary.charts.front()));
     for (const Kernel::Point_2& p : surface.corners())
-      EXPECT_EQ(p, untouched);
+      EXPECT_EQ(p, untouched());
   }
 }
 

@@ -211,7 +211,7 @@ TEST(Cut_to_disk, names_what_it_cannot_read)
   EXPECT_EQ(cut_to_disk(square.mesh, square.seams).error.code, ERROR_NON_TRIANGULAR_MESH);
   EXPECT_EQ(atlas_parameterization(square.mesh, square.uv).error.code, ERROR_NON_TRIANGULAR_MESH);
   for (const Kernel::Point_2& p : square.corners())
-    EXPECT_EQ(p, untouched);
+    EXPECT_EQ(p, untouched());
 }
 
 } // namespace test_cut_to_disk

@@ -416,7 +416,7 @@ TEST(Division, refuses_parts_that_are_none)
     EXPECT_EQ(summary.error.code, ERROR_WRONG_PARAMETER);
     EXPECT_NE(error_message(summary.error).find("least_used_part"), std::string::npos);
     for (const Kernel::Point_2& p : surface.corners())
-      EXPECT_EQ(p, untouched);
+      EXPECT_EQ(p, untouched());
   }
 }
 

@@ -141,8 +141,8 @@ TYPED_TEST(Edge_energy_parameterizer, hierarchical_and_flat_maps_are_the_same)
 {
   for (const Flat_mesh& m : disks()) {
     Surface_mesh mesh = make<Surface_mesh>(m);
-    EXPECT_LT(distance(map_of(mesh, hierarchical(method_of_tolerance<TypeParam>(1e-11))),
-                       map_of(mesh, keeping_flips<Method<TypeParam>>())),
+    EXPECT_LT(greatest_distance(map_of(mesh, hierarchical(method_of_tolerance<TypeParam>(1e-11))),
+                                map_of(mesh, keeping_flips<Method<TypeParam>>())),
               1e-8);
   }
 }
@@ -233,7 +233,7 @@ TEST(Edge_energy, replaced_rows_are_part_of_the_matrix)
   for (const Flat_mesh& m : { grid(16, 12, wavy), delaunay_patch(400, 1, wavy) }) {
     Surface_mesh mesh = make<Surface_mesh>(m);
     const std::vector<Kernel::Point_2> expected = map_of(mesh, keeping_flips<Method<Weights_of_both_signs<false>>>());
-    EXPECT_LT(distance(map_of(mesh, keeping_flips<Method<Weights_of_both_signs<true>>>()), expected), 1e-7);
+    EXPECT_LT(greatest_distance(map_of(mesh, keeping_flips<Method<Weights_of_both_signs<true>>>()), expected), 1e-7);
   }
 }
 
@@ -256,7 +256,7 @@ TEST(Edge_energy, a_factor_of_all_weights_does_not_matter)
   };
   const std::vector<Kernel::Point_2> expected = map_with(1);
   for (const double factor : { 1e-310, 1e-200, 1e200, 1e306 })
-    EXPECT_LT(distance(map_with(factor), expected), 1e-8) << factor;
+    EXPECT_LT(greatest_distance(map_with(factor), expected), 1e-8) << factor;
 }
 
 // ---- CGAL's methods for the same maps ----
@@ -268,8 +268,10 @@ void compare_with_CGAL(const Flat_mesh& m)
   const auto compare = [&](const auto& weights, const auto& parameterizer) {
     typedef Edge_energy_parameterizer_3<TriangleMesh, std::decay_t<decltype(weights)>, Border> Method;
     const std::vector<Kernel::Point_2> expected = map_of(mesh, parameterizer);
-    EXPECT_LT(distance(map_of(mesh, keeping_flips<Method>()), expected), 1e-7);
-    EXPECT_LT(distance(map_of(mesh, hierarchical(Method({}, weights, parameters::tolerance(1e-11)))), expected), 1e-7);
+    EXPECT_LT(greatest_distance(map_of(mesh, keeping_flips<Method>()), expected), 1e-7);
+    EXPECT_LT(
+        greatest_distance(map_of(mesh, hierarchical(Method({}, weights, parameters::tolerance(1e-11)))), expected),
+        1e-7);
   };
   compare(Uniform_edge_weights_3(), Barycentric_mapping_parameterizer_3<TriangleMesh, Border>());
   compare(Mean_value_edge_weights_3(), Mean_value_coordinates_parameterizer_3<TriangleMesh, Border>());
@@ -300,7 +302,7 @@ TEST(CGAL, finds_the_same_map_with_given_corners)
   for (const Flip_policy policy : { Flip_policy::KEEP, Flip_policy::REPAIR, Flip_policy::FAIL }) {
     const auto np = parameters::coarsest_size(20).flip_policy(policy);
     const Hierarchical_parameterizer_3<Square_method> square(Square_method(border), np);
-    EXPECT_LT(distance(map_of(mesh, square), expected), 1e-6) << int(policy);
+    EXPECT_LT(greatest_distance(map_of(mesh, square), expected), 1e-6) << int(policy);
   }
 }
 
@@ -315,7 +317,7 @@ TEST(Edge_energy, number_of_iterations_is_the_most_before_a_direct_solver_takes_
     Parameterization_summary s;
     const Mean_value method({}, {}, parameters::tolerance(1e-12).number_of_iterations(iterations));
     const auto np = parameters::coarsest_size(20).flip_policy(Flip_policy::KEEP).summary(std::ref(s));
-    EXPECT_LT(distance(map_of(mesh, Hierarchical_parameterizer_3<Mean_value>(method, np)), expected), 1e-10);
+    EXPECT_LT(greatest_distance(map_of(mesh, Hierarchical_parameterizer_3<Mean_value>(method, np)), expected), 1e-10);
     EXPECT_TRUE(s.converged);
     for (std::size_t i = 1; i < s.levels.size(); ++i)
       EXPECT_LE(s.levels[i].iterations, iterations);

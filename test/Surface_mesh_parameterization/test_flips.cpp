@@ -48,7 +48,7 @@ using namespace test_meshes;
 using internal::Patch_unfolder;
 using internal::Patch_unfolder_options;
 using internal::is_map_valid;
-using one_to_one::Mapped_mesh;
+using one_to_one::Mapped_mesh_with_border;
 using one_to_one::Mesh;
 namespace parameters = CGAL::parameters;
 
@@ -65,7 +65,7 @@ TYPED_TEST_SUITE(Flip_policies, Methods_with_flips, );
 
 TYPED_TEST(Flip_policies, are_kept)
 {
-  Mapped_mesh m(crumpled_grid(14, 1));    // obtuse angles all over
+  Mapped_mesh_with_border m(crumpled_grid(14, 1));    // obtuse angles all over
   const auto run = [&](Flip_policy policy) {
     return m.parameterize(TypeParam(parameters::flip_policy(policy).summary(std::ref(m.summary))));
   };
@@ -95,7 +95,7 @@ TYPED_TEST(Flip_policies, are_kept)
 TEST(Flip_policies_of_edge_energies, tell_the_energy_of_the_repaired_map)
 {
   typedef Edge_energy_parameterizer_3<Mesh, Harmonic_edge_weights_3> Harmonic;
-  Mapped_mesh m(crumpled_grid(14, 1));
+  Mapped_mesh_with_border m(crumpled_grid(14, 1));
   const auto run = [&](Flip_policy policy) {
     return m.parameterize(
         Hierarchical_parameterizer_3<Harmonic>(parameters::flip_policy(policy).summary(std::ref(m.summary))));
@@ -114,7 +114,7 @@ TEST(Flip_policies_of_edge_energies, tell_the_energy_of_the_repaired_map)
 TEST(Flip_policies, repair_the_same_for_every_number_of_threads)
 {
   typedef Discrete_conformal_map_parameterizer_3<Mesh, Circle>   Method;
-  Mapped_mesh m(crumpled_grid(80, 1));
+  Mapped_mesh_with_border m(crumpled_grid(80, 1));
   EXPECT_EQ(m.parameterize(Hierarchical_parameterizer_3<Method>(parameters::summary(std::ref(m.summary)))), OK);
   EXPECT_GT(20 * m.summary.moved_vertices, num_vertices(m.mesh));      // by hierarchies, not by patches
   const auto expected = m.uv();
@@ -127,11 +127,11 @@ TEST(Flip_policies, repair_the_same_for_every_number_of_threads)
 #endif
 
 // The plane's map of a grid, in which some vertices have lost their places.
-struct Spoiled_map : Mapped_mesh
+struct Spoiled_map : Mapped_mesh_with_border
 {
   std::vector<Kernel::Point_2> good;
 
-  Spoiled_map() : Mapped_mesh(grid(24, 20, wavy))
+  Spoiled_map() : Mapped_mesh_with_border(grid(24, 20, wavy))
   {
     for (const auto v : vertices(mesh))
       uvmap[v] = Kernel::Point_2(mesh.point(v).x(), mesh.point(v).y());
@@ -200,7 +200,7 @@ TEST(Settle_flips, moves_vertices_near_flips_only)
   constexpr double stretch = 12;      // scales go from 1 to e^12
   constexpr int farthest = 3;
   for (const double sign : { 1., -1. }) {
-    Mapped_mesh m(grid(30, 24, flat));
+    Mapped_mesh_with_border m(grid(30, 24, flat));
     std::vector<Mesh::Vertex_index> spoiled;
     for (const auto v : vertices(m.mesh)) {
       const Kernel::Point_3& p = m.mesh.point(v);
@@ -252,7 +252,7 @@ TEST(Settle_flips, moves_few_vertices_for_one_that_is_far_away_or_inside)
 TEST(Settle_flips, moves_no_vertex_but_those_without_a_place)
 {
   constexpr double stretch = 12;      // scales go from 1 to e^12
-  Mapped_mesh m(grid(40, 32, flat));
+  Mapped_mesh_with_border m(grid(40, 32, flat));
   for (const auto v : vertices(m.mesh)) {
     const Kernel::Point_3& p = m.mesh.point(v);
     const double radius = std::exp(stretch * p.x()), angle = stretch * p.y();
@@ -340,7 +340,7 @@ TEST(Settle_flips, moves_few_vertices_of_a_ring_whose_borders_cross)
   for (const double sign : { 1., -1. })
     for (const bool is_at_hole : { false, true })
       for (const double factor : { -0.7, -3., -1e6, 1e6 }) {
-        Mapped_mesh m(cap_without_pole());
+        Mapped_mesh_with_border m(cap_without_pole());
         Mesh::Vertex_index on_border;
         for (const auto v : vertices(m.mesh)) {
           const Kernel::Point_3& p = m.mesh.point(v);
@@ -388,12 +388,12 @@ TEST(Settle_flips, leaves_no_needles_around_a_border_vertex_that_was_elsewhere)
 // A flat square with an ear behind an edge of its border: a disk of the given radius, all of whose vertices are on the
 // border, cut into triangles that share a vertex or halve it again and again. The map has the ear on the line of its
 // chord, as where fixed borders are convex.
-struct Square_with_ear : Mapped_mesh
+struct Square_with_ear : Mapped_mesh_with_border
 {
   static constexpr Index n = 20;
 
   Square_with_ear(Index vertices_of_ear, double radius, bool is_halved)
-    : Mapped_mesh(make_surface(vertices_of_ear, radius, is_halved))
+    : Mapped_mesh_with_border(make_surface(vertices_of_ear, radius, is_halved))
   {
     for (const auto v : vertices(mesh))
       uvmap[v] = Kernel::Point_2(mesh.point(v).x(), mesh.point(v).y());
@@ -510,7 +510,7 @@ TEST(Settle_flips, lets_a_good_map_be_and_makes_one_of_nothing)
 // Every triangle of the square of a disk's points is positive, but its middle is surrounded twice.
 TEST(Settle_flips, counts_vertices_around_which_a_map_winds_twice)
 {
-  one_to_one::Mapped_mesh m(cap(6, 24, 0.1));
+  one_to_one::Mapped_mesh_with_border m(cap(6, 24, 0.1));
   for (const auto v : vertices(m.mesh)) {
     const Kernel::Point_3& p = m.mesh.point(v);
     m.uvmap[v] = Kernel::Point_2(p.x() * p.x() - p.y() * p.y(), 2 * p.x() * p.y());

@@ -100,7 +100,7 @@ TEST(Errors, other_components_do_not_matter)
   EXPECT_EQ(SMP::parameterize(mapped.mesh, Hierarchical_MIPS(), bhd, mapped.uvmap), OK);
   EXPECT_TRUE(is_valid(mapped.mesh, bhd, mapped.uvmap));
   for (const auto v : vertices(mapped.mesh))
-    EXPECT_EQ(mapped.uvmap[v] == Mapped_mesh::untouched(), std::size_t(v) >= 36);
+    EXPECT_EQ(mapped.uvmap[v] == untouched(), std::size_t(v) >= 36);
 }
 
 // ---- visitors, options, summary ----
@@ -182,7 +182,7 @@ TEST(Users_exceptions, of_a_property_map_leave_what_was_not_written)
                Users_exception);
   int written = 0;
   for (const auto v : vertices(mapped.mesh))
-    if (mapped.uvmap[v] != Mapped_mesh::untouched()) {
+    if (mapped.uvmap[v] != untouched()) {
       ++written;
       EXPECT_EQ(mapped.uvmap[v], whole.uvmap[v]);
     }

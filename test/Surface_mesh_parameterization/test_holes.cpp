@@ -3,7 +3,7 @@
 
 // Holes that are filled virtually.
 
-#include "mapped_model.h"
+#include "mapped_mesh.h"
 #include "mesh_conversions.h"
 #include "test_meshes.h"
 
@@ -21,11 +21,9 @@
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/error_message.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
-#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
-#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
@@ -118,24 +116,14 @@ Hierarchical_parameterizer_3<Parameterizer> filling(Flip_policy policy = Flip_po
   return Hierarchical_parameterizer_3<Parameterizer>(parameters::fill_holes(true).flip_policy(policy));
 }
 
-void expect_near(const Points& a, const Points& b, double tolerance)
-{
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i)
-    EXPECT_LE(std::sqrt(CGAL::squared_distance(a[i], b[i])), tolerance) << "vertex " << i;
-}
-
 // ---- laws ----
 
 TEST(Holes, an_ear_of_a_hole_is_flat_unless_the_hole_is_filled)
 {
   const Flat_mesh m = grid_with_ear();
-  EXPECT_EQ(Mapped<Surface_mesh>(m)
-                .parameterize(Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Surface_mesh>>())
-                .code,
-            ERROR_NO_1_TO_1_MAPPING);
-  EXPECT_EQ(Mapped<Surface_mesh>(m).parameterize(filling<Barycentric_mapping_parameterizer_3<Surface_mesh>>()).code,
-            OK);
+  typedef Barycentric_mapping_parameterizer_3<Surface_mesh>   Barycentric;
+  EXPECT_EQ(Mapped_mesh(m).parameterize(Hierarchical_parameterizer_3<Barycentric>()), ERROR_NO_1_TO_1_MAPPING);
+  EXPECT_EQ(Mapped_mesh(m).parameterize(filling<Barycentric>()), OK);
 }
 
 // Weights that are not negative and a convex border make a map one-to-one (Tutte, Floater), if every hole is filled.
@@ -144,68 +132,66 @@ TEST(Holes, filled_ones_of_any_shape_leave_no_flip)
   for (unsigned int seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     const Flat_mesh m = with_random_holes(grid(8 + seed % 5, 9, wavy), 10 + seed, seed);
-    Mapped<Surface_mesh> barycentric(m), mean_value(m), uniform(m);
-    Mapped<Polyhedron> polyhedron(m);
-    EXPECT_EQ(barycentric.parameterize(filling<Barycentric_mapping_parameterizer_3<Surface_mesh>>()).code, OK);
-    EXPECT_EQ(mean_value.parameterize(filling<Mean_value_coordinates_parameterizer_3<Surface_mesh>>()).code, OK);
-    EXPECT_EQ(polyhedron.parameterize(filling<Mean_value_coordinates_parameterizer_3<Polyhedron>>()).code, OK);
-    EXPECT_EQ(uniform
-                  .parameterize(Hierarchical_parameterizer_3<Uniform<Surface_mesh>>(
-                      parameters::tolerance(1e-12).fill_holes(true)))
-                  .code,
+    Mapped_mesh barycentric(m), mean_value(m), uniform(m);
+    Polyhedron polyhedron = make<Polyhedron>(m);
+    EXPECT_EQ(barycentric.parameterize(filling<Barycentric_mapping_parameterizer_3<Surface_mesh>>()), OK);
+    EXPECT_EQ(mean_value.parameterize(filling<Mean_value_coordinates_parameterizer_3<Surface_mesh>>()), OK);
+    EXPECT_EQ(uniform.parameterize(Hierarchical_parameterizer_3<Uniform<Surface_mesh>>(
+                  parameters::tolerance(1e-12).fill_holes(true))),
               OK);
-    EXPECT_EQ(barycentric.number_of_flips() + mean_value.number_of_flips() + uniform.number_of_flips(), 0u);
-    expect_near(mean_value.uv(), polyhedron.uv(), 1e-8);
-    expect_near(barycentric.uv(), uniform.uv(), 1e-6);     // the same weights, by other layers of the package
+    EXPECT_EQ(barycentric.quality().flips + mean_value.quality().flips + uniform.quality().flips, 0u);
+    EXPECT_LE(greatest_distance(mean_value.uv(),
+                                map_of(polyhedron, filling<Mean_value_coordinates_parameterizer_3<Polyhedron>>())),
+              1e-8);
+    EXPECT_LE(greatest_distance(barycentric.uv(), uniform.uv()), 1e-6);   // the same weights, by other layers
   }
 }
 
 TEST(Holes, free_borders_too)
 {
   const Flat_mesh m = grid_with_ear();
-  Mapped<Surface_mesh> open(m), mips(m), isometric(m), flat(m);
-  EXPECT_EQ(open.parameterize(Hierarchical_parameterizer_3<MIPS_parameterizer_3<Surface_mesh>>()).code, OK);
-  EXPECT_EQ(mips.parameterize(filling<MIPS_parameterizer_3<Surface_mesh>>()).code, OK);
-  EXPECT_EQ(isometric.parameterize(filling<Symmetric_Dirichlet_parameterizer_3<Surface_mesh>>()).code, OK);
+  Mapped_mesh open(m), mips(m), isometric(m), flat(m);
+  EXPECT_EQ(open.parameterize(Hierarchical_parameterizer_3<MIPS_parameterizer_3<Surface_mesh>>()), OK);
+  EXPECT_EQ(mips.parameterize(filling<MIPS_parameterizer_3<Surface_mesh>>()), OK);
+  EXPECT_EQ(isometric.parameterize(filling<Symmetric_Dirichlet_parameterizer_3<Surface_mesh>>()), OK);
   MIPS_parameterizer_3<Surface_mesh> alone(parameters::fill_holes(true));
   const Surface_mesh& const_mesh = flat.mesh;
   EXPECT_EQ(alone.parameterize(const_mesh, test_meshes::longest_border(const_mesh), flat.uvmap,
                                get(CGAL::dynamic_vertex_property_t<int>(), const_mesh),
                                get(CGAL::dynamic_vertex_property_t<bool>(), const_mesh)),
             OK);
-  EXPECT_EQ(mips.number_of_flips() + isometric.number_of_flips() + flat.number_of_flips(), 0u);
+  EXPECT_EQ(mips.quality().flips + isometric.quality().flips + flat.quality().flips, 0u);
   // What is filled counts, so the rest has not the least energy any more.
-  const double least = parameterization_quality(open.mesh, open.uvmap).mips;
-  EXPECT_GT(parameterization_quality(mips.mesh, mips.uvmap).mips, least);
-  EXPECT_NEAR(parameterization_quality(flat.mesh, flat.uvmap).mips,
-              parameterization_quality(mips.mesh, mips.uvmap).mips, 1e-3 * least);
+  const double least = open.quality().mips;
+  EXPECT_GT(mips.quality().mips, least);
+  EXPECT_NEAR(flat.quality().mips, mips.quality().mips, 1e-3 * least);
 }
 
 // A surface in the plane stays what it is: the triangles that fill a hole lie in the plane too.
 TEST(Holes, a_plane_is_reproduced)
 {
-  Mapped<Surface_mesh> run(with_random_holes(grid(12, 12, flat), 25, 3));
+  Mapped_mesh run(with_random_holes(grid(12, 12, flat), 25, 3));
   run.parameterize(filling<Symmetric_Dirichlet_parameterizer_3<Surface_mesh>>());
-  EXPECT_NEAR(parameterization_quality(run.mesh, run.uvmap).symmetric_dirichlet, 4, 1e-6);
+  EXPECT_NEAR(run.quality().symmetric_dirichlet, 4, 1e-6);
 }
 
 TEST(Holes, the_mesh_is_only_read)
 {
   const Flat_mesh m = grid_with_ear();
-  Mapped<Surface_mesh> run(m);
+  Mapped_mesh run(m);
   run.parameterize(filling<Mean_value_coordinates_parameterizer_3<Surface_mesh>>());
   EXPECT_EQ(run.mesh.number_of_vertices(), m.points.size());
   EXPECT_EQ(run.mesh.number_of_faces(), m.triangles.size());
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(run.mesh));
   const Points uv = run.uv();
-  EXPECT_EQ(std::count(uv.begin(), uv.end(), run.untouched()), 0);
+  EXPECT_EQ(std::count(uv.begin(), uv.end(), untouched()), 0);
 }
 
 TEST(Holes, corners_are_kept_where_a_copy_has_the_same_vertices)
 {
   const Flat_mesh m = grid_with_ear();
-  Mapped<Surface_mesh> run(m);
-  Mapped<Polyhedron> polyhedron(m);
+  Mapped_mesh run(m);
+  Polyhedron polyhedron = make<Polyhedron>(m);
   const auto border = [](const auto& mesh) {
     std::vector<typename boost::graph_traits<std::decay_t<decltype(mesh)>>::vertex_descriptor> result;
     for (const auto h : CGAL::halfedges_around_face(test_meshes::longest_border(mesh), mesh))
@@ -216,22 +202,19 @@ TEST(Holes, corners_are_kept_where_a_copy_has_the_same_vertices)
   const auto b = border(run.mesh);
   const std::size_t n = b.size();
   const Square square(b[0], b[n / 4], b[n / 2], b[3 * n / 4]);
-  run.parameterize(Hierarchical_parameterizer_3<Mean_value_coordinates_parameterizer_3<Surface_mesh, Square>>(
-      square, parameters::fill_holes(true).flip_policy(Flip_policy::KEEP)));
-  EXPECT_EQ(run.code, OK);
+  EXPECT_EQ(run.parameterize(Hierarchical_parameterizer_3<Mean_value_coordinates_parameterizer_3<Surface_mesh, Square>>(
+                square, parameters::fill_holes(true).flip_policy(Flip_policy::KEEP))),
+            OK);
   for (const std::size_t i : { std::size_t(0), n / 4, n / 2, 3 * n / 4 }) {
     const Kernel::Point_2 corner = get(run.uvmap, b[i]);
     EXPECT_TRUE((corner.x() == 0 || corner.x() == 1) && (corner.y() == 0 || corner.y() == 1)) << corner;
   }
 
   typedef Square_border_uniform_parameterizer_3<Polyhedron>   Square_of_polyhedron;
-  const auto c = border(polyhedron.mesh);
+  const auto c = border(polyhedron);
   const Square_of_polyhedron other(c[0], c[n / 4], c[n / 2], c[3 * n / 4]);
-  polyhedron.parameterize(
-      Hierarchical_parameterizer_3<Mean_value_coordinates_parameterizer_3<Polyhedron, Square_of_polyhedron>>(
-          other, parameters::fill_holes(true)));
-  EXPECT_EQ(polyhedron.code, ERROR_WRONG_PARAMETER);
-  EXPECT_EQ(polyhedron.uv(), Points(m.points.size(), polyhedron.untouched()));
+  typedef Mean_value_coordinates_parameterizer_3<Polyhedron, Square_of_polyhedron>   Method;
+  map_of(polyhedron, Hierarchical_parameterizer_3<Method>(other, parameters::fill_holes(true)), ERROR_WRONG_PARAMETER);
 }
 
 TEST(Holes, a_seam_mesh_cannot_be_filled)
@@ -257,7 +240,7 @@ TEST(Holes, what_is_no_surface_has_the_error_that_it_has_without_filling)
 {
   Flat_mesh m = grid(6, 6, wavy);
   m.points[20] = Point_3(0, std::nan(""), 0);
-  Mapped<Surface_mesh> open(m), filled(m);
+  Mapped_mesh open(m), filled(m);
   Parameterization_summary of_open, of_filled;
   typedef Barycentric_mapping_parameterizer_3<Surface_mesh>   Barycentric;
   open.parameterize(Hierarchical_parameterizer_3<Barycentric>(parameters::summary(std::ref(of_open))));

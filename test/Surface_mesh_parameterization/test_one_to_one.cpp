@@ -33,7 +33,7 @@ namespace test_one_to_one {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
-using one_to_one::Mapped_mesh;
+using one_to_one::Mapped_mesh_with_border;
 using one_to_one::Mesh;
 using one_to_one::pairs_by_counting;
 namespace parameters = CGAL::parameters;
@@ -48,7 +48,7 @@ class Globally_injective : public testing::Test
 {
 protected:
   template <class NamedParameters>
-  static Error_code run(Mapped_mesh& m, bool is_flat, const NamedParameters& np)
+  static Error_code run(Mapped_mesh_with_border& m, bool is_flat, const NamedParameters& np)
   {
     return is_flat ? m.parameterize(Method(np)) : m.parameterize(Hierarchical_parameterizer_3<Method>(Method(np)));
   }
@@ -61,7 +61,7 @@ TYPED_TEST(Globally_injective, keeps_a_ramp_from_running_over_itself)
 {
   for (const bool is_flat : { false, true })
     for (const double turns : { 1.2, 1.7 }) {
-      Mapped_mesh m(ramp(80, turns));
+      Mapped_mesh_with_border m(ramp(80, turns));
       ASSERT_EQ(this->run(m, is_flat, parameters::globally_injective(false)), OK);
       EXPECT_GT(m.quality().overlaps, 0u);
       ASSERT_EQ(this->run(m, is_flat, parameters::globally_injective(true)), OK);
@@ -74,7 +74,7 @@ TYPED_TEST(Globally_injective, keeps_a_ramp_from_running_over_itself)
 TYPED_TEST(Globally_injective, changes_nothing_where_nothing_overlaps)
 {
   for (const Flat_mesh& flat_mesh : { grid(16, 12, wavy), hemisphere(), grid_with_holes(20) }) {
-    Mapped_mesh m(flat_mesh);
+    Mapped_mesh_with_border m(flat_mesh);
     ASSERT_EQ(this->run(m, false, parameters::globally_injective(false)), OK);
     const Parameterization_quality free = m.quality();
     ASSERT_EQ(this->run(m, false, parameters::globally_injective(true)), OK);
@@ -95,7 +95,7 @@ TYPED_TEST_SUITE(Deep_tube, Flip_free_methods, );
 TYPED_TEST(Deep_tube, is_laid_out_without_a_flip)
 {
   for (const double diameters : { 10, 60, 200 }) {
-    Mapped_mesh m(tube(Index(12 * diameters), 8, 2 * diameters));
+    Mapped_mesh_with_border m(tube(Index(12 * diameters), 8, 2 * diameters));
     for (const bool is_flat : { false, true }) {
       const Error_code status = is_flat ? m.parameterize(TypeParam(parameters::number_of_iterations(20)))
                                         : m.parameterize(Hierarchical_parameterizer_3<TypeParam>(
@@ -161,7 +161,7 @@ TEST(Random_surfaces, are_laid_out_one_to_one)
   std::size_t conformal_maps = 0;
   for (unsigned int seed = 0; seed < number_of_random_surfaces(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    Mapped_mesh m(random_surface(seed));
+    Mapped_mesh_with_border m(random_surface(seed));
     const auto np = parameters::number_of_iterations(10);
     EXPECT_EQ(m.parameterize(
                   Hierarchical_parameterizer_3<MIPS>(MIPS(np), parameters::coarsest_size(15).random_seed(seed))),

@@ -6,7 +6,7 @@
 
 #include "hierarchies.h"
 #include "level_maps.h"
-#include "mapped_model.h"
+#include "mapped_mesh.h"
 #include "mesh_conversions.h"
 #include "test_meshes.h"
 
@@ -51,7 +51,7 @@ struct Counting_visitor : Hierarchy_visitor_3
 
 TEST(Options, have_any_order)
 {
-  Mapped<Surface_mesh> first(grid(24, 18, wavy)), last(grid(24, 18, wavy)), other(grid(24, 18, wavy));
+  Mapped_mesh first(grid(24, 18, wavy)), last(grid(24, 18, wavy)), other(grid(24, 18, wavy));
   Parameterization_summary s, t;
   int levels_s = 0, levels_t = 0;
   first.parameterize(Hierarchical_MIPS(
@@ -76,7 +76,7 @@ TEST(Options, have_any_order)
 TEST(Options, of_a_method_hold_in_the_adaptor)
 {
   typedef MIPS_parameterizer_3<Surface_mesh>   MIPS;
-  Mapped<Surface_mesh> mapped(grid(24, 18, wavy));
+  Mapped_mesh mapped(grid(24, 18, wavy));
   const auto is_held = mapped.mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:is_held", false).first;
   const Surface_mesh::Vertex_index v(77);
   const Kernel::Point_2 place(100, 100);
@@ -84,7 +84,7 @@ TEST(Options, of_a_method_hold_in_the_adaptor)
   put(mapped.uvmap, v, place);
   Parameterization_summary s, t;
   const auto levels_of = [&](const Hierarchical_MIPS& adaptor, const Parameterization_summary& summary) {
-    EXPECT_EQ(mapped.parameterize(adaptor).code, OK);
+    EXPECT_EQ(mapped.parameterize(adaptor), OK);
     return summary.levels.size();
   };
   EXPECT_GT(levels_of(Hierarchical_MIPS(MIPS(np::vertex_is_constrained_map(is_held).summary(std::ref(s)))), s), 1u);
@@ -100,8 +100,8 @@ TEST(Options, of_a_method_mean_the_same_in_the_adaptor)
 {
   typedef MIPS_parameterizer_3<Surface_mesh>   MIPS;
   const Flat_mesh surface = grid_with_holes(20);
-  Mapped<Surface_mesh> told(surface), method_told(surface), not_told(surface);
-  EXPECT_EQ(told.parameterize(Hierarchical_MIPS(MIPS(), np::fill_holes(true))).code, OK);
+  Mapped_mesh told(surface), method_told(surface), not_told(surface);
+  EXPECT_EQ(told.parameterize(Hierarchical_MIPS(MIPS(), np::fill_holes(true))), OK);
   method_told.parameterize(Hierarchical_MIPS(MIPS(np::fill_holes(true))));
   not_told.parameterize(Hierarchical_MIPS(MIPS()));
   EXPECT_EQ(told.uv(), method_told.uv());
@@ -111,7 +111,7 @@ TEST(Options, of_a_method_mean_the_same_in_the_adaptor)
   const auto uv_from_start = [&](const Hierarchical_MIPS& adaptor) {
     for (const auto v : vertices(told.mesh))
       put(told.uvmap, v, Kernel::Point_2(told.mesh.point(v).x(), 2 * told.mesh.point(v).y()));
-    EXPECT_EQ(told.parameterize(adaptor).code, OK);
+    EXPECT_EQ(told.parameterize(adaptor), OK);
     return told.uv();
   };
   const Points pulled = uv_from_start(Hierarchical_MIPS(MIPS(np::position_weight_map(weight))));
@@ -119,9 +119,9 @@ TEST(Options, of_a_method_mean_the_same_in_the_adaptor)
   EXPECT_NE(pulled, uv_from_start(Hierarchical_MIPS(MIPS())));
 
   // much of this surface would lie over itself: with a bound that map stays
-  Mapped<Surface_mesh> overlapping(ramp(100, 1.5));
+  Mapped_mesh overlapping(ramp(100, 1.5));
   const auto overlaps_of = [&](const Hierarchical_MIPS& adaptor) {
-    EXPECT_EQ(overlapping.parameterize(adaptor).code, OK);
+    EXPECT_EQ(overlapping.parameterize(adaptor), OK);
     return parameterization_quality(overlapping.mesh, overlapping.uvmap).overlaps;
   };
   EXPECT_EQ(overlaps_of(Hierarchical_MIPS(MIPS(np::globally_injective(true)))), 0u);
@@ -130,10 +130,9 @@ TEST(Options, of_a_method_mean_the_same_in_the_adaptor)
 
   typedef As_rigid_as_possible_parameterizer_3<Surface_mesh>   ARAP;
   typedef Hierarchical_parameterizer_3<ARAP>                   Hierarchical_ARAP;
-  Mapped<Surface_mesh> flipped(deep_cap());
-  EXPECT_EQ(flipped.parameterize(Hierarchical_ARAP(ARAP())).code, OK);
-  EXPECT_EQ(flipped.parameterize(Hierarchical_ARAP(ARAP(np::flip_policy(Flip_policy::FAIL)))).code,
-            ERROR_NO_1_TO_1_MAPPING);
+  Mapped_mesh flipped(deep_cap());
+  EXPECT_EQ(flipped.parameterize(Hierarchical_ARAP(ARAP())), OK);
+  EXPECT_EQ(flipped.parameterize(Hierarchical_ARAP(ARAP(np::flip_policy(Flip_policy::FAIL)))), ERROR_NO_1_TO_1_MAPPING);
 }
 
 // A method that takes a name of the package, and does not tell so.
@@ -166,7 +165,7 @@ private:
 
 TEST(Options, of_a_method_of_the_user_are_left_to_it)
 {
-  Mapped<Surface_mesh> mapped(grid(12, 9, wavy));
+  Mapped_mesh mapped(grid(12, 9, wavy));
   Parameterization_summary s;
   mapped.parameterize(Hierarchical_parameterizer_3<Own_method>(np::random_seed(1).lambda(7).summary(std::ref(s))));
   EXPECT_EQ(s.energy, 7);
@@ -174,7 +173,7 @@ TEST(Options, of_a_method_of_the_user_are_left_to_it)
 
 TEST(Options, fill_the_summary_of_one_call)
 {
-  Mapped<Surface_mesh> disk(grid(12, 9, wavy)), closed(sphere(6, 8)), empty{ Flat_mesh() };
+  Mapped_mesh disk(grid(12, 9, wavy)), closed(sphere(6, 8)), empty{ Flat_mesh() };
   Parameterization_summary s;
   const Parameterization_summary result =
       hierarchical_parameterization(disk.mesh, disk.uvmap, np::summary(std::ref(s)));
@@ -202,7 +201,7 @@ struct Visitor_that_is_no_copy : Hierarchy_visitor_3
 
 TEST(Options, may_refer_to_a_visitor)
 {
-  Mapped<Surface_mesh> mapped(grid(24, 18, wavy));
+  Mapped_mesh mapped(grid(24, 18, wavy));
   Visitor_that_is_no_copy visitor;
   Parameterization_summary s;
   mapped.parameterize(Hierarchical_MIPS(np::visitor(std::ref(visitor)).coarsest_size(20).summary(std::ref(s))));
@@ -221,14 +220,14 @@ TYPED_TEST(Tolerance, is_at_least_zero)
 {
   for (const double tolerance : { 0., -1e-6, std::numeric_limits<double>::quiet_NaN() }) {
     const Error_code expected = tolerance == 0 ? OK : ERROR_WRONG_PARAMETER;
-    Mapped<Surface_mesh> flat(grid(12, 9, wavy)), hierarchical(grid(12, 9, wavy));
+    Mapped_mesh flat(grid(12, 9, wavy)), hierarchical(grid(12, 9, wavy));
     const Points before = flat.uv();
     EXPECT_EQ(parameterize(flat.mesh, TypeParam(np::tolerance(tolerance)), test_meshes::longest_border(flat.mesh),
                            flat.uvmap),
               expected);
-    hierarchical.parameterize(Hierarchical_parameterizer_3<TypeParam>(
-        TypeParam(np::tolerance(tolerance)), np::coarsest_size(20).summary(std::ref(hierarchical.summary))));
-    EXPECT_EQ(hierarchical.code, expected);
+    EXPECT_EQ(hierarchical.parameterize(Hierarchical_parameterizer_3<TypeParam>(
+                  TypeParam(np::tolerance(tolerance)), np::coarsest_size(20).summary(std::ref(hierarchical.summary)))),
+              expected);
     EXPECT_EQ(error_message(hierarchical.summary.error).find("tolerance") != std::string::npos, expected != OK);
     EXPECT_EQ(flat.uv() == before, expected != OK);
     EXPECT_EQ(hierarchical.uv() == before, expected != OK);
@@ -245,10 +244,10 @@ TYPED_TEST(Tolerance, is_at_least_zero)
 
 // Runs that are to be refused, with a text that has the option's name.
 template <class Parameterizer>
-void expect_refused(const Parameterizer& parameterizer, Mapped<Surface_mesh>& mapped, const std::string& option)
+void expect_refused(const Parameterizer& parameterizer, Mapped_mesh& mapped, const std::string& option)
 {
   const Points before = mapped.uv();
-  EXPECT_EQ(mapped.parameterize(parameterizer).code, ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(mapped.parameterize(parameterizer), ERROR_WRONG_PARAMETER);
   EXPECT_NE(error_message(mapped.summary.error).find(option), std::string::npos)
       << error_message(mapped.summary.error);
   EXPECT_EQ(mapped.uv(), before);
@@ -257,7 +256,7 @@ void expect_refused(const Parameterizer& parameterizer, Mapped<Surface_mesh>& ma
 TEST(Counts, are_not_negative)
 {
   typedef Hierarchical_parameterizer_3<Edge_energy_parameterizer_3<Surface_mesh, Uniform_edge_weights_3>>   Edge_energy;
-  Mapped<Surface_mesh> mapped(grid(12, 9, wavy));
+  Mapped_mesh mapped(grid(12, 9, wavy));
   const auto summary = std::ref(mapped.summary);
   expect_refused(Hierarchical_MIPS(np::number_of_iterations(-1).summary(summary)), mapped, "number_of_iterations");
   expect_refused(Hierarchical_MIPS(np::number_of_local_steps(-1).summary(summary)), mapped, "number_of_local_steps");
@@ -266,7 +265,7 @@ TEST(Counts, are_not_negative)
       "number_of_iterations");
   expect_refused(Hierarchical_MIPS(np::coarsest_size(-5).summary(summary)), mapped, "coarsest_size");
   expect_refused(Edge_energy(np::number_of_iterations(-1).summary(summary)), mapped, "number_of_iterations");
-  EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(np::number_of_iterations(50).coarsest_size(5))).code, OK);
+  EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(np::number_of_iterations(50).coarsest_size(5))), OK);
 }
 
 // As large as can be asked for is as good as no limit; what is no number is refused.
@@ -274,16 +273,16 @@ TEST(Counts, may_be_infinite)
 {
   typedef Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Surface_mesh>>   Barycentric;
   const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-  Mapped<Surface_mesh> usual(grid(12, 9, wavy)), mapped(grid(12, 9, wavy));
+  Mapped_mesh usual(grid(12, 9, wavy)), mapped(grid(12, 9, wavy));
   const auto summary = std::ref(mapped.summary);
-  ASSERT_EQ(usual.parameterize(Hierarchical_MIPS(np::tolerance(1e-6))).code, OK);
+  ASSERT_EQ(usual.parameterize(Hierarchical_MIPS(np::tolerance(1e-6))), OK);
   for (const double count : { infinity, 1e30 }) {
-    EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(np::number_of_iterations(count).summary(summary))).code, OK);
+    EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(np::number_of_iterations(count).summary(summary))), OK);
     EXPECT_EQ(mapped.uv(), usual.uv());
     EXPECT_TRUE(mapped.summary.converged);
-    EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(np::coarsest_size(count).summary(summary))).code, OK);
+    EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(np::coarsest_size(count).summary(summary))), OK);
     EXPECT_EQ(mapped.summary.levels.size(), 1u);
-    EXPECT_EQ(mapped.parameterize(Barycentric(np::number_of_iterations(count))).code, OK);
+    EXPECT_EQ(mapped.parameterize(Barycentric(np::number_of_iterations(count))), OK);
   }
   expect_refused(Hierarchical_MIPS(np::number_of_iterations(nan).summary(summary)), mapped, "number_of_iterations");
   expect_refused(Hierarchical_MIPS(np::coarsest_size(nan).summary(summary)), mapped, "coarsest_size");
@@ -292,7 +291,7 @@ TEST(Counts, may_be_infinite)
 TEST(Options, of_methods_of_CGAL_are_checked)
 {
   typedef Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<Surface_mesh>>   Barycentric;
-  Mapped<Surface_mesh> mapped(grid(60, 45, wavy));
+  Mapped_mesh mapped(grid(60, 45, wavy));
   const Linear_solver_summary& solver = mapped.summary.linear_solver;
   const auto summary = std::ref(mapped.summary);
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -302,7 +301,7 @@ TEST(Options, of_methods_of_CGAL_are_checked)
   expect_refused(Barycentric(np::coarsest_size(-5).summary(summary)), mapped, "coarsest_size");
 
   // no tolerance asks for what rounding leaves, not for a factorization
-  EXPECT_EQ(mapped.parameterize(Barycentric(np::tolerance(0).summary(summary))).code, OK);
+  EXPECT_EQ(mapped.parameterize(Barycentric(np::tolerance(0).summary(summary))), OK);
   EXPECT_GT(solver.iterations, 0u);
   EXPECT_EQ(solver.direct_solutions, 0u);
   EXPECT_LT(solver.residual, 1e-14);
@@ -320,17 +319,17 @@ TYPED_TEST_SUITE(Const_mesh, Parameterizers);
 
 TYPED_TEST(Const_mesh, has_the_map_of_one_that_is_not)
 {
-  Mapped<Surface_mesh> expected(grid(12, 9, wavy)), found(grid(12, 9, wavy));
+  Mapped_mesh expected(grid(12, 9, wavy)), found(grid(12, 9, wavy));
   const Surface_mesh& mesh = found.mesh;
   const Hierarchical_parameterizer_3<TypeParam> parameterizer(np::flip_policy(Flip_policy::KEEP));
-  EXPECT_EQ(expected.parameterize(parameterizer).code, OK);
+  EXPECT_EQ(expected.parameterize(parameterizer), OK);
   EXPECT_EQ(SMP::parameterize(mesh, parameterizer, longest_border(mesh), found.uvmap), OK);
   EXPECT_EQ(found.uv(), expected.uv());
 }
 
 TEST(One_call, takes_a_const_mesh)
 {
-  Mapped<Surface_mesh> expected(grid(12, 9, wavy)), found(grid(12, 9, wavy));
+  Mapped_mesh expected(grid(12, 9, wavy)), found(grid(12, 9, wavy));
   const Surface_mesh& mesh = found.mesh;
   EXPECT_TRUE(hierarchical_parameterization(expected.mesh, expected.uvmap).is_ok());
   EXPECT_TRUE(hierarchical_parameterization(mesh, found.uvmap).is_ok());

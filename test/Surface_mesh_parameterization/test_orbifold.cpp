@@ -47,8 +47,6 @@ typedef Orbifold_Tutte_parameterizer_3<Seam_mesh>              Flat;
 typedef Hierarchical_parameterizer_3<Flat>                     Hierarchical;
 typedef std::complex<double>                                   Complex;
 
-const Kernel::Point_2 untouched(123, 456);
-
 // A closed surface, cut along a path through its cones.
 struct Cut_surface
 {
@@ -80,14 +78,14 @@ struct Cut_surface
   {
     const UV_map uv = get(CGAL::dynamic_vertex_property_t<Kernel::Point_2>(), mesh);
     for (const Vertex v : vertices(mesh))
-      put(uv, v, untouched);
+      put(uv, v, untouched());
     return uv;
   }
 
   bool is_untouched(const UV_map& uv) const
   {
     const auto range = vertices(mesh);
-    return std::all_of(range.begin(), range.end(), [&uv](Vertex v) { return get(uv, v) == untouched; });
+    return std::all_of(range.begin(), range.end(), [&uv](Vertex v) { return get(uv, v) == untouched(); });
   }
 
   double greatest_distance(const UV_map& a, const UV_map& b) const

@@ -34,7 +34,7 @@ namespace test_overlaps {
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
 using namespace test_meshes;
-using one_to_one::Mapped_mesh;
+using one_to_one::Mapped_mesh_with_border;
 using one_to_one::Mesh;
 using one_to_one::bend;
 using one_to_one::pairs_by_counting;
@@ -115,7 +115,7 @@ TEST(Overlapping_pairs, of_random_triangles_on_a_grid)
 TEST(Overlapping_pairs, borders_tell_what_counting_does)
 {
   for (const double turns : { 0.3, 0.9, 0.99, 1.01, 1.1, 1.9, 2.5 }) {
-    Mapped_mesh ring(grid(40, 3, flat));
+    Mapped_mesh_with_border ring(grid(40, 3, flat));
     bend(ring, turns);
     const Parameterization_quality q = ring.quality();
     EXPECT_EQ(q.flips, 0u);
@@ -126,7 +126,7 @@ TEST(Overlapping_pairs, borders_tell_what_counting_does)
 
 TEST(Overlapping_pairs, of_a_surface_with_holes)
 {
-  Mapped_mesh m(grid_with_holes(20));
+  Mapped_mesh_with_border m(grid_with_holes(20));
   for (const auto v : vertices(m.mesh))
     m.uvmap[v] = Kernel::Point_2(m.mesh.point(v).x(), m.mesh.point(v).y());
   EXPECT_EQ(m.quality().flips, 0u);
@@ -136,7 +136,7 @@ TEST(Overlapping_pairs, of_a_surface_with_holes)
 
 TEST(Overlapping_pairs, of_some_faces)
 {
-  Mapped_mesh ring(grid(40, 3, flat));
+  Mapped_mesh_with_border ring(grid(40, 3, flat));
   bend(ring, 1.5);
   std::vector<Mesh::Face_index> half;
   for (const auto f : faces(ring.mesh))
@@ -186,7 +186,7 @@ struct Barrier_on_ring
   // The ends of the ring are so far from each other, in turns.
   explicit Barrier_on_ring(double gap)
   {
-    Mapped_mesh ring(mesh);
+    Mapped_mesh_with_border ring(mesh);
     bend(ring, 1 - gap);
     for (Index rank = 0; rank < hierarchy.number_of_vertices(); ++rank) {
       const Kernel::Point_2& p = ring.uvmap[Mesh::Vertex_index(hierarchy.input_vertex(rank))];

@@ -111,7 +111,7 @@ struct Seams
   double length = 0;
   std::vector<std::size_t> chart_of;      // of each face with a map; a representative
 
-  explicit Seams(const Mapped_mesh& m) : chart_of(m.polygons.size())
+  explicit Seams(const Mesh_of_file& m) : chart_of(m.polygons.size())
   {
     typedef std::pair<long, long>   Edge;
     struct Side
@@ -151,17 +151,17 @@ private:
   }
 };
 
-void expect_same_mesh(const Mapped_mesh& m, const Mesh& input)
+void expect_same_mesh(const Mesh_of_file& m, const Mesh& input)
 {
   EXPECT_EQ(m.points, input.points);
   EXPECT_EQ(m.polygons, input.polygons);
 }
 
 // By exact predicates: positive, in the unit square, and no two overlap.
-void expect_one_to_one(const Mapped_mesh& m)
+void expect_one_to_one(const Mesh_of_file& m)
 {
   std::vector<internal::Triangle_2> triangles;
-  for (const Mapped_mesh::Places& places : m.places) {
+  for (const Mesh_of_file::Places& places : m.places) {
     ASSERT_TRUE(places) << "a face has no map";
     triangles.push_back(*places);
     EXPECT_TRUE(internal::is_left_turn((*places)[0], (*places)[1], (*places)[2]));
@@ -172,7 +172,7 @@ void expect_one_to_one(const Mapped_mesh& m)
 }
 
 // Every place once at each vertex.
-void expect_shared_places(const Mapped_mesh& m)
+void expect_shared_places(const Mesh_of_file& m)
 {
   std::set<std::pair<long, std::pair<double, double>>> places;
   for (std::size_t f = 0; f < m.polygons.size(); ++f)
@@ -181,7 +181,7 @@ void expect_shared_places(const Mapped_mesh& m)
   EXPECT_EQ(m.number_of_places, places.size());
 }
 
-void expect_one_scale(const Mapped_mesh& m, const Mesh& input, const Seams& seams)
+void expect_one_scale(const Mesh_of_file& m, const Mesh& input, const Seams& seams)
 {
   std::map<std::size_t, double> in_plane, in_space;
   for (std::size_t f = 0; f < m.polygons.size(); ++f) {
@@ -194,7 +194,7 @@ void expect_one_scale(const Mapped_mesh& m, const Mesh& input, const Seams& seam
 }
 
 // The faces with a map come first in glTF, in their order; then the others.
-void expect_GLB(const std::string& content, const Mapped_mesh& wanted)
+void expect_GLB(const std::string& content, const Mesh_of_file& wanted)
 {
   const GLB glb(content);
   std::vector<std::size_t> order;
@@ -272,7 +272,7 @@ std::string surface_name(const testing::TestParamInfo<Program_atlas::ParamType>&
          (std::get<1>(info.param) == "mips" ? "_mips" : "_symmetric_dirichlet");
 }
 
-void expect_report(const nlohmann::json& report, const Surface& surface, const Mapped_mesh& map, const Seams& seams)
+void expect_report(const nlohmann::json& report, const Surface& surface, const Mesh_of_file& map, const Seams& seams)
 {
   const nlohmann::json& atlas = report.at("atlas");
   EXPECT_EQ(report.at("quality").at("flips"), 0);
@@ -284,7 +284,7 @@ void expect_report(const nlohmann::json& report, const Surface& surface, const M
   EXPECT_EQ(atlas.at("seam_edges"), seams.edges);
   EXPECT_NEAR(atlas.at("seam_length").get<double>(), seams.length, 1e-9 * seams.length);
   double used_part = 0;
-  for (const Mapped_mesh::Places& t : map.places)
+  for (const Mesh_of_file::Places& t : map.places)
     used_part += area(*t);
   EXPECT_NEAR(atlas.at("used_part").get<double>(), used_part, 1e-6);
 }
@@ -294,7 +294,7 @@ TEST_P(Program_atlas, has_every_corner_once)
   const Runs runs(surface().mesh);
   ASSERT_EQ(runs.run("in.off" + method() + "--output map.obj --picture map.svg --report report.json"), good);
   EXPECT_EQ(runs.error(), "");
-  const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
+  const Mesh_of_file map = read_OBJ(runs.content("map.obj"));
   expect_same_mesh(map, surface().mesh);
   expect_one_to_one(map);
   expect_shared_places(map);
@@ -310,13 +310,13 @@ TEST_P(Program_atlas, is_the_same_in_all_formats)
 {
   const Runs runs(surface().mesh);
   ASSERT_EQ(runs.run("in.off" + method() + "--output map.obj"), good);
-  const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
+  const Mesh_of_file map = read_OBJ(runs.content("map.obj"));
   ASSERT_EQ(runs.run("in.off" + method() + "--output map.ply --threads 1"), good);
-  const Mapped_mesh ply = read_PLY(runs.content("map.ply"));
+  const Mesh_of_file ply = read_PLY(runs.content("map.ply"));
   expect_same_mesh(ply, surface().mesh);
   EXPECT_EQ(ply.places, map.places);
   ASSERT_EQ(runs.run("in.off" + method() + "--output map.ply --binary"), good);
-  const Mapped_mesh binary =
+  const Mesh_of_file binary =
       read_binary_PLY(runs.content("map.ply"), surface().mesh.points.size(), surface().mesh.polygons.size());
   expect_same_mesh(binary, surface().mesh);
   EXPECT_EQ(binary.places, map.places);
@@ -334,10 +334,10 @@ INSTANTIATE_TEST_SUITE_P(surfaces, Program_atlas,
 // ---- parts of a surface ----
 
 // Which faces have a map.
-std::vector<bool> mapped_faces(const Mapped_mesh& m)
+std::vector<bool> mapped_faces(const Mesh_of_file& m)
 {
   std::vector<bool> result;
-  for (const Mapped_mesh::Places& places : m.places)
+  for (const Mesh_of_file::Places& places : m.places)
     result.push_back(places.has_value());
   return result;
 }
@@ -357,7 +357,7 @@ TEST(Program_parts, that_may_not_be_cut_are_told_and_left_out)
   EXPECT_EQ(runs.run("in.off --cut none --output map.obj --report report.json"), bad_input);
   EXPECT_EQ(runs.error(), "in.off: 2 of 3 components are closed or have handles and were left out, first that of "
                           "face 0; --cut auto cuts them\n");
-  const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
+  const Mesh_of_file map = read_OBJ(runs.content("map.obj"));
   expect_same_mesh(map, m);
   EXPECT_EQ(mapped_faces(map), flags(first, end, m.polygons.size()));
   EXPECT_EQ(map.number_of_places, patch().points.size());
@@ -381,7 +381,7 @@ TEST(Program_parts, without_a_map_are_told_and_left_out)
   EXPECT_EQ(runs.error().find("in.off: 1 of 2 charts have no map, first that of face 0: the map has "), 0u)
       << runs.error();
   EXPECT_NE(runs.error().find("; --flips repair or keep\n"), std::string::npos) << runs.error();
-  const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
+  const Mesh_of_file map = read_OBJ(runs.content("map.obj"));
   EXPECT_EQ(mapped_faces(map),
             flags(tube(3, 5).polygons.size(), tube_and_patch.polygons.size(), tube_and_patch.polygons.size()));
   EXPECT_EQ(runs.report().at("atlas").at("charts_without_map"), 1);
@@ -400,14 +400,14 @@ TEST(Program_parts, the_largest_may_be_cut)
   const Runs runs(m);
   EXPECT_EQ(runs.run("in.off --components largest --output map.obj --report report.json"), good);
   EXPECT_EQ(runs.error(), "in.off: has 2 components; the largest is parameterized\n");
-  const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
+  const Mesh_of_file map = read_OBJ(runs.content("map.obj"));
   EXPECT_EQ(mapped_faces(map), flags(patch().polygons.size(), m.polygons.size(), m.polygons.size()));
   EXPECT_EQ(Seams(map).edges, runs.report().at("atlas").at("seam_edges"));
 
   // It has the map that it has alone.
   runs.write_input("alone.off", octasphere(3));
   EXPECT_EQ(runs.run("alone.off --output alone.obj"), good);
-  const Mapped_mesh alone = read_OBJ(runs.content("alone.obj"));
+  const Mesh_of_file alone = read_OBJ(runs.content("alone.obj"));
   EXPECT_TRUE(std::equal(alone.places.begin(), alone.places.end(),
                          map.places.end() - std::ptrdiff_t(alone.places.size())));
 }
@@ -451,7 +451,7 @@ TEST(Program_parts, have_no_overlaps)
       EXPECT_EQ(report.at("quality").at("overlaps"), 0);
       EXPECT_LT(report.at("quality").at("symmetric_dirichlet"), 5);      // the surface is developable: 4 with overlaps
       const std::string obj = runs.content("map.obj");
-      const Mapped_mesh map = read_OBJ(obj);
+      const Mesh_of_file map = read_OBJ(obj);
       expect_same_mesh(map, m);
       if (turns == 1.1) {
         EXPECT_FALSE(report.contains("atlas"));
@@ -503,7 +503,7 @@ TEST(Program_pieces, are_stitched_on_request_and_told_otherwise)
   EXPECT_EQ(runs.run("in.off --stitch --output map.obj --report report.json"), good);
   EXPECT_EQ(runs.error(), "");
   EXPECT_EQ(runs.report().at("atlas").at("charts"), 1);
-  const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
+  const Mesh_of_file map = read_OBJ(runs.content("map.obj"));
   EXPECT_EQ(map.points, in_order_of_first(taken_apart(whole).points));
   ASSERT_EQ(map.polygons.size(), whole.polygons.size());
   for (std::size_t f = 0; f < whole.polygons.size(); ++f)
@@ -550,7 +550,7 @@ TEST(Program_atlas_methods, all_lay_out_all)
          "iterative-authalic", "lscm", "arap", "mips --fill-holes", "mean-value --fill-holes" }) {
     SCOPED_TRACE(method);
     EXPECT_EQ(runs.run("in.off --method " + method + " --output map.obj --report report.json"), good) << runs.error();
-    const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
+    const Mesh_of_file map = read_OBJ(runs.content("map.obj"));
     EXPECT_EQ(mapped_faces(map), std::vector<bool>(several().polygons.size(), true));
     EXPECT_EQ(Seams(map).number_of_charts(), 5u);
     EXPECT_EQ(runs.report().at("quality").at("flips"), 0);
@@ -590,7 +590,7 @@ TEST(Program_atlas_options, divide_charts)
   const Mesh m = torus(16, 10);
   const Runs runs(m);
   ASSERT_EQ(runs.run("in.off --least-used-part 0.9 --output map.obj --report report.json"), good);
-  const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
+  const Mesh_of_file map = read_OBJ(runs.content("map.obj"));
   expect_same_mesh(map, m);
   expect_one_to_one(map);
   const Seams seams(map);
@@ -618,7 +618,7 @@ TEST(Program_atlas_options, bound_distortion)
   EXPECT_GT(energy("--distortion-bound inf"), 8);
   for (const std::string arguments : { "--atlas", "--distortion-bound 4.3", "--overlap-bound 1" }) {
     EXPECT_LT(energy(arguments), 4.6) << arguments;
-    const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
+    const Mesh_of_file map = read_OBJ(runs.content("map.obj"));
     expect_same_mesh(map, m);
     expect_one_to_one(map);
     EXPECT_GT(runs.report().at("atlas").at("seam_edges"), 0);
@@ -659,7 +659,7 @@ TEST(Program_sharp_edges, part_the_faces_of_a_polyhedron)
   const Runs runs(m);
   const auto number_of_charts = [&](const std::string& angle) {
     EXPECT_EQ(runs.run("in.off --output map.obj --report report.json --sharp-angle " + angle), good) << runs.error();
-    const Mapped_mesh map = read_OBJ(runs.content("map.obj"));
+    const Mesh_of_file map = read_OBJ(runs.content("map.obj"));
     expect_same_mesh(map, m);
     expect_one_to_one(map);
     const Seams seams(map);

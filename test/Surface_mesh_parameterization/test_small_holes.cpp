@@ -315,8 +315,7 @@ TYPED_TEST(One_chart_of_sieve, starts_from_the_map_with_its_holes_filled)
   this->run(open, parameters::fill_holes(false));
   ASSERT_EQ(open.summary.levels.size(), 1u);
   const Level_summary& finest = open.summary.levels.back();
-  typedef std::conditional_t<std::is_same<TypeParam, MIPS_parameterizer_3<Surface_mesh>>::value, MIPS_energy_2,
-                             Symmetric_Dirichlet_energy_2>   Energy;
+  typedef std::conditional_t<is_mips<TypeParam>, MIPS_energy_2, Symmetric_Dirichlet_energy_2>   Energy;
   EXPECT_NEAR(finest.energy_start / finest.energy_end, energy<Energy>(filled) / energy<Energy>(open), 1e-9);
   EXPECT_LT(finest.energy_end, finest.energy_start);
   EXPECT_TRUE(open.is_valid());
@@ -334,7 +333,7 @@ TYPED_TEST(One_chart_of_sieve, starts_on_the_coarsest_level_where_small_holes_ar
 
 TYPED_TEST(One_chart_of_sieve, keeps_its_borders_apart)
 {
-  one_to_one::Mapped_mesh m(with_hole_in_every_sixth_cell(ramp(320, 1.2, 12), 320));
+  one_to_one::Mapped_mesh_with_border m(with_hole_in_every_sixth_cell(ramp(320, 1.2, 12), 320));
   this->run(m, parameters::globally_injective(false));
   EXPECT_GT(m.quality().overlaps, 0u);
   this->run(m, parameters::globally_injective(true));

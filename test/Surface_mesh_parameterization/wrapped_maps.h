@@ -68,8 +68,6 @@ struct Wrapped_map
   typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int>>::type vimap;
   typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<bool>>::type vpmap;
 
-  static Point_2 untouched() { return Point_2(-77, 77); }
-
   explicit Wrapped_map(TriangleMesh& mesh)
     : mesh(mesh), uvmap(get(CGAL::dynamic_vertex_property_t<Point_2>(), mesh)),
       vimap(get(CGAL::dynamic_vertex_property_t<int>(), mesh)),
@@ -77,7 +75,7 @@ struct Wrapped_map
   {
     int n = 0;
     for (const auto v : vertices(mesh)) {
-      put(uvmap, v, untouched());
+      put(uvmap, v, untouched<Point_2>());
       put(vimap, v, n++);
       put(vpmap, v, false);
     }
@@ -92,7 +90,7 @@ struct Wrapped_map
   bool is_untouched() const
   {
     for (const auto v : vertices(mesh))
-      if (get(uvmap, v) != untouched() || get(vpmap, v))
+      if (get(uvmap, v) != untouched<Point_2>() || get(vpmap, v))
         return false;
     return true;
   }
