@@ -9,7 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
-#include <utility>
+#include <string>
 #include <vector>
 
 // Surfaces without a border, and of several components.
@@ -95,11 +95,7 @@ inline Flat_mesh menger_sponge(int steps)
   });
 }
 
-inline Flat_mesh tetrahedron()
-{
-  return { { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1) },
-           { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } };
-}
+inline Flat_mesh tetrahedron() { return flat_mesh(hostile_meshes::tetrahedron()); }
 
 // The boundary of a box, each side of two triangles.
 inline Flat_mesh box(double width, double depth, double height)

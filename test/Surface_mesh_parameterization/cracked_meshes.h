@@ -20,7 +20,7 @@ namespace test_meshes {
 
 using SMP::internal::One_rings;
 
-// Gives the triangles around a vertex, in so many parts of about the same size, a vertex each.
+// Cuts the triangles around a vertex into `parts` parts of about the same size, each with a vertex of its own.
 inline void split_vertex(Flat_mesh& m, const One_rings& rings, Index v, std::size_t parts)
 {
   const std::size_t n = rings.number_of_triangles(v);
@@ -38,8 +38,8 @@ inline void split_vertex(Flat_mesh& m, const One_rings& rings, Index v, std::siz
   });
 }
 
-// Cracks of that many branches at every so manieth vertex that has no neighbor on a border. Precondition: these are no
-// neighbors.
+// Cracks of `branches` branches at every `distance`-th vertex that has no neighbor on a border. Precondition: these are
+// no neighbors.
 inline Flat_mesh with_cracks(Flat_mesh m, Index distance, std::size_t branches = 2)
 {
   const One_rings rings(m.points.size(), m.triangles);
@@ -50,7 +50,7 @@ inline Flat_mesh with_cracks(Flat_mesh m, Index distance, std::size_t branches =
   return m;
 }
 
-// Cracks of that many branches at every so manieth vertex of the rows and columns of a grid of n times n cells.
+// Cracks of `branches` branches at every `distance`-th vertex of the rows and columns of a grid of n times n cells.
 inline Flat_mesh grid_with_cracks(Index n, Index distance, std::size_t branches = 2)
 {
   Flat_mesh m = grid(n, n, wavy);
@@ -76,7 +76,7 @@ inline Flat_mesh grid_with_long_crack(Index n, Index row, Index begin, Index end
   return m;
 }
 
-// With a vertex in the middle of an edge, for the triangle on one side alone, of every so manieth triangle.
+// With a vertex in the middle of an edge, for the triangle on one side alone, of every `distance`-th triangle.
 inline Flat_mesh with_T_junctions(Flat_mesh m, std::size_t distance)
 {
   const One_rings rings(m.points.size(), m.triangles);

@@ -20,16 +20,6 @@
 // Kinds of surfaces that are hard to lay out, of any size.
 namespace test_meshes {
 
-inline Flat_mesh flat_mesh(const hostile_meshes::Mesh& m)
-{
-  Flat_mesh result;
-  for (const hostile_meshes::Point& p : m.points)
-    result.points.emplace_back(p[0], p[1], p[2]);
-  for (const std::vector<long>& t : m.polygons)
-    result.triangles.push_back({ Index(t[0]), Index(t[1]), Index(t[2]) });
-  return result;
-}
-
 template <class Place>
 Flat_mesh moved(Flat_mesh m, const Place& place)
 {
@@ -86,7 +76,7 @@ inline Flat_mesh hyperbolic_disk(Index valence, Index rings)
   return m;
 }
 
-// Flat, with teeth of width 1, one unit apart, and so many squares along each.
+// Flat, with teeth of width 1, one unit apart, and `squares` squares along each.
 inline Flat_mesh flat_comb(Index teeth, double length, Index squares)
 {
   return moved(flat_mesh(hostile_meshes::comb(teeth, squares)), [&](const Point_3& p) {
@@ -142,7 +132,7 @@ inline Flat_mesh apollonian_disk(std::size_t triangles, unsigned int seed)
   return m;
 }
 
-// A vertex with so many triangles, its neighbors up and down.
+// A vertex with `triangles` triangles, its neighbors up and down.
 inline Flat_mesh ruffled_fan(Index triangles, double height = 0.5)
 {
   return flat_mesh(hostile_meshes::hub(triangles, -height));
@@ -184,7 +174,7 @@ inline Flat_mesh meander(Index columns, Index rows)
   }));
 }
 
-// Flat, of width 1 and, in so many places, as narrow as a neck.
+// Flat, of width 1 and, in `necks` places, as narrow as `neck`.
 inline Flat_mesh necklace(Index columns, Index necks, double neck)
 {
   return moved(grid(columns, 4, flat), [&](const Point_3& p) {
@@ -305,13 +295,13 @@ inline Flat_mesh steep_cone(Index around, Index rings, double height)
 // Cut open from its apex, with that half angle.
 inline Flat_mesh cut_cone(Index sectors, Index rings, double angle)
 {
-  return moved(flat_mesh(hostile_meshes::staircase(sectors, rings, 1)), [&](const Point_3& p) {
+  return moved(flat_mesh(hostile_meshes::spiral_staircase(sectors, rings, 1)), [&](const Point_3& p) {
     const double radius = std::hypot(p.x(), p.y());
     return Point_3(std::sin(angle) * p.x(), std::sin(angle) * p.y(), -std::cos(angle) * radius);
   });
 }
 
-// Its rim goes up and down, so often and so high.
+// Its rim goes up and down `waves` times, as high as `height`.
 inline Flat_mesh ruffled_disk(Index rings, Index sectors, Index waves, double height)
 {
   return rings_around_pole(rings, sectors, [=](Index r, double phi) {
@@ -320,7 +310,7 @@ inline Flat_mesh ruffled_disk(Index rings, Index sectors, Index waves, double he
   });
 }
 
-// Flat, with so many narrow rays.
+// Flat, with `rays` narrow rays.
 inline Flat_mesh star(Index rings, Index sectors, Index rays)
 {
   return rings_around_pole(rings, sectors, [=](Index r, double phi) {
@@ -329,8 +319,8 @@ inline Flat_mesh star(Index rings, Index sectors, Index rays)
   });
 }
 
-// A wavy one of n times n cells, of which squares of `size` times `size` cells, one in every so many rows and columns,
-// are points.
+// A wavy one of n times n cells, of which squares of `size` times `size` cells are points, one in every `distance` rows
+// and columns.
 inline Flat_mesh grid_with_points(Index n, Index distance, Index size)
 {
   Flat_mesh m = grid(n, n, wavy);
@@ -360,13 +350,13 @@ inline Flat_mesh tents(Index n, Index number, double height, Random& random)
   });
 }
 
-// Every height at random, to so many times the distance of the columns.
-inline Flat_mesh noise(Index n, double height, Random& random)
+// Every height at random, up to `height` times the distance of the columns.
+inline Flat_mesh random_terrain(Index n, double height, Random& random)
 {
-  return grid(n, n, [&](double, double) { return random(-height, height) / n; });
+  return crumpled_grid(n, height / n, random);
 }
 
-// Paper in pleats of so many columns, pressed together to that part of its width.
+// Paper in pleats of `pleat` columns each, pressed together to `width` times its width.
 inline Flat_mesh accordion(Index n, Index pleat, double width)
 {
   return moved(grid(n, n, flat), [&](const Point_3& p) {
@@ -376,7 +366,7 @@ inline Flat_mesh accordion(Index n, Index pleat, double width)
 }
 
 // Squares with a square hole between any four, each hole with that chance.
-inline Flat_mesh sieve(Index n, double chance, Random& random)
+inline Flat_mesh lattice_with_holes(Index n, double chance, Random& random)
 {
   return flat_mesh(hostile_meshes::cells(n, n, [&](long i, long j) {
     return i % 2 == 0 || j % 2 == 0 || random(0, 1) >= chance;

@@ -4,12 +4,13 @@
 #ifndef HOSTILE_MESHES_H
 #define HOSTILE_MESHES_H
 
+#include "Random.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -332,7 +333,7 @@ inline Mesh hub(long n, double amplitude)
   return m;
 }
 
-// An interior vertex with n triangles and so many rings, five times up and down.
+// An interior vertex with n triangles, and rings around it that go up and down five times.
 inline Mesh wheel(long n, long rings, double slope)
 {
   Mesh m;
@@ -366,7 +367,7 @@ inline Mesh staircase_fan(long n, double turns)
 }
 
 // The same in the middle of the border of a larger surface: n sectors of several rings.
-inline Mesh staircase(long n, long rings, double turns)
+inline Mesh spiral_staircase(long n, long rings, double turns)
 {
   Mesh m;
   m.add_point(0, 0, 0);
@@ -436,12 +437,11 @@ inline Mesh spiral(long length, double turns)
   });
 }
 
-// The same numbers everywhere, which std::uniform_real_distribution does not promise.
 inline Mesh crumpled(long n, double amplitude)
 {
-  std::mt19937 random(1);
+  test_meshes::Random random(1);
   return moved(grid(n, n), [&](double x, double y, double) {
-    return Point{ x, y, amplitude * (double(random()) / 4294967296. - 0.5) };
+    return Point{ x, y, amplitude * random(-0.5, 0.5) };
   });
 }
 

@@ -196,7 +196,7 @@ inline std::string with_line_ends(const std::string& content, const std::string&
   return result;
 }
 
-inline std::string noise(std::size_t size)
+inline std::string random_bytes(std::size_t size)
 {
   std::mt19937 random(7);
   std::string result;

@@ -15,8 +15,8 @@
 #include <ostream>
 #include <vector>
 
-// The kinds of surfaces that are hard to lay out, by size and seed: disks, and some with holes, of about so many
-// triangles. What a size leaves open, how steep or how narrow, is chosen at random.
+// The kinds of surfaces that are hard to lay out, by size and seed: disks, and some with holes, of about
+// `triangles` triangles. What a size leaves open, how steep or how narrow, is chosen at random.
 namespace test_meshes {
 
 struct Mesh_kind
@@ -33,10 +33,10 @@ struct Mesh_kind
   friend std::ostream& operator<<(std::ostream& out, const Mesh_kind& kind) { return out << kind.name; }
 };
 
-// The squares along the side of a grid of so many triangles.
+// The squares along the side of a grid of `triangles` triangles.
 inline Index side(Index triangles) { return (std::max)(Index(2), Index(std::sqrt(0.5 * triangles))); }
 
-// The rings that make a disk of so many vertices around every vertex most nearly as large as that.
+// The rings that make a disk with `valence` triangles around every vertex most nearly as large as `triangles`.
 inline Index rings_of_hyperbolic_disk(Index valence, Index triangles)
 {
   double ring = valence, ring_inside = 0, sum = valence;
@@ -125,7 +125,7 @@ inline const std::vector<Mesh_kind>& mesh_kinds()
       [](Index n, Random& random) { return cut_cone(side(n) + 2, side(n), random.power(1e-3, 0.5) * CGAL_PI); } },
     { "staircase",
       [](Index n, Random& random) {
-        return flat_mesh(hostile_meshes::staircase(2 * side(n) + 8, side(n) / 2 + 1, random(0.9, 3)));
+        return flat_mesh(hostile_meshes::spiral_staircase(2 * side(n) + 8, side(n) / 2 + 1, random(0.9, 3)));
       } },
     { "ruffled_disk",
       [](Index n, Random& random) {
@@ -137,9 +137,12 @@ inline const std::vector<Mesh_kind>& mesh_kinds()
         const Index rays = 3 + Index(random.below(8)), sectors = 8 * rays;
         return star(n / (2 * sectors) + 1, sectors, rays);
       } },
-    { "lattice_of_holes", [](Index n, Random& random) { return sieve(Index(side(n) * 0.57) * 2 + 3, 1, random); } },
+    { "lattice_of_holes",
+      [](Index n, Random& random) { return lattice_with_holes(Index(side(n) * 0.57) * 2 + 3, 1, random); } },
     { "random_holes",
-      [](Index n, Random& random) { return sieve(Index(side(n) * 0.53) * 2 + 3, random(0.1, 0.9), random); } },
+      [](Index n, Random& random) {
+        return lattice_with_holes(Index(side(n) * 0.53) * 2 + 3, random(0.1, 0.9), random);
+      } },
     { "delaunay_terrain",
       [](Index n, Random& random) { return delaunay_patch(n / 2 + 5, random.seed(), wavy); } },
     { "stretched_terrain",
@@ -160,7 +163,8 @@ inline const std::vector<Mesh_kind>& mesh_kinds()
         const Index around = 6 + Index(random.below(20));
         return flat_mesh(hostile_meshes::graded_rings(around, n / (2 * around) + 2, random.power(10, 1e6)));
       } },
-    { "noise", [](Index n, Random& random) { return noise(side(n), random.power(0.1, 100), random); } },
+    { "random_terrain",
+      [](Index n, Random& random) { return random_terrain(side(n), random.power(0.1, 100), random); } },
     { "tents", [](Index n, Random& random) { return tents(side(n), 3, random.power(0.3, 30), random); } },
     { "accordion",
       [](Index n, Random& random) {
@@ -170,14 +174,14 @@ inline const std::vector<Mesh_kind>& mesh_kinds()
     { "extreme_coordinates",
       [](Index n, Random& random) {
         const double scale = random.below(2) == 0 ? 1e-150 : 1e150;
-        return moved(noise(side(n), random.power(0.1, 3), random), [&](const Point_3& p) {
+        return moved(random_terrain(side(n), random.power(0.1, 3), random), [&](const Point_3& p) {
           return Point_3(scale * p.x(), scale * p.y(), scale * p.z());
         });
       } },
     { "distant_terrain",
       [](Index n, Random& random) {
         const double offset = random.power(1e2, 1e8);
-        return moved(noise(side(n), 1, random), [&](const Point_3& p) {
+        return moved(random_terrain(side(n), 1, random), [&](const Point_3& p) {
           return Point_3(p.x() + offset, p.y() + offset, p.z() - offset);
         });
       } },

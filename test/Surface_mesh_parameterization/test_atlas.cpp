@@ -163,7 +163,7 @@ std::vector<Kernel::Point_2> times_power_of_two(std::vector<Kernel::Point_2> cor
   return corners;
 }
 
-Flat_mesh sieve()
+Flat_mesh grid_without_three_triangles()
 {
   Flat_mesh m = grid(20, 10, wavy);
   for (const std::ptrdiff_t f : { 333, 222, 111 })
@@ -175,7 +175,7 @@ Flat_mesh sieve()
 TEST(Atlas, is_the_same_at_all_scales)
 {
   std::vector<Uncut_surface> surfaces = uncut_surfaces();
-  surfaces.push_back({ "sieve", sieve(), {} });
+  surfaces.push_back({ "grid_without_three_triangles", grid_without_three_triangles(), {} });
   for (const Uncut_surface& s : surfaces)
     for (const bool is_square : { true, false }) {
       SCOPED_TRACE(s.name);

@@ -105,7 +105,7 @@ TEST(Errors, other_components_do_not_matter)
 
 // ---- visitors, options, summary ----
 
-// Stops when it has seen so many levels; 0: when the hierarchy is built.
+// Stops when it has seen `levels` levels; 0: when the hierarchy is built.
 struct Stopping_visitor : Hierarchy_visitor_3
 {
   std::size_t levels;

@@ -39,7 +39,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <random>
 #include <type_traits>
 #include <vector>
 
@@ -74,11 +73,10 @@ bool is_used(const Flat_mesh& m, Index v)
 Flat_mesh with_random_holes(Flat_mesh m, std::size_t number_of_triangles, unsigned int seed)
 {
   const One_rings rings(m.points.size(), m.triangles);
-  std::mt19937 random(seed);
+  Random random(seed);
   for (std::size_t i = 0; i < 10 * number_of_triangles && number_of_triangles > 0; ++i) {
     Flat_mesh smaller = m;
-    const auto position =
-        smaller.triangles.begin() + std::uniform_int_distribution<long>(0, long(m.triangles.size()) - 1)(random);
+    const auto position = smaller.triangles.begin() + std::ptrdiff_t(random.below(m.triangles.size()));
     const Index_triangle triangle_taken = *position;
     if (std::any_of(triangle_taken.begin(), triangle_taken.end(), [&](Index v) { return rings.is_border(v); }))
       continue;

@@ -4,6 +4,9 @@
 #ifndef TEST_MESHES_H
 #define TEST_MESHES_H
 
+#include "Random.h"
+#include "hostile_meshes.h"
+
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -15,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,20 +39,16 @@ struct Flat_mesh
   std::vector<Index_triangle> triangles;
 };
 
-// The same numbers everywhere; std::uniform_real_distribution does not promise that.
-class Random
+// A mesh as a file holds it, whose polygons are triangles.
+inline Flat_mesh flat_mesh(const hostile_meshes::Mesh& m)
 {
-public:
-  explicit Random(unsigned int seed) : m_generator(seed) { }
-  double operator()(double from, double to) { return from + (to - from) * (double(m_generator()) / 4294967296.); }
-  // with evenly spread logarithms
-  double power(double from, double to) { return from * std::pow(to / from, (*this)(0, 1)); }
-  std::size_t below(std::size_t n) { return std::size_t((*this)(0, double(n))); }
-  unsigned int seed() { return unsigned(below(1000000)); }
-
-private:
-  std::mt19937 m_generator;
-};
+  Flat_mesh result;
+  for (const hostile_meshes::Point& p : m.points)
+    result.points.emplace_back(p[0], p[1], p[2]);
+  for (const std::vector<long>& t : m.polygons)
+    result.triangles.push_back({ Index(t[0]), Index(t[1]), Index(t[2]) });
+  return result;
+}
 
 // ---- meshes ----
 
@@ -86,16 +84,19 @@ inline Flat_mesh affine_image(Flat_mesh m, double xx, double xy, double yx, doub
   return m;
 }
 
+// Every height at random.
+inline Flat_mesh crumpled_grid(Index n, double height, Random& random)
+{
+  return grid(n, n, [&](double, double) { return random(-height, height); });
+}
+
 inline Flat_mesh crumpled_grid(Index n, unsigned int seed)
 {
   Random random(seed);
-  return grid(n, n, [&](double, double) { return random(-0.4, 0.4); });
+  return crumpled_grid(n, 0.4, random);
 }
 
-inline Flat_mesh single_triangle()
-{
-  return { { Point_3(0, 0, 0), Point_3(1, 0, 0.5), Point_3(0.2, 0.7, 0) }, { { 0, 1, 2 } } };
-}
+inline Flat_mesh single_triangle() { return flat_mesh(hostile_meshes::triangle()); }
 
 // Two triangles: each is an ear over the same edge.
 inline Flat_mesh two_ears() { return grid(1, 1, flat); }
@@ -217,7 +218,7 @@ inline Flat_mesh tube(Index rings, Index sectors, double length)
   });
 }
 
-// A flat ramp around an axis, so many turns: its isometric image is a ring that overlaps itself after one turn.
+// A flat ramp, `turns` times around an axis: its isometric image is a ring that overlaps itself after one turn.
 inline Flat_mesh ramp(Index n, double turns, Index across = 4)
 {
   Flat_mesh m = grid(n, across, flat);

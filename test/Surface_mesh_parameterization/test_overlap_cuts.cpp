@@ -98,7 +98,7 @@ Chart_part chart_part_of(const Flat_mesh& m)
   return part;
 }
 
-// A strip of length `columns` and width 3 in space, times `neck` in its middle, laid around a point so many times.
+// A strip of length `columns` and width 3 in space, times `neck` in its middle, laid `turns` times around a point.
 Chart_part wound_strip(Index columns, double turns, double neck = 1)
 {
   constexpr Index rows = 3;

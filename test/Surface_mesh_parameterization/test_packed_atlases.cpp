@@ -91,7 +91,7 @@ TEST(Packing, keeps_the_margin)
   }
 }
 
-// So many charts have no room for the margin.
+// 150 charts have no room for the margin.
 TEST(Packing, ends_where_the_margins_would_fill_the_square)
 {
   Flat_mesh m = single_triangle();

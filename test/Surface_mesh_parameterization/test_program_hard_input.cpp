@@ -66,13 +66,13 @@ const std::vector<Hard_mesh> hard_meshes = {
   { "spiral", [] { return spiral(300, 6); } },
   { "cap_with_three_border_edges", [] { return without_face(octasphere(4), 77); } },
   { "fan_of_540_degrees", [] { return staircase_fan(9, 1.5); } },
-  { "staircase_of_540_degrees", [] { return staircase(18, 5, 1.5); } },
-  { "staircase_of_three_turns", [] { return staircase(36, 5, 3); } },
+  { "staircase_of_540_degrees", [] { return spiral_staircase(18, 5, 1.5); } },
+  { "staircase_of_three_turns", [] { return spiral_staircase(36, 5, 3); } },
   { "annulus", [] { return cells(9, 9, [](long i, long j) { return i < 3 || i > 5 || j < 3 || j > 5; }); } },
   { "narrow_annulus",
     [] { return revolution(60, 2, [](long j) { return std::make_pair(j < 2 ? 1. : 2., 0.01 * double(j)); }); } },
   { "open_tube", [] { return revolution(12, 60, [](long j) { return std::make_pair(1., 0.5 * double(j)); }); } },
-  { "sieve", [] { return cells(17, 17, [](long i, long j) { return i % 2 == 0 || j % 2 == 0; }); } },
+  { "lattice_with_holes", [] { return cells(17, 17, [](long i, long j) { return i % 2 == 0 || j % 2 == 0; }); } },
   { "crumpled", [] { return crumpled(16, 3); } },
   { "crumpled_100", [] { return crumpled(10, 100); } },
   { "tube_60",
@@ -113,7 +113,7 @@ std::vector<Hard_mesh> with_holes()
 {
   std::vector<Hard_mesh> meshes;
   for (const Hard_mesh& mesh : hard_meshes)
-    if (mesh.name == "annulus" || mesh.name == "narrow_annulus" || mesh.name == "sieve")
+    if (mesh.name == "annulus" || mesh.name == "narrow_annulus" || mesh.name == "lattice_with_holes")
       meshes.push_back(mesh);
   return meshes;
 }

@@ -107,7 +107,7 @@ const Row off_files[] = {
   { "no_corners.off", as_is("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n0\n"), bad_input, no_triangle,
     "face 1 has 0 corners" },
   { "at_infinity.off", [] { return OFF(patch(), "4OFF", "0"); }, bad_input, no_number, "vertex 0" },
-  { "noise.off", [] { return "OFF\n" + noise(5000); }, bad_input, unreadable, "numbers of vertices and faces" },
+  { "noise.off", [] { return "OFF\n" + random_bytes(5000); }, bad_input, unreadable, "numbers of vertices and faces" },
   { "homogeneous.off", [] { return OFF(patch(), "4OFF", "2"); }, good, ok },
   { "normals.off", [] { return OFF(patch(), "NOFF", "0 0 1"); }, good, ok },
   { "colors.off", [] { return OFF(patch(), "COFF", "255 0 0 255"); }, good, ok },
@@ -152,7 +152,7 @@ const Row obj_files[] = {
   { "truncated.obj", [] { return cut_at(OBJ(patch()), 0.9); }, bad_input, no_triangle, "corner" },
   { "nan.obj", [] { return OBJ(with_coordinate(patch(), 48, NaN)); }, bad_input, no_number, "vertex 48" },
   { "infinite.obj", [] { return OBJ(with_coordinate(patch(), 0, infinity)); }, bad_input, no_number, "vertex 0" },
-  { "noise.obj", [] { return noise(5000); }, bad_input, unreadable, "line 1" },
+  { "noise.obj", [] { return random_bytes(5000); }, bad_input, unreadable, "line 1" },
   { "negative_indices.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n"), good, ok },
   { "textured.obj",
     as_is("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nusemtl a\nf 1/1/1 2//1 3/1 # comment\nl 1 2\n"),
@@ -259,7 +259,7 @@ const Row ply_files[] = {
     "'face' 0" },
   { "index_nan.ply", [] { return replaced(PLY(triangle()), "3 0 1 2", "3 0 nan 2"); }, bad_input, unreadable,
     "'face' 0" },
-  { "noise.ply", [] { return PLY_header(patch(), "binary_little_endian") + noise(5000); }, bad_input, unreadable,
+  { "noise.ply", [] { return PLY_header(patch(), "binary_little_endian") + random_bytes(5000); }, bad_input, unreadable,
     "face" }
 };
 
@@ -291,7 +291,7 @@ const Row stl_files[] = {
       return STL(polygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 } }));
     },
     bad_input, no_disk, "face 0 has vertex 0 twice" },
-  { "noise.stl", [] { return noise(5000); }, bad_input, unreadable, "too short" }
+  { "noise.stl", [] { return random_bytes(5000); }, bad_input, unreadable, "too short" }
 };
 
 const std::vector<Point> l_shape = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 } };

@@ -3,6 +3,7 @@
 
 // The meshes that the program makes of polygons, and their components.
 
+#include "Random.h"
 #include "hostile_meshes.h"
 
 #include "../../examples/hierarchical_parameterization/Polygon_soup.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <random>
 #include <vector>
 
 namespace test_program_meshes {
@@ -26,10 +26,10 @@ Polygon_soup shuffled(const hm::Mesh& m, unsigned int seed)
   soup.points = m.points;
   for (const std::vector<long>& polygon : m.polygons)
     soup.polygons.emplace_back(polygon.begin(), polygon.end());
-  std::mt19937 random(seed);
-  std::shuffle(soup.polygons.begin(), soup.polygons.end(), random);
+  test_meshes::Random random(seed);
+  random.shuffle(soup.polygons);
   for (Polygon_soup::Polygon& polygon : soup.polygons)
-    std::rotate(polygon.begin(), polygon.begin() + random() % 3, polygon.end());
+    std::rotate(polygon.begin(), polygon.begin() + std::ptrdiff_t(random.below(3)), polygon.end());
   return soup;
 }
 

@@ -6,6 +6,7 @@
 #include "mapped_mesh.h"
 #include "measures.h"
 #include "mesh_conversions.h"
+#include "random_shapes.h"
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
@@ -23,7 +24,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -154,14 +154,13 @@ TEST(Parameterization_quality, of_a_sliver_is_that_of_exact_numbers)
   triangle.points = { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0) };
   triangle.triangles = { { 0, 1, 2 } };
   Mapped_mesh mapped(triangle);
-  std::mt19937 random(0);
-  std::uniform_real_distribution<double> uniform(0, 1);
+  Random random(0);
   const Surface_mesh::Vertex_index a(0), b(1), c(2);
   for (int i = 0; i < 100; ++i) {
-    const Kernel::Point_2 p(uniform(random), uniform(random)), q(uniform(random), uniform(random));
+    const Kernel::Point_2 p = random_point_2(random), q = random_point_2(random);
     mapped.uvmap[a] = p;
     mapped.uvmap[b] = q;
-    mapped.uvmap[c] = p + uniform(random) * (q - p);
+    mapped.uvmap[c] = p + random(0, 1) * (q - p);
     const auto difference = [&](auto v, int k) {
       return Exact(Exact(mapped.uvmap[v][k]) - Exact(mapped.uvmap[a][k]));
     };

@@ -38,9 +38,8 @@ using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
 namespace parameters = CGAL::Surface_mesh_parameterization::parameters;
 using internal::Corner_mesh;
-using internal::no_index;
 
-// Without every so manieth triangle.
+// Without every `distance`-th triangle.
 Flat_mesh with_pinholes(Flat_mesh m, std::size_t distance)
 {
   std::vector<Index_triangle> triangles;
@@ -51,7 +50,7 @@ Flat_mesh with_pinholes(Flat_mesh m, std::size_t distance)
   return m;
 }
 
-Flat_mesh sieve() { return with_pinholes(grid(20, 20, wavy), 93); }
+Flat_mesh grid_with_pinholes() { return with_pinholes(grid(20, 20, wavy), 93); }
 
 Corner_mesh corner_mesh_of(const Surface& surface)
 {
@@ -90,7 +89,7 @@ void expect_filled(const Corner_mesh& before, const Corner_mesh& after, std::siz
 
 TEST(Filled_holes, close_all_borders_but_the_longest)
 {
-  for (const Flat_mesh& m : { sieve(), with_pinholes(sphere(16, 20), 50) }) {
+  for (const Flat_mesh& m : { grid_with_pinholes(), with_pinholes(sphere(16, 20), 50) }) {
     const Surface surface(m);
     const Corner_mesh before = corner_mesh_of(surface);
     const std::size_t borders = internal::borders(before).size();
@@ -208,7 +207,7 @@ void expect_atlas_of_surface(const Flat_mesh& m, double least_used_part)
 }
 
 // What an atlas tells is of the user's faces and edges only.
-TEST(Atlas_of_sieve, counts_no_virtual_faces)
+TEST(Atlas_with_small_holes, counts_no_virtual_faces)
 {
   expect_atlas_of_surface<MIPS_parameterizer_3>(with_pinholes(sphere(24, 30), 80), 0);
   for (const double least_used_part : { 0., 0.9 })
@@ -223,15 +222,15 @@ std::vector<Kernel::Point_2> corners(const Flat_mesh& m, const NamedParameters& 
   return surface.corners();
 }
 
-TEST(Atlas_of_sieve, has_other_places_only_where_holes_are_filled)
+TEST(Atlas_with_small_holes, has_other_places_only_where_holes_are_filled)
 {
   const auto with_bound = [](const Flat_mesh& m, double bound) { return corners(m, parameters::hole_bound(bound)); };
-  EXPECT_NE(with_bound(sieve(), 1), with_bound(sieve(), 0));
-  EXPECT_EQ(with_bound(sieve(), 1e-3), with_bound(sieve(), 0));
-  EXPECT_EQ(with_bound(sieve(), 0.1), corners(sieve(), parameters::hole_bound(std::optional<double>())));
-  EXPECT_EQ(with_bound(sieve(), 0.1), corners(sieve(), parameters::default_values()));
-  EXPECT_EQ(corners(sieve(), parameters::join_borders(true)),
-            corners(sieve(), parameters::join_borders(true).hole_bound(0)));
+  const Flat_mesh m = grid_with_pinholes();
+  EXPECT_NE(with_bound(m, 1), with_bound(m, 0));
+  EXPECT_EQ(with_bound(m, 1e-3), with_bound(m, 0));
+  EXPECT_EQ(with_bound(m, 0.1), corners(m, parameters::hole_bound(std::optional<double>())));
+  EXPECT_EQ(with_bound(m, 0.1), corners(m, parameters::default_values()));
+  EXPECT_EQ(corners(m, parameters::join_borders(true)), corners(m, parameters::join_borders(true).hole_bound(0)));
 }
 
 // The same atlas as that of the surface without cracks: both sides of a crack have the same places.
@@ -253,7 +252,7 @@ TEST(Atlas_of_cracks, counts_edges_and_charts_of_the_cracked_surface)
 }
 
 // A seam of the user's that runs through a hole divides the surface, as if the hole were none.
-TEST(Atlas_of_sieve, keeps_a_seam_through_a_hole)
+TEST(Atlas_with_small_holes, keeps_a_seam_through_a_hole)
 {
   constexpr Index n = 12, row = n + 1;
   Flat_mesh m = grid(n, n, wavy);
@@ -273,7 +272,7 @@ TEST(Atlas_of_sieve, keeps_a_seam_through_a_hole)
 
 TEST(Hole_bound, is_from_0_to_1)
 {
-  Surface surface(sieve());
+  Surface surface(grid_with_pinholes());
   for (const double bound : { -0.1, 1.1, std::numeric_limits<double>::quiet_NaN() })
     EXPECT_EQ(atlas_parameterization(surface.mesh, surface.uv, parameters::hole_bound(bound)).error.code,
               ERROR_WRONG_PARAMETER);
@@ -282,7 +281,7 @@ TEST(Hole_bound, is_from_0_to_1)
 // ---- one chart ----
 
 template <class Method>
-class One_chart_of_sieve : public testing::Test
+class One_chart_with_small_holes : public testing::Test
 {
 protected:
   template <class NamedParameters>
@@ -293,9 +292,9 @@ protected:
 };
 
 typedef testing::Types<MIPS_parameterizer_3<Surface_mesh>, Symmetric_Dirichlet_parameterizer_3<Surface_mesh>> Methods;
-TYPED_TEST_SUITE(One_chart_of_sieve, Methods, );
+TYPED_TEST_SUITE(One_chart_with_small_holes, Methods, );
 
-// Without a triangle in every sixth cell of every sixth row of a grid with so many cells in a row.
+// Without a triangle in every sixth cell of every sixth row of a grid with n cells in a row.
 Flat_mesh with_hole_in_every_sixth_cell(Flat_mesh m, std::size_t n)
 {
   std::vector<Index_triangle> triangles;
@@ -307,7 +306,7 @@ Flat_mesh with_hole_in_every_sixth_cell(Flat_mesh m, std::size_t n)
 }
 
 // The run goes on from there with the surface alone, whose energy the last steps lower.
-TYPED_TEST(One_chart_of_sieve, starts_from_the_map_with_its_holes_filled)
+TYPED_TEST(One_chart_with_small_holes, starts_from_the_map_with_its_holes_filled)
 {
   const Flat_mesh m = with_hole_in_every_sixth_cell(grid(80, 80, wavy), 80);
   Mapped_mesh filled(m), open(m);
@@ -322,7 +321,7 @@ TYPED_TEST(One_chart_of_sieve, starts_from_the_map_with_its_holes_filled)
 }
 
 // A hole or two, or large ones, coarse levels have room for.
-TYPED_TEST(One_chart_of_sieve, starts_on_the_coarsest_level_where_small_holes_are_few)
+TYPED_TEST(One_chart_with_small_holes, starts_on_the_coarsest_level_where_small_holes_are_few)
 {
   for (const Flat_mesh& surface : { with_pinholes(grid(80, 80, wavy), 900), grid_with_holes(60) }) {
     Mapped_mesh m(surface);
@@ -331,7 +330,7 @@ TYPED_TEST(One_chart_of_sieve, starts_on_the_coarsest_level_where_small_holes_ar
   }
 }
 
-TYPED_TEST(One_chart_of_sieve, keeps_its_borders_apart)
+TYPED_TEST(One_chart_with_small_holes, keeps_its_borders_apart)
 {
   one_to_one::Mapped_mesh_with_border m(with_hole_in_every_sixth_cell(ramp(320, 1.2, 12), 320));
   this->run(m, parameters::globally_injective(false));

@@ -95,7 +95,7 @@ TEST(Multigrid_solver_traits, copes_with_obtuse_triangles)
     EXPECT_LE(iterations(affine_image(grid(n, n, flat), 1, -4, 0, 1), Harmonic_edge_weights_3()), 12u) << n;
 }
 
-// Mean value weights of a surface, but for one row in every so many.
+// Mean value weights of a surface, but for one row in every `distance`.
 struct Some_wild_weights
 {
   std::size_t distance, rows = 0;

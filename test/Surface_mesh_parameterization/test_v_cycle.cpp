@@ -37,7 +37,6 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -187,7 +186,7 @@ TEST(Row_parts, are_as_many_as_rows_allow)
 
   std::vector<Index> place(m.points.size());      // the same in random order, where parts would be no regions
   std::iota(place.begin(), place.end(), Index(0));
-  std::shuffle(place.begin(), place.end(), std::mt19937(1));
+  Random(1).shuffle(place);
   const Flat_mesh ordered = m;
   for (Index v = 0; v < place.size(); ++v)
     m.points[place[v]] = ordered.points[v];
