@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -88,16 +90,7 @@ struct Constrained_mesh : Mapped_mesh
   }
 
   // of the surface
-  double area() const
-  {
-    double sum = 0;
-    for (const auto f : faces(mesh)) {
-      const auto h = mesh.halfedge(f);
-      sum += std::sqrt(CGAL::squared_area(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                                          mesh.point(mesh.target(mesh.next(h)))));
-    }
-    return sum;
-  }
+  double area() const { return CGAL::Polygon_mesh_processing::area(mesh); }
 
   double squared_distance_to_places() const
   {

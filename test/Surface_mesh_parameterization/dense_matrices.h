@@ -6,6 +6,7 @@
 
 #include "test_meshes.h"
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_matrix.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Values.h>
@@ -20,6 +21,7 @@
 namespace test_systems {
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
+using SMP::internal::Block;
 using SMP::internal::Index;
 using SMP::internal::Sparse_matrix;
 using SMP::internal::Sparse_rows;
@@ -28,6 +30,13 @@ using test_meshes::Random;
 
 typedef SMP::internal::Values<double, 1>   Value;
 typedef Value_vector<double, 1>            Values;
+
+inline Eigen::Matrix2d dense_of(const Block& b)
+{
+  Eigen::Matrix2d result;
+  result << b.xx(), b.xy(), b.yx(), b.yy();
+  return result;
+}
 
 inline Eigen::MatrixXd dense(const Sparse_rows<double>& rows, std::size_t columns)
 {

@@ -37,7 +37,7 @@ torus() {
 }
 flat_square 8 >square.off
 torus >torus.off
-printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >tetrahedron.off
+make_tetrahedron >tetrahedron.off
 
 # A square and a triangle, flat, and a tetrahedron; an isolated vertex.
 printf 'OFF\n12 7 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n5 0 0\n5 0.5 0\n5 0 0.5\n9 9 9\n0 0 5\n1 0 5\n0 1 5\n0 0 6\n'\

@@ -4,6 +4,7 @@
 #ifndef PROGRAM_ATLAS_FILES_H
 #define PROGRAM_ATLAS_FILES_H
 
+#include "OBJ_lines.h"
 #include "hostile_meshes.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
@@ -41,33 +42,24 @@ struct Mesh_of_file
 
 inline Mesh_of_file read_OBJ(const std::string& content)
 {
+  const test_meshes::OBJ_lines lines(content);
   Mesh_of_file m;
-  std::vector<Point_2> uv;
-  std::istringstream file(content);
-  for (std::string line, word; std::getline(file, line);) {
-    std::istringstream words(line);
-    words >> word;
-    double x, y, z;
-    if (word == "v" && words >> x >> y >> z)
-      m.points.push_back({ x, y, z });
-    else if (word == "vt" && words >> x >> y)
-      uv.emplace_back(x, y);
-    else if (word == "f") {
-      std::vector<long> polygon;
-      std::array<Point_2, 3> places;
-      std::size_t number_of_places = 0;
-      while (words >> word) {
-        polygon.push_back(std::stol(word) - 1);
-        if (const std::size_t slash = word.find('/'); slash != std::string::npos)
-          places.at(number_of_places++) = uv.at(std::stoul(word.substr(slash + 1)) - 1);
-      }
-      EXPECT_TRUE(number_of_places == 0 || number_of_places == 3) << line;
-      m.polygons.push_back(polygon);
-      m.places.push_back(number_of_places == 3 ? Mesh_of_file::Places(places) : std::nullopt);
-    } else
-      ADD_FAILURE() << line;
+  for (const auto& p : lines.points)
+    m.points.push_back({ p.x(), p.y(), p.z() });
+  for (const auto& face : lines.faces) {
+    m.polygons.emplace_back();
+    std::vector<Point_2> places;
+    for (const auto& corner : face) {
+      m.polygons.back().push_back(long(corner.vertex) - 1);
+      if (corner.texture_vertex != 0)
+        places.push_back(lines.uv.at(corner.texture_vertex - 1));
+    }
+    EXPECT_TRUE(places.empty() || places.size() == 3) << "face " << m.places.size();
+    m.places.emplace_back();
+    if (places.size() == 3)
+      m.places.back() = { places[0], places[1], places[2] };
   }
-  m.number_of_places = uv.size();
+  m.number_of_places = lines.uv.size();
   return m;
 }
 

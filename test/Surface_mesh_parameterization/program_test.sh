@@ -148,7 +148,7 @@ if command -v script >/dev/null; then
     on_terminal --method $method | tr '\r' '\n' | grep -q '^\[=*\] 100% level' || fail "no bar on a terminal: $method"
     [ -z "$(on_terminal --method $method --quiet)" ] || fail "--quiet shows something on a terminal: $method"
   done
-  printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >closed.off
+  make_tetrahedron >closed.off
   on_terminal closed.off | tr '\r' '\n' | grep -q '^\[=*\] 100%' || fail "no bar on a terminal: an atlas"
   [ -z "$(on_terminal closed.off --quiet)" ] || fail "--quiet shows something on a terminal: an atlas"
 fi
@@ -194,7 +194,7 @@ is_field status '"ok"' "--start folded.obj"
 expect 1 --method lscm --start map.obj
 expect 1 --flat --start map.obj
 expect 1 --levels levels --start map.obj
-for option in output picture report levels start hold; do expect 1 --$option ''; expect 1 --$option --quiet; done
+for option in output picture report levels start hold; do expect 1 --$option --quiet; done
 for option in output picture report; do
   expect 3 nowhere.obj --$option levels
   grep -q folder stderr || fail "--$option levels: $(cat stderr)"
@@ -249,7 +249,7 @@ done
 printf '0 0 0\n1 1 0\n2 1 1\n3 2 0.2\n' >turned.txt
 printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n' >square.obj
 expect 3 square.obj --hold turned.txt
-printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >closed.off
+make_tetrahedron >closed.off
 expect 2 closed.off --hold turned.txt
 : >none.txt
 expect 0 --hold none.txt
@@ -302,7 +302,7 @@ bad missing.off
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' >range.off; bad range.off
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n' >truncated.off; bad truncated.off
 printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' >quad.off; bad quad.off
-printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >closed.off
+make_tetrahedron >closed.off
 bad closed.off --cut none
 printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n0 0 1\n3 0 1 2\n3 1 0 3\n3 0 1 4\n' >edge.off; bad edge.off
 printf 'OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n' >umbrellas.off; bad umbrellas.off

@@ -20,6 +20,9 @@ expect() {
 is_in_output() { grep -q -- "$1" stdout || fail "'$1' is not in: $(cat stdout)"; }
 told() { grep -q -- "$1" stderr || fail "'$1' is not in: $(cat stderr)"; }
 
+# A closed surface, as OFF.
+make_tetrahedron() { printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n'; }
+
 # make_tube N: a tube of N storeys of three squares, closed at one end. A conformal map shrinks along it.
 make_tube() {
   awk -v n=3 -v m="$1" 'BEGIN {

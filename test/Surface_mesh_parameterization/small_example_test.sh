@@ -9,7 +9,7 @@ source "$(dirname "$0")/run_as_a_user.sh"
 # tetrahedron, which is the highest, and an isolated vertex.
 printf 'OFF\n13 9 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n2 2 1\n9 0 0\n9 1 0\n8 0 0\n0 0 5\n1 0 5\n0 1 5\n0 0 6\n9 9 9\n'\
 '3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n3 5 6 7\n3 8 10 9\n3 8 9 11\n3 9 10 11\n3 10 8 11\n' >several.off
-printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n' >closed.off
+make_tetrahedron >closed.off
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n' >truncated.off
 
 # What a program that writes takes after its input, and the most arguments that a program takes.

@@ -8,6 +8,7 @@
 #include "seam_meshes.h"
 #include "test_meshes.h"
 
+#include <CGAL/Surface_mesh_parameterization/atlas_quality.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 
@@ -77,6 +78,12 @@ struct Surface
     return result;
   }
 };
+
+// The symmetric Dirichlet energy of its map.
+inline double energy(const Surface& surface)
+{
+  return SMP::atlas_quality(surface.mesh, surface.uv).symmetric_dirichlet;
+}
 
 inline std::size_t number_of_faces(const std::vector<std::vector<internal::Triangle_2>>& charts)
 {

@@ -29,11 +29,6 @@ namespace parameters = CGAL::Surface_mesh_parameterization::parameters;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double energy(const Surface& surface)
-{
-  return atlas_quality(surface.mesh, surface.uv).symmetric_dirichlet;
-}
-
 // A sphere with a small hole, and a long tube with one open end.
 TEST(Distorted_disk, is_cut_where_its_border_is_short)
 {

@@ -55,6 +55,7 @@ Polygon part(const std::vector<Point_2>& polygon, std::size_t begin, std::size_t
   }
 }
 
+// GCC takes the traits of Polygon_2::area() for uninitialized.
 double area(const Polygon& polygon)
 {
   const Kernel kernel{};

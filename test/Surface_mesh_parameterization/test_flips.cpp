@@ -126,6 +126,14 @@ TEST(Flip_policies, repair_the_same_for_every_number_of_threads)
 }
 #endif
 
+std::size_t number_of_changes_since(const Points& before, const Mapped_mesh& m)
+{
+  std::size_t result = 0;
+  for (const auto v : vertices(m.mesh))
+    result += m.uvmap[v] != before[v];
+  return result;
+}
+
 // The plane's map of a grid, in which some vertices have lost their places.
 struct Spoiled_map : Mapped_mesh_with_border
 {
@@ -138,15 +146,7 @@ struct Spoiled_map : Mapped_mesh_with_border
     good = uv();
   }
 
-  std::size_t number_of_changes() const { return number_of_changes_since(good); }
-
-  std::size_t number_of_changes_since(const std::vector<Kernel::Point_2>& before) const
-  {
-    std::size_t result = 0;
-    for (const auto v : vertices(mesh))
-      result += uvmap[v] != before[v];
-    return result;
-  }
+  std::size_t number_of_changes() const { return number_of_changes_since(good, *this); }
 };
 
 TEST(Settle_flips, moves_hardly_more_than_the_vertices_that_are_wrong)
@@ -175,7 +175,7 @@ TEST(Settle_flips, moves_hardly_more_than_the_vertices_that_are_wrong)
     EXPECT_TRUE(m.is_locally_one_to_one());
     EXPECT_GE(m.number_of_changes() + missing, spoiled);      // one without a place may be put where it was
     EXPECT_LE(m.number_of_changes(), 3 * spoiled);
-    EXPECT_EQ(m.summary.moved_vertices, m.number_of_changes_since(before));
+    EXPECT_EQ(m.summary.moved_vertices, number_of_changes_since(before, m));
   }
 }
 
@@ -195,20 +195,27 @@ std::vector<int> distances_from(const Mesh& mesh, const std::vector<Mesh::Vertex
   return distance;
 }
 
+// Lays a flat grid along a logarithmic spiral, where scales go from 1 to e^12; a sign of -1 mirrors it.
+void lay_along_spiral(Mapped_mesh& m, double sign)
+{
+  constexpr double stretch = 12;
+  for (const auto v : vertices(m.mesh)) {
+    const Kernel::Point_3& p = m.mesh.point(v);
+    const double radius = std::exp(stretch * p.x()), angle = stretch * p.y();
+    m.uvmap[v] = Kernel::Point_2(sign * radius * std::cos(angle), radius * std::sin(angle));
+  }
+}
+
 TEST(Settle_flips, moves_vertices_near_flips_only)
 {
-  constexpr double stretch = 12;      // scales go from 1 to e^12
   constexpr int farthest = 3;
   for (const double sign : { 1., -1. }) {
     Mapped_mesh_with_border m(grid(30, 24, flat));
     std::vector<Mesh::Vertex_index> spoiled;
-    for (const auto v : vertices(m.mesh)) {
-      const Kernel::Point_3& p = m.mesh.point(v);
-      const double radius = std::exp(stretch * p.x()), angle = stretch * p.y();
-      m.uvmap[v] = Kernel::Point_2(sign * radius * std::cos(angle), radius * std::sin(angle));
+    lay_along_spiral(m, sign);
+    for (const auto v : vertices(m.mesh))
       if (const std::size_t i = v; i % 31 % 10 == 5 && i / 31 % 8 == 4)
         spoiled.push_back(v);
-    }
     ASSERT_TRUE(m.is_locally_one_to_one());
     const auto good = m.uv();
     for (const auto v : spoiled) {
@@ -251,13 +258,8 @@ TEST(Settle_flips, moves_few_vertices_for_one_that_is_far_away_or_inside)
 // Where scales differ much, a hierarchy would not bring the others back.
 TEST(Settle_flips, moves_no_vertex_but_those_without_a_place)
 {
-  constexpr double stretch = 12;      // scales go from 1 to e^12
   Mapped_mesh_with_border m(grid(40, 32, flat));
-  for (const auto v : vertices(m.mesh)) {
-    const Kernel::Point_3& p = m.mesh.point(v);
-    const double radius = std::exp(stretch * p.x()), angle = stretch * p.y();
-    m.uvmap[v] = Kernel::Point_2(radius * std::cos(angle), radius * std::sin(angle));
-  }
+  lay_along_spiral(m, 1);
   const auto good = m.uv();
   std::size_t missing = 0;
   for (const auto v : vertices(m.mesh))
@@ -269,10 +271,7 @@ TEST(Settle_flips, moves_no_vertex_but_those_without_a_place)
   EXPECT_EQ(settle_flips(m.mesh, m.bhd, m.uvmap, Flip_policy::REPAIR, parameters::summary(std::ref(m.summary))), OK);
   EXPECT_TRUE(m.is_locally_one_to_one());
   EXPECT_EQ(m.summary.moved_vertices, missing);
-  std::size_t moved = 0;
-  for (const auto v : vertices(m.mesh))
-    moved += m.uvmap[v] != good[v];
-  EXPECT_EQ(moved, missing);
+  EXPECT_EQ(number_of_changes_since(good, m), missing);
 }
 
 TEST(Settle_flips, keeps_as_much_of_a_map_that_is_far_away)
@@ -322,15 +321,7 @@ TEST(Settle_flips, turns_triangles_as_the_border_runs)
 
 Flat_mesh cap_without_pole()
 {
-  Flat_mesh m = cap(9, 60, 1.2);
-  m.points.erase(m.points.begin());
-  m.triangles.erase(std::remove_if(m.triangles.begin(), m.triangles.end(),
-                                   [](const auto& t) { return std::find(t.begin(), t.end(), 0u) != t.end(); }),
-                    m.triangles.end());
-  for (auto& t : m.triangles)
-    for (Index& v : t)
-      --v;
-  return m;
+  return part(cap(9, 60, 1.2), [](const Point_3& centroid) { return centroid.z() < 0.99; });
 }
 
 // Flips at one of two borders do not turn the map: it is turned as most triangles are.
@@ -510,7 +501,7 @@ TEST(Settle_flips, lets_a_good_map_be_and_makes_one_of_nothing)
 // Every triangle of the square of a disk's points is positive, but its middle is surrounded twice.
 TEST(Settle_flips, counts_vertices_around_which_a_map_winds_twice)
 {
-  one_to_one::Mapped_mesh_with_border m(cap(6, 24, 0.1));
+  Mapped_mesh_with_border m(cap(6, 24, 0.1));
   for (const auto v : vertices(m.mesh)) {
     const Kernel::Point_3& p = m.mesh.point(v);
     m.uvmap[v] = Kernel::Point_2(p.x() * p.x() - p.y() * p.y(), 2 * p.x() * p.y());

@@ -4,7 +4,6 @@
 // Laws of the methods without flips, on all kinds of surfaces that are hard to lay out.
 
 #include "distortion_runs.h"
-#include "energy_archetype.h"
 #include "mapped_mesh.h"
 #include "mesh_conversions.h"
 #include "mesh_kinds.h"
@@ -14,6 +13,8 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_energy_2.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 

@@ -4,6 +4,7 @@
 // Newton's method: the Hessian of a triangle, and steps of the whole map.
 
 #include "contacts.h"
+#include "dense_matrices.h"
 #include "exact_kernel.h"
 #include "hierarchies.h"
 #include "level_maps.h"
@@ -44,6 +45,7 @@ namespace test_newton {
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
 using namespace test_meshes;
+using test_systems::dense_of;
 namespace parameters = CGAL::parameters;
 
 typedef As_rigid_as_possible_energy_2   Energy;
@@ -55,13 +57,6 @@ class Newton_of : public testing::Test { };
 typedef testing::Types<MIPS_energy_2, Symmetric_Dirichlet_energy_2, As_rigid_as_possible_energy_2>
   All_energies;     // some let triangles flip
 TYPED_TEST_SUITE(Newton_of, All_energies, );
-
-Eigen::Matrix2d dense_of(const Block& b)
-{
-  Eigen::Matrix2d result;
-  result << b.xx(), b.xy(), b.yx(), b.yy();
-  return result;
-}
 
 // Triangles in space and in the plane, well shaped in both, among them isometries and similarities.
 struct Random_triangle

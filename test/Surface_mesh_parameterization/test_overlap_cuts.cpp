@@ -215,11 +215,6 @@ TEST(Overlap_cut, leaves_what_lies_over_itself_little_or_has_flips)
   EXPECT_TRUE(internal::overlap_cut(flipped.mesh, flipped.uv, 0.2).empty());
 }
 
-double energy(const Surface& surface)
-{
-  return atlas_quality(surface.mesh, surface.uv).symmetric_dirichlet;
-}
-
 // A ramp is developable, and lies over itself: its parts have no distortion, the whole cannot be without.
 TEST(Overlap_bound, parts_are_undistorted_where_the_whole_cannot_be)
 {

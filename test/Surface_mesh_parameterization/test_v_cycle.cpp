@@ -45,19 +45,13 @@ namespace test_v_cycle {
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace CGAL::Surface_mesh_parameterization::internal;
 using namespace test_meshes;
+using test_systems::dense_of;
 namespace parameters = CGAL::parameters;
 
 Block block_of(const Eigen::MatrixXd& dense, Index row, Index column)
 {
   const Eigen::Matrix2d b = dense.block<2, 2>(2 * row, 2 * column);
   return Block(b(0, 0), b(0, 1), b(1, 0), b(1, 1));
-}
-
-Eigen::Matrix2d dense_of(const Block& b)
-{
-  Eigen::Matrix2d result;
-  result << b.xx(), b.xy(), b.yx(), b.yy();
-  return result;
 }
 
 // A random symmetric, diagonally dominant matrix with the pattern of a level's edges; and the same one, unscaled and

@@ -3,6 +3,7 @@
 
 // Meshes with their maps as OBJ: what is read back is what was written.
 
+#include "OBJ_lines.h"
 #include "mapped_mesh.h"
 #include "mesh_conversions.h"
 #include "test_meshes.h"
@@ -38,55 +39,14 @@ namespace test_write_OBJ {
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
 
-// ---- a reader ----
-
-struct Corner
-{
-  std::size_t vertex;
-  std::size_t texture_vertex;     // 0 if there is none
-};
-
-// The lines of a file; indices count from 1.
-struct Lines
-{
-  std::vector<Kernel::Point_3> points;
-  std::vector<Kernel::Point_2> uv;
-  std::vector<std::vector<Corner>> faces;
-
-  explicit Lines(const std::string& text)
-  {
-    std::istringstream file(text);
-    for (std::string line, word; std::getline(file, line);) {
-      std::istringstream words(line);
-      words >> word;
-      double x, y, z;
-      if (word == "v" && words >> x >> y >> z)
-        points.emplace_back(x, y, z);
-      else if (word == "vt" && words >> x >> y)
-        uv.emplace_back(x, y);
-      else if (word == "f") {
-        faces.emplace_back();
-        while (words >> word)
-          faces.back().push_back(corner(word));
-      } else
-        ADD_FAILURE() << line;
-    }
-  }
-
-private:
-  static Corner corner(const std::string& word)
-  {
-    const std::size_t slash = word.find('/');
-    return { std::stoul(word), slash == std::string::npos ? 0 : std::stoul(word.substr(slash + 1)) };
-  }
-};
+typedef OBJ_lines::Corner   Corner;
 
 template <class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
-Lines written(const TriangleMesh& mesh, VertexUVMap uvmap, VertexParameterizedMap vpmap)
+OBJ_lines written(const TriangleMesh& mesh, VertexUVMap uvmap, VertexParameterizedMap vpmap)
 {
   std::ostringstream file;
   SMP::IO::write_OBJ(file, mesh, uvmap, vpmap);
-  return Lines(file.str());
+  return OBJ_lines(file.str());
 }
 
 // ---- meshes ----
@@ -99,7 +59,7 @@ TEST(Write_OBJ, writes_what_can_be_read_back)
   EXPECT_EQ(Hierarchical_parameterizer_3<MIPS_parameterizer_3<Surface_mesh>>().parameterize(
                 mapped.mesh, longest_border(mapped.mesh), mapped.uvmap, get(CGAL::vertex_index, mapped.mesh), vpmap),
             OK);
-  const Lines lines = written(mapped.mesh, mapped.uvmap, vpmap);
+  const OBJ_lines lines = written(mapped.mesh, mapped.uvmap, vpmap);
   ASSERT_EQ(lines.points.size(), mapped.mesh.number_of_vertices());
   ASSERT_EQ(lines.uv.size(), 20u);
   for (const auto v : vertices(mapped.mesh)) {
@@ -127,7 +87,7 @@ TEST(Write_OBJ, has_a_place_for_every_vertex_unless_it_is_told_which_have_one)
   SMP::IO::write_OBJ(other_file, mapped.mesh, mapped.uvmap,
                      CGAL::Constant_property_map<Surface_mesh::Vertex_index, bool>(true));
   EXPECT_EQ(file.str(), other_file.str());
-  EXPECT_EQ(Lines(file.str()).uv.size(), mapped.mesh.number_of_vertices());
+  EXPECT_EQ(OBJ_lines(file.str()).uv.size(), mapped.mesh.number_of_vertices());
 }
 
 // Whatever numbers the kernel has, and however the stream writes them otherwise.
@@ -148,7 +108,7 @@ TEST(Write_OBJ, writes_all_digits_of_doubles)
   SMP::IO::write_OBJ(file, mesh, uvmap);
   EXPECT_EQ(file.precision(), 3);
   EXPECT_TRUE(file.flags() & std::ios::hex);
-  const Lines lines(file.str());
+  const OBJ_lines lines(file.str());
   EXPECT_EQ(lines.points[0].x(), 1. / 3);
   EXPECT_EQ(lines.points[1].x(), 12345);
   EXPECT_EQ(lines.points[2].y(), 1e-20);
@@ -177,7 +137,7 @@ TEST(Write_OBJ_of_corners, shares_places_within_a_chart)
 
   std::ostringstream file;
   SMP::IO::write_OBJ(file, mesh, uv);
-  const Lines lines(file.str());
+  const OBJ_lines lines(file.str());
   ASSERT_EQ(lines.points.size(), 20u);
   EXPECT_EQ(lines.uv.size(), 20u + 4);      // four vertices lie on the seam
   ASSERT_EQ(lines.faces.size(), 24u);
@@ -238,7 +198,7 @@ struct Cut_sphere
   // Checks all lines; `places` is the number of vertices of the seam mesh that have one.
   void expect_written(std::size_t places) const
   {
-    const Lines lines = written(seam_mesh, uvmap, vpmap);
+    const OBJ_lines lines = written(seam_mesh, uvmap, vpmap);
     ASSERT_EQ(lines.points.size(), num_vertices(mesh));
     ASSERT_EQ(lines.faces.size(), num_faces(mesh));
     EXPECT_EQ(lines.uv.size(), places);
@@ -250,7 +210,7 @@ struct Cut_sphere
       expect_face(lines, lines.faces[i++], halfedge(f, mesh));
   }
 
-  void expect_face(const Lines& lines, const std::vector<Corner>& corners,
+  void expect_face(const OBJ_lines& lines, const std::vector<Corner>& corners,
                    typename Graph_traits::halfedge_descriptor start) const
   {
     bool has_places = true;
