@@ -208,7 +208,7 @@ struct Foreign_numbers : std::numpunct<char>
   std::string do_grouping() const override { return "\3"; }
 };
 
-TEST(Write_SVG, is_the_same_in_every_stream)
+TEST(Write_SVG_of_atlas, is_the_same_in_every_stream)
 {
   Two_charts charts({ 2, 0, 1 });
   std::ostringstream drawing, other_drawing;
@@ -219,7 +219,7 @@ TEST(Write_SVG, is_the_same_in_every_stream)
   EXPECT_EQ(drawing.str(), other_drawing.str());
 }
 
-TEST(Write_SVG, leaves_out_what_has_no_place)
+TEST(Write_SVG_of_atlas, leaves_out_what_has_no_place)
 {
   Two_charts charts({ 2, 0, 1 });
   const std::vector<Surface_mesh::Face_index> none, first(charts.mesh.faces().begin(), charts.mesh.faces().begin() + 1);

@@ -108,7 +108,7 @@ std::vector<Band_map> band_maps()
 }
 
 template <class TriangleMesh>
-class Band : public testing::Test
+class Map_of_band : public testing::Test
 {
 protected:
   typedef typename Wrapped_map<TriangleMesh>::Point_2   Point;
@@ -128,9 +128,9 @@ protected:
   }
 };
 typedef testing::Types<Surface_mesh, Polyhedron> Meshes;
-TYPED_TEST_SUITE(Band, Meshes, );
+TYPED_TEST_SUITE(Map_of_band, Meshes, );
 
-TYPED_TEST(Band, is_one_to_one_where_CGAL_says_so)
+TYPED_TEST(Map_of_band, is_one_to_one_where_CGAL_says_so)
 {
   typedef LSCM_parameterizer_3<TypeParam>   LSCM;
   typedef ARAP_parameterizer_3<TypeParam>   ARAP;
@@ -149,7 +149,7 @@ TYPED_TEST(Band, is_one_to_one_where_CGAL_says_so)
 }
 
 // CGAL's barycentric class has this function, too, but it does not compile.
-TYPED_TEST(Band, is_looked_at_though_the_border_is_to_be_convex)
+TYPED_TEST(Map_of_band, is_looked_at_though_the_border_is_to_be_convex)
 {
   const Hierarchical_parameterizer_3<Barycentric_mapping_parameterizer_3<TypeParam>> barycentric;
   for (const Band_map& map : band_maps()) {
@@ -159,7 +159,7 @@ TYPED_TEST(Band, is_looked_at_though_the_border_is_to_be_convex)
   }
 }
 
-TYPED_TEST(Band, is_not_one_to_one_with_a_triangle_without_area_or_a_place_that_is_not_finite)
+TYPED_TEST(Map_of_band, is_not_one_to_one_with_a_triangle_without_area_or_a_place_that_is_not_finite)
 {
   const Hierarchical_parameterizer_3<MIPS_parameterizer_3<TypeParam>> mips;
   const Point_2 on_opposite_edge(6. / 12, 1.5 / 12);
@@ -173,7 +173,7 @@ TYPED_TEST(Band, is_not_one_to_one_with_a_triangle_without_area_or_a_place_that_
 }
 
 // A ring and a triangle: beside it, in its hole, over it, and across its border.
-TYPED_TEST(Band, is_one_to_one_with_other_faces_if_they_do_not_overlap)
+TYPED_TEST(Map_of_band, is_one_to_one_with_other_faces_if_they_do_not_overlap)
 {
   typedef typename Wrapped_map<TypeParam>::Point_2   Point;
   const Hierarchical_parameterizer_3<MIPS_parameterizer_3<TypeParam>> mips;

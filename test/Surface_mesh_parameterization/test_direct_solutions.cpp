@@ -38,7 +38,7 @@ using namespace test_systems;
 using namespace wrapped_maps;
 namespace parameters = CGAL::parameters;
 
-TEST(Multigrid_solver_traits, tells_when_the_direct_solver_took_over)
+TEST(Multigrid_solver_traits_of_hard_systems, tells_when_the_direct_solver_took_over)
 {
   const Flat_mesh m = delaunay_patch(2000, 1, wavy);
   const Known_system system(edge_matrix(m, Mean_value_edge_weights_3()));
@@ -56,7 +56,7 @@ TEST(Multigrid_solver_traits, tells_when_the_direct_solver_took_over)
 }
 
 // Of which the pivots of a factorization must not be chosen by size.
-TEST(Multigrid_solver_traits, solves_rows_of_very_different_size_directly)
+TEST(Multigrid_solver_traits_of_hard_systems, solves_rows_of_very_different_size_directly)
 {
   const Flat_mesh m = delaunay_patch(2000, 1, wavy);
   const auto rows = edge_matrix(m, Mean_value_edge_weights_3()).rows();
@@ -74,7 +74,7 @@ TEST(Multigrid_solver_traits, solves_rows_of_very_different_size_directly)
   EXPECT_EQ(on.solver.summary().failures, 0u);
 }
 
-TEST(Multigrid_solver_traits, solves_directly_what_has_0_on_the_diagonal)
+TEST(Multigrid_solver_traits_of_hard_systems, solves_directly_what_has_0_on_the_diagonal)
 {
   const double x[3] = { 1, -2, 3 };
   for (const bool is_stored : { false, true }) {
@@ -95,7 +95,7 @@ TEST(Multigrid_solver_traits, solves_directly_what_has_0_on_the_diagonal)
 }
 
 // Such a diagonal must not scale its row. The third row says that two unknowns are equal.
-TEST(Multigrid_solver_traits, solves_directly_what_has_next_to_nothing_on_the_diagonal)
+TEST(Multigrid_solver_traits_of_hard_systems, solves_directly_what_has_next_to_nothing_on_the_diagonal)
 {
   for (const double nothing : { 0., 1e-12, -1e-18, 1e-100 })
     for (const double scale : { 1., 1e-150, 1e150 }) {
@@ -118,7 +118,7 @@ TEST(Multigrid_solver_traits, solves_directly_what_has_next_to_nothing_on_the_di
 }
 
 // The unknowns of which sit elsewhere than the vertex index map says.
-TEST(Multigrid_solver_traits, solves_directly_what_does_not_match_the_mesh)
+TEST(Multigrid_solver_traits_of_hard_systems, solves_directly_what_does_not_match_the_mesh)
 {
   const Flat_mesh m = delaunay_patch(2000, 1, wavy);
   const Sparse_matrix matrix = edge_matrix(m, Uniform_edge_weights_3());
@@ -165,7 +165,7 @@ TEST(Direct_solver, is_exact_where_the_diagonal_is_small)
 }
 
 // One value that is given is so large that next to it all others are nothing. They are found all the same.
-TEST(Multigrid_solver_traits, given_values_do_not_hide_what_is_not_solved_yet)
+TEST(Multigrid_solver_traits_of_hard_systems, given_values_do_not_hide_what_is_not_solved_yet)
 {
   const Flat_mesh m = delaunay_patch(2000, 1, wavy);
   const auto rows = edge_matrix(m, Mean_value_edge_weights_3()).rows();

@@ -52,11 +52,11 @@ typedef Symmetric_Dirichlet_parameterizer_3<Surface_mesh>    Symmetric_Dirichlet
 typedef Hierarchical_parameterizer_3<MIPS>                   Hierarchical_MIPS;
 
 template <class Method>
-class RefinableParameterizer_3 : public testing::Test { };
+class Distortion_method : public testing::Test { };
 typedef testing::Types<MIPS, Symmetric_Dirichlet> Methods;
-TYPED_TEST_SUITE(RefinableParameterizer_3, Methods, );
+TYPED_TEST_SUITE(Distortion_method, Methods, );
 
-TYPED_TEST(RefinableParameterizer_3, result_is_valid_on_every_level)
+TYPED_TEST(Distortion_method, result_is_valid_on_every_level)
 {
   for (const auto& [name, m] : named_meshes())
     for (const Optimizer optimizer : { Optimizer::NEWTON, Optimizer::SWEEPS, Optimizer::RANDOM_VERTICES })
@@ -73,7 +73,7 @@ TYPED_TEST(RefinableParameterizer_3, result_is_valid_on_every_level)
       }
 }
 
-TYPED_TEST(RefinableParameterizer_3, flat_result_is_valid)
+TYPED_TEST(Distortion_method, flat_result_is_valid)
 {
   for (const auto& [name, m] : named_meshes()) {
     SCOPED_TRACE(name);
@@ -83,7 +83,7 @@ TYPED_TEST(RefinableParameterizer_3, flat_result_is_valid)
   }
 }
 
-TYPED_TEST(RefinableParameterizer_3, same_seed_same_bytes)
+TYPED_TEST(Distortion_method, same_seed_same_bytes)
 {
   const Flat_mesh m = delaunay_patch(300, 1, wavy);
   const auto run = [&](Optimizer optimizer, unsigned int seed) {
@@ -100,7 +100,7 @@ TYPED_TEST(RefinableParameterizer_3, same_seed_same_bytes)
   }
 }
 
-TYPED_TEST(RefinableParameterizer_3, hierarchical_and_flat_runs_find_the_same_minimum)
+TYPED_TEST(Distortion_method, hierarchical_and_flat_runs_find_the_same_minimum)
 {
   for (const Flat_mesh& m : { grid(16, 12, wavy), hemisphere(), disk_with_hole(), delaunay_patch(200, 1, wavy) }) {
     Mapped_mesh mapped(m);
@@ -120,7 +120,7 @@ TYPED_TEST(RefinableParameterizer_3, hierarchical_and_flat_runs_find_the_same_mi
   }
 }
 
-TYPED_TEST(RefinableParameterizer_3, similar_surfaces_have_similar_maps)
+TYPED_TEST(Distortion_method, similar_surfaces_have_similar_maps)
 {
   const Flat_mesh m = delaunay_patch(300, 1, wavy);
   // The quality as a map of `m`.
@@ -178,7 +178,7 @@ TEST(MIPS, is_not_held_up_by_flat_triangles)
   }
 }
 
-TYPED_TEST(RefinableParameterizer_3, result_has_the_units_of_the_surface)
+TYPED_TEST(Distortion_method, result_has_the_units_of_the_surface)
 {
   const Flat_mesh m = grid(8, 6, flat);
   for (const double scale : { 1e-120, 1e-3, 1., 100., 1e120 }) {

@@ -147,17 +147,22 @@ TYPED_TEST(Edge_energy_parameterizer, hierarchical_and_flat_maps_are_the_same)
   }
 }
 
-TYPED_TEST(Edge_energy_parameterizer, positive_weights_give_a_one_to_one_map)
+template <class EdgeWeights>
+class Positive_edge_weights : public testing::Test { };
+typedef testing::Types<Uniform_edge_weights_3, Chordal_edge_weights_3, Mean_value_edge_weights_3,
+                       Shape_preserving_edge_weights_3> Positive_weights;
+TYPED_TEST_SUITE(Positive_edge_weights, Positive_weights, );
+
+TYPED_TEST(Positive_edge_weights, give_a_one_to_one_map)
 {
-  if (TypeParam::is_positive)
-    for (const Flat_mesh& m : disks()) {
-      Surface_mesh mesh = make<Surface_mesh>(m);
-      const auto uvmap = mesh.add_property_map<Surface_mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
-      const Hierarchical_parameterizer_3<Method<TypeParam>> parameterizer(Method<TypeParam>(),
-                                                                          parameters::coarsest_size(20));
-      EXPECT_EQ(SMP::parameterize(mesh, parameterizer, longest_border(mesh), uvmap), OK);
-      EXPECT_EQ(parameterization_quality(mesh, uvmap).flips, 0u);
-    }
+  static_assert(TypeParam::is_positive);
+  for (const Flat_mesh& surface : disks()) {
+    Mapped_mesh m(surface);
+    EXPECT_EQ(m.parameterize(Hierarchical_parameterizer_3<Method<TypeParam>>(Method<TypeParam>(),
+                                                                             parameters::coarsest_size(20))),
+              OK);
+    EXPECT_EQ(m.quality().flips, 0u);
+  }
 }
 
 TYPED_TEST(Edge_energy_parameterizer, is_finite_on_any_mesh)
@@ -278,7 +283,7 @@ void compare_with_CGAL(const Flat_mesh& m)
   compare(Harmonic_edge_weights_3(), Discrete_conformal_map_parameterizer_3<TriangleMesh, Border>());
 }
 
-TEST(CGAL, finds_the_same_maps)
+TEST(Edge_energy_beside_CGAL, finds_the_same_maps)
 {
   for (const Flat_mesh& m : { grid(16, 12, wavy), hemisphere(), deep_cap(), delaunay_patch(200, 1, wavy) }) {
     compare_with_CGAL<Surface_mesh, Circular_border_arc_length_parameterizer_3<Surface_mesh>>(m);
@@ -290,7 +295,7 @@ TEST(CGAL, finds_the_same_maps)
 }
 
 // CGAL's square runs around clockwise: all triangles are negative, whatever becomes of flips.
-TEST(CGAL, finds_the_same_map_with_given_corners)
+TEST(Edge_energy_beside_CGAL, finds_the_same_map_with_given_corners)
 {
   typedef Square_border_arc_length_parameterizer_3<Surface_mesh> Border;
   typedef Edge_energy_parameterizer_3<Surface_mesh, Uniform_edge_weights_3, Border> Square_method;

@@ -109,6 +109,15 @@ TEST(One_call, the_outer_border_is_one_of_faces)
     EXPECT_EQ(get(run.uvmap, v), get(usual.uvmap, v));
 }
 
+TEST(One_call, takes_a_const_mesh)
+{
+  Mapped_mesh expected(grid(12, 9, wavy)), found(grid(12, 9, wavy));
+  const Surface_mesh& mesh = found.mesh;
+  EXPECT_TRUE(hierarchical_parameterization(expected.mesh, expected.uvmap).is_ok());
+  EXPECT_TRUE(hierarchical_parameterization(mesh, found.uvmap).is_ok());
+  EXPECT_EQ(found.uv(), expected.uv());
+}
+
 TEST(One_call, tells_what_cannot_be_laid_out)
 {
   Mapped_mesh closed(sphere(6, 8)), empty{ Flat_mesh() }, handle(torus_with_hole(8));

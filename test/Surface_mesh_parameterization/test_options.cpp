@@ -327,15 +327,6 @@ TYPED_TEST(Const_mesh, has_the_map_of_one_that_is_not)
   EXPECT_EQ(found.uv(), expected.uv());
 }
 
-TEST(One_call, takes_a_const_mesh)
-{
-  Mapped_mesh expected(grid(12, 9, wavy)), found(grid(12, 9, wavy));
-  const Surface_mesh& mesh = found.mesh;
-  EXPECT_TRUE(hierarchical_parameterization(expected.mesh, expected.uvmap).is_ok());
-  EXPECT_TRUE(hierarchical_parameterization(mesh, found.uvmap).is_ok());
-  EXPECT_EQ(found.uv(), expected.uv());
-}
-
 TEST(Error_message, knows_every_code)
 {
   std::set<std::string> messages;
@@ -346,6 +337,12 @@ TEST(Error_message, knows_every_code)
     messages.insert(message);
   }
   EXPECT_EQ(messages.size(), std::size_t(ERROR_WRONG_PARAMETER) + 2);
+}
+
+TEST(Error_message, knows_a_run_that_was_stopped)
+{
+  EXPECT_EQ(error_message(ERROR_STOPPED), "a visitor stopped the run");
+  EXPECT_EQ(std::string(get_error_message(ERROR_STOPPED)), "Unknown error");
 }
 
 } // namespace test_options

@@ -61,7 +61,7 @@ std::size_t number_of_vertex_visits(const Parameterization_summary& summary)
 }
 
 // Local steps are of vertices chosen at random. The conventional run takes as many in total as the hierarchical one.
-TEST(Paper, hierarchical_optimization_gets_much_nearer_to_the_optimum_than_the_conventional_one)
+TEST(Claim_of_the_paper, hierarchical_optimization_gets_much_nearer_to_the_optimum_than_the_conventional_one)
 {
   constexpr std::size_t steps_on_a_level = 70000;
   Surface_mesh mesh;

@@ -323,10 +323,4 @@ TEST(Progress_of_a_users_method, is_told_and_stops_the_run)
     }
 }
 
-TEST(Error_message, knows_a_run_that_was_stopped)
-{
-  EXPECT_EQ(error_message(ERROR_STOPPED), "a visitor stopped the run");
-  EXPECT_EQ(std::string(get_error_message(ERROR_STOPPED)), "Unknown error");
-}
-
 } // namespace test_progress

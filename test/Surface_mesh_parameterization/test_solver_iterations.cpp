@@ -89,7 +89,7 @@ TYPED_TEST(Iterations, are_few_on_real_meshes)
 
 // Half the edges are opposite to angles of up to 166 degrees: with cotangents so negative, incomplete factors of the
 // matrix as it is make no smoother.
-TEST(Multigrid_solver_traits, copes_with_obtuse_triangles)
+TEST(Multigrid_solver_traits_of_odd_weights, copes_with_obtuse_triangles)
 {
   for (const Index n : { 60, 120 })
     EXPECT_LE(iterations(affine_image(grid(n, n, flat), 1, -4, 0, 1), Harmonic_edge_weights_3()), 12u) << n;
@@ -109,7 +109,7 @@ struct Some_wild_weights
 };
 
 // A row that is far from diagonally dominant costs a few iterations.
-TEST(Multigrid_solver_traits, copes_with_a_few_wild_rows)
+TEST(Multigrid_solver_traits_of_odd_weights, copes_with_a_few_wild_rows)
 {
   const Flat_mesh m = grid(120, 120, wavy);
   const std::size_t rows = 119 * 119;
@@ -118,7 +118,7 @@ TEST(Multigrid_solver_traits, copes_with_a_few_wild_rows)
 }
 
 // Uniform weights do not feel that a mesh is stretched, and neither does the iteration.
-TEST(Multigrid_solver_traits, unit_edges_suit_uniform_weights)
+TEST(Multigrid_solver_traits_of_odd_weights, unit_edges_suit_uniform_weights)
 {
   const Flat_mesh m = grid(120, 120, flat), stretched = affine_image(m, 6, 0, 0, 1);
   const std::size_t expected = iterations(m, Uniform_edge_weights_3());

@@ -391,7 +391,7 @@ struct Block_system
   bool is_finished(double squared_norm) const { return std::sqrt(squared_norm) <= target; }
 };
 
-TEST(Conjugate_gradients, reach_the_residual_they_are_asked_for)
+TEST(Conjugate_gradients_with_V_cycles, reach_the_residual_they_are_asked_for)
 {
   Random random(7);
   const Finest_level f(grid(40, 40, wavy), parameters::coarsest_size(20));
@@ -435,7 +435,7 @@ std::size_t cycles_for_conformal_motion(Index n)
   return conjugate_gradients(system, x, b, scratch, 100);
 }
 
-TEST(Conjugate_gradients, need_not_many_more_cycles_for_conformal_motions_on_more_grids)
+TEST(Conjugate_gradients_with_V_cycles, need_not_many_more_cycles_for_conformal_motions_on_more_grids)
 {
   // 20,000 vertices and 1300. With plain V-cycles there would be four times as many, or more.
   EXPECT_LE(cycles_for_conformal_motion(140), 3 * cycles_for_conformal_motion(35));

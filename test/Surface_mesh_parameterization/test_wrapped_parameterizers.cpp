@@ -163,11 +163,11 @@ template <>
 struct Model<Seam_mesh> : Cut_sphere { };
 
 template <class TriangleMesh>
-class FaceGraph : public testing::Test { };
+class Wrapped_on_FaceGraph : public testing::Test { };
 typedef testing::Types<Epick_surface_mesh, Polyhedron, Seam_mesh> Meshes;
-TYPED_TEST_SUITE(FaceGraph, Meshes, );
+TYPED_TEST_SUITE(Wrapped_on_FaceGraph, Meshes, );
 
-TYPED_TEST(FaceGraph, has_the_maps_of_CGAL)
+TYPED_TEST(Wrapped_on_FaceGraph, has_the_maps_of_CGAL)
 {
   Model<TypeParam> model;
   check<Mean_value_coordinates_parameterizer_3<TypeParam>>(model.mesh);
