@@ -22,7 +22,7 @@ exec env ASAN_OPTIONS=allocator_may_return_null=1 RANDOM_SURFACES="${RANDOM_SURF
   ctest --output-on-failure --timeout 600 -j2 -E \
 '^(include_layers|(bare_)?(install|consumer)(_without_TBB)?|documentation)$|^example|[Tt]hreads|'\
 'takes_work_in_proportion|are_few_and_do_not_grow|iterations_do_not_grow_with_the_mesh|'\
-'energy_is_not_above_that_of_CGAL|^Shared/|fix_a_border_for_the_hierarchical_run|'\
+'energy_is_not_above_that_of_CGAL|^Data_folder/|fix_a_border_for_the_hierarchical_run|'\
 'keeps_the_margin_and_fills_the_square|Division.fills_the_square|^Deep_tube|have_maps_no_worse_than_Tuttes|'\
 'counts_overlaps_between_charts|tells_whether_the_run_has_converged|stays_whole_with_scattered_seams|'\
 'is_not_held_up_by_flat_triangles|that_have_no_area_in_space|around_a_hub_is_found|at_all_scales' "$@"

@@ -14,14 +14,12 @@
 // Real meshes, where they are at hand.
 namespace test_meshes {
 
-// The folder with the real meshes: of the environment, or beside the repository; ends in '/'.
+// The folder with the real meshes: SHARED_DATA in the environment, or what CMake was told by
+// HIERARCHICAL_PARAMETERIZATION_TEST_DATA_DIR; ends in '/'.
 inline std::string data_folder()
 {
-  if (const char* folder = std::getenv("SHARED_DATA"))
-    return std::string(folder) + '/';
-  const std::string file = __FILE__;
-  const std::size_t slash = file.find_last_of('/');
-  return (slash == std::string::npos ? std::string() : file.substr(0, slash + 1)) + "../../../shared/data/";
+  const char* folder = std::getenv("SHARED_DATA");
+  return std::string(folder ? folder : TEST_DATA_DIR) + '/';
 }
 
 // Returns whether the file could be read; triangles only.

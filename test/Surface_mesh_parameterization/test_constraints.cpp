@@ -218,14 +218,19 @@ double distance_from_flat_run(const Flat_mesh& surface)
 // To the last digits, which the energies of two maps do not tell.
 TYPED_TEST(Held_vertices, fix_a_border_for_the_hierarchical_run_as_for_the_flat_one)
 {
-  std::vector<Flat_mesh> all = { grid(40, 30, wavy), delaunay_patch(800, 3, wavy), cap(12, 32, 0.5 * CGAL_PI) };
+  for (const Flat_mesh& surface :
+       { grid(40, 30, wavy), delaunay_patch(800, 3, wavy), cap(12, 32, 0.5 * CGAL_PI) })
+    EXPECT_LT(distance_from_flat_run<TypeParam>(surface), 1e-9) << surface.triangles.size();
+}
+
+TYPED_TEST(Held_vertices, fix_a_border_for_the_hierarchical_run_on_real_meshes)
+{
   for (const char* name : { "face_1042.off", "lion_head.off", "camelhead.off" }) {
     Flat_mesh real;
-    if (read_off(name, real))
-      all.push_back(real);
+    if (!read_off(name, real))
+      GTEST_SKIP() << "no " << name << " in " << data_folder();
+    EXPECT_LT(distance_from_flat_run<TypeParam>(real), 1e-9) << name;
   }
-  for (const Flat_mesh& surface : all)
-    EXPECT_LT(distance_from_flat_run<TypeParam>(surface), 1e-9) << surface.triangles.size();
 }
 
 // Symmetric Dirichlet energy turns corners of the holes by up to a full turn. There the barrier leaves a little.

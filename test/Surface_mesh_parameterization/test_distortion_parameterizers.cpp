@@ -271,7 +271,7 @@ TEST_P(Real_mesh, is_valid_on_every_level)
 {
   Flat_mesh m;
   if (!read_off(GetParam() + std::string(".off"), m))
-    GTEST_SKIP() << "no such file in " << data_folder();
+    GTEST_SKIP() << "no " << GetParam() << ".off in " << data_folder();
   Mapped_mesh mapped(m);
   Parameterization_summary summary;
   EXPECT_EQ(mapped.parameterize(
@@ -282,7 +282,7 @@ TEST_P(Real_mesh, is_valid_on_every_level)
   EXPECT_GT(summary.levels.size(), 3u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, Real_mesh,
+INSTANTIATE_TEST_SUITE_P(Data_folder, Real_mesh,
                          testing::Values("face_1042", "patch_476", "homer_cut", "fertility_cut", "hand"),
                          [](const auto& info) { return std::string(info.param); });
 

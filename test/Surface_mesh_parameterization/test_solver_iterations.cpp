@@ -82,7 +82,7 @@ TYPED_TEST(Iterations, are_few_on_real_meshes)
   for (const std::string name : { "face_1042.off", "three_peaks.off", "lion_head.off", "camelhead.off" }) {
     Flat_mesh m;
     if (!read_off(name, m))
-      GTEST_SKIP() << "no real meshes at hand";
+      GTEST_SKIP() << "no " << name << " in " << data_folder();
     EXPECT_LE(iterations(m, TypeParam()), 20u) << name;
   }
 }
