@@ -192,6 +192,40 @@ TEST(Multigrid_solver_traits_of_hard_systems, given_values_do_not_hide_what_is_n
 
 // ---- vertices of high valence ----
 
+// Two unknowns at each vertex of a grid: all of them, without an entry between two vertices, and with an unknown before
+// the others, which are not numbered in pairs then, or behind them.
+TEST(Direct_solver, takes_unknowns_in_pairs_and_others)
+{
+  constexpr Index n = 12;
+  enum Kind { ALL, WITHOUT_ONE_ENTRY, ONE_BEFORE, ONE_BEHIND };
+  for (const Kind kind : { ALL, WITHOUT_ONE_ENTRY, ONE_BEFORE, ONE_BEHIND }) {
+    const Index first = kind == ONE_BEFORE, size = 2 * n * n + (kind == ONE_BEFORE || kind == ONE_BEHIND);
+    Random random(kind);
+    Sparse_matrix matrix(size);
+    for (Index i = 0; i < size; ++i)
+      matrix.add_coef(i, i, 20);
+    const auto add = [&](Index i, Index j) {
+      const double a = random(-1, 1);
+      matrix.add_coef(i, j, a);
+      matrix.add_coef(j, i, a);
+    };
+    for (Index v = 0; v < n * n; ++v) {
+      add(first + 2 * v, first + 2 * v + 1);
+      for (const Index w : { v + 1, v + n })
+        if (w < n * n)
+          for (Index c = 0; c < 4; ++c)
+            if (!(kind == WITHOUT_ONE_ENTRY && v == n && c == 1))
+              add(first + 2 * v + c / 2, first + 2 * w + c % 2);
+    }
+    const Known_system system(std::move(matrix));
+    const auto solver = internal::factorize_symmetric_rows(*system.matrix.rows());
+    ASSERT_TRUE(solver);
+    Vector x(size);
+    solver->solve(system.right_side.values().data(), x.values().data(), 1);
+    EXPECT_LT(system.error(x), 1e-13) << kind;
+  }
+}
+
 // Rings around a hub, whose edges weigh much more than those between the rings; values are given on the outer one. In
 // its column they exceed the diagonal, but as pivots they would fill the matrix, which would take tens of gigabytes.
 TEST(Direct_solver, fills_nothing_around_a_hub)

@@ -121,7 +121,10 @@ Corner_mesh component_of(const Corner_mesh& mesh, const std::vector<Index>& face
   result.scale_exponent = mesh.scale_exponent;
   result.vertex.reserve(3 * faces.size());
   result.opposite.reserve(3 * faces.size());
+  const bool are_consecutive = faces.back() - faces.front() + 1 == faces.size();
   const auto new_halfedge = [&](Index h) {
+    if (are_consecutive)
+      return h - 3 * faces.front();
     return 3 * Index(std::lower_bound(faces.begin(), faces.end(), h / 3) - faces.begin()) + h % 3;
   };
   for (const Index f : faces)
