@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_MESH_CHECKS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_MESH_CHECKS_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Any_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Refused.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/detection.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
@@ -27,19 +28,6 @@ template <class, class, class> class Seam_mesh;
 // What calls ask of a mesh and of property maps of its vertices, edges and halfedges: checks as in concept_checks.h.
 
 namespace CGAL::Surface_mesh_parameterization::internal {
-
-// The least that can be called a map from `Key` to `Value`.
-template <class Key, class Value>
-struct Any_map
-{
-  typedef Key                                 key_type;
-  typedef Value                               value_type;
-  typedef Value                               reference;
-  typedef boost::read_write_property_map_tag  category;
-
-  friend Value get(const Any_map&, const Key&) { return Value(); }
-  friend void put(const Any_map&, const Key&, const Value&) { }
-};
 
 // Types that exist where T has what they name. This namespace is not for others.
 namespace concept_checks {
