@@ -24,9 +24,9 @@ struct Atlas_summary
   {
     std::size_t faces = 0;                  ///< number of triangles
     /// of its map. The index of an error is that of a face of the mesh, the chart's first one unless the error lies at
-    /// another. The parts of a chart that was divided to fill
-    /// the square have the summary of the whole chart, each with a share of its seconds, and the first one with the
-    /// flips and moved vertices; those of a chart that lay over itself have their own
+    /// another. The parts of a chart that was divided to fill the square have the summary of the whole chart, each with
+    /// a share of its seconds, and the first one with the flips and moved vertices; those of a chart that lay over
+    /// itself have their own
     Parameterization_summary summary;
   };
 
