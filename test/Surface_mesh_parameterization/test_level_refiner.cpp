@@ -14,7 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Decreases.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_convergence.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner_options.h>

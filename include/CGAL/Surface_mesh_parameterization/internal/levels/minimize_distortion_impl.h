@@ -9,7 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/first_maps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/lead_to_places.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_freely.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Free_minimizer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Conformal_refiner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/soften_springs.h>
@@ -55,7 +55,7 @@ inline Error_code minimize_near_places(const Level_energy& free_energy, Level::U
                                        const Refinement_options& options)
 {
   Level_summary unused;
-  const Error_code status = minimize_freely(free_energy, uv, options, unused);
+  const Error_code status = Free_minimizer(free_energy, options, uv, unused).run();
   if (status == OK)
     move_near_places(free_energy.level(), uv);
   return status;
@@ -103,7 +103,7 @@ Error_code minimize_flip_free(const Level_energy& energy, bool scales_to_area, L
   if (!is_free(energy.level()))
     return minimize_with_places(energy, uv, options, summary);
   start_unfolded(energy, options, uv);
-  const Error_code status = minimize_freely(energy, uv, options, summary);
+  const Error_code status = Free_minimizer(energy, options, uv, summary).run();
   if (status == OK && scales_to_area) {
     // Rounding may matter in tiny triangles.
     summary.energy_end = scale_to_area(energy, options.is_globally_injective, uv) / energy.unit();

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Scalar_multigrid.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Scaled_right_sides.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/complex_rows.h>
 
 #include <algorithm>
@@ -89,6 +90,7 @@ private:
   typedef Scalar_multigrid<Complex<Real>>    Complex_multigrid;
   typedef Values<double, columns>            Value;
   typedef Value_vector<double, columns>      Vector;
+  typedef Scaled_right_sides<columns>        Right_sides;
 
   // That of the solution less a number.
   std::vector<double> moved_right_side(const double* right_side, double number) const
@@ -105,24 +107,18 @@ private:
   {
     Linear_solver_options options = given_options;
     options.tolerance = (std::max)(options.tolerance, options.rounding_error);
-    const Side_by_side b{ right_sides, scales_of(right_sides) };
-    Vector x;
-    m_system.set_to_fixed_unknowns(b, x);
-    Vector r(x.size());
-    m_system.compute_residual(b, x, r);
-    const Value start = m_system.norm(r);
-
+    Approximation a = first_approximation(right_sides);
     Linear_solver_result result;
     if (m_multigrid || m_complex_multigrid)
-      result = iterate(b, x, r, start, options);
+      result = iterate(a, options);
     else if (m_system.is_regular() && m_system.free_unknowns().empty())
-      result.is_solved = m_system.backward_error(b, x) <= options.worst_backward_error;
+      result.is_solved = m_system.backward_error(a.b, a.x) <= options.worst_backward_error;
     if (!result.is_solved && !is_stopped(options))
-      solve_directly(b, x, r, start, options, result);
+      solve_directly(a, options, result);
     if (result.is_solved)
-      for (std::size_t i = 0; i < x.size(); ++i)
+      for (std::size_t i = 0; i < a.x.size(); ++i)
         for (std::size_t c = 0; c < solutions.size(); ++c)
-          solutions[c][i] = x[i][int(c)] / b.scales[int(c)];
+          solutions[c][i] = a.x[i][int(c)] / a.b.scales[int(c)];
     return result;
   }
 
@@ -155,22 +151,6 @@ private:
       grids.reset();
   }
 
-  // Right sides, each times its scale, as one vector of their values. What there is less than columns is 0.
-  struct Side_by_side
-  {
-    const std::vector<const double*>& right_sides;
-    Value scales;
-
-    Value operator[](Index i) const
-    {
-      Value values = Value::zero();
-      for (int c = 0; c < columns; ++c)
-        if (std::size_t(c) < right_sides.size())
-          values[c] = scales[c] * right_sides[c][i];
-      return values;
-    }
-  };
-
   // The powers of two that bring the right sides to about size 1, in rows of unit diagonal: so no square of a residual
   // over- or underflows.
   Value scales_of(const std::vector<const double*>& right_sides) const
@@ -188,54 +168,79 @@ private:
     return result;
   }
 
-  Linear_solver_result iterate(const Side_by_side& b, Vector& x, Vector& r, const Value& start,
-                               const Linear_solver_options& options) const
+  // The solutions as far as they are known, and what they leave of the right sides.
+  struct Approximation
+  {
+    Right_sides b;
+    Vector x, r;             // b less the matrix times x
+    Value norms_at_start;    // of the residuals r
+  };
+
+  // 0 where the rows do not give the unknowns right away.
+  Approximation first_approximation(const std::vector<const double*>& right_sides) const
+  {
+    Approximation a{ { right_sides, scales_of(right_sides) }, {}, {}, {} };
+    m_system.set_to_fixed_unknowns(a.b, a.x);
+    a.r.resize(a.x.size());
+    compute_residual(a);
+    a.norms_at_start = m_system.norm(a.r);
+    return a;
+  }
+
+  void compute_residual(Approximation& a) const { m_system.compute_residual(a.b, a.x, a.r); }
+
+  // The greatest of all right sides.
+  double relative_residual(const Approximation& a) const
+  {
+    return greatest(quotient(m_system.norm(a.r), a.norms_at_start));
+  }
+
+  Linear_solver_result iterate(Approximation& a, const Linear_solver_options& options) const
   {
     if constexpr (columns == 1)
       if (m_complex_multigrid)
-        return iterate(*m_complex_multigrid, b, x, r, start, options);
-    return iterate(*m_multigrid, b, x, r, start, options);
+        return iterate(*m_complex_multigrid, a, options);
+    return iterate(*m_multigrid, a, options);
   }
 
-  // Changes x, where the free unknowns are 0, and its residual r, whose norms are `start`.
+  // Improves the first approximation.
   template <class Grids>
-  Linear_solver_result iterate(const Grids& grids, const Side_by_side& b, Vector& x, Vector& r, const Value& start,
-                               const Linear_solver_options& options) const
+  Linear_solver_result iterate(const Grids& grids, Approximation& a, const Linear_solver_options& options) const
   {
-    Multigrid_iteration<Grids, columns> iteration(m_system, grids, options.tolerance * start, options);
-    iteration.full_multigrid(r, x);
-    m_system.compute_residual(b, x, r);
-    if (!is_less_or_equal(m_system.norm(r), start)) {
-      m_system.set_to_fixed_unknowns(b, x);
-      m_system.compute_residual(b, x, r);
+    Multigrid_iteration<Grids, columns> iteration(m_system, grids, options.tolerance * a.norms_at_start, options);
+    iteration.full_multigrid(a.r, a.x);
+    compute_residual(a);
+    if (!is_less_or_equal(m_system.norm(a.r), a.norms_at_start)) {
+      m_system.set_to_fixed_unknowns(a.b, a.x);
+      compute_residual(a);
     }
     Linear_solver_result result;
-    for (int i = 0; i < options.most_starts && result.iterations < options.most_iterations && !iteration.is_solved(r) &&
+    for (int i = 0; i < options.most_starts && result.iterations < options.most_iterations && !iteration.is_solved(a.r) &&
                     !is_stopped(options);
          ++i) {
       const std::size_t left = options.most_iterations - result.iterations;
       if (m_system.is_symmetric()) {
-        Vector direction(x.size());
-        result.iterations += conjugate_gradients(iteration, x, r, direction, left);
+        Vector direction(a.x.size());
+        result.iterations += conjugate_gradients(iteration, a.x, a.r, direction, left);
       } else if (iteration.has_minimal_residuals())
-        result.iterations += generalized_minimal_residuals(iteration, x, r, (std::min)(left, options.most_residuals));
+        result.iterations +=
+            generalized_minimal_residuals(iteration, a.x, a.r, (std::min)(left, options.most_residuals));
       else
-        result.iterations += stabilized_biconjugate_gradients(iteration, x, r, left);
-      m_system.compute_residual(b, x, r);
+        result.iterations += stabilized_biconjugate_gradients(iteration, a.x, a.r, left);
+      compute_residual(a);
     }
-    result.residual = greatest(quotient(m_system.norm(r), start));
+    result.residual = relative_residual(a);
     result.is_solved = result.residual <= options.tolerance
-                           ? iteration.is_solved(r)      // the residual may pass over a NaN, the norms over infinity
+                           ? iteration.is_solved(a.r)      // the residual may pass over a NaN, the norms over infinity
                            : result.residual <= options.worst_residual &&
-                                 m_system.backward_error_of_free_unknowns(b, x) <= options.rounding_error;
+                                 m_system.backward_error_of_free_unknowns(a.b, a.x) <= options.rounding_error;
     return result;
   }
 
   // Solves by the solver that the options name. Where its solution is not good enough, or none is named, by a
   // factorization of the rows, scaled to unit diagonal: of rows of very different size, a factorization takes bad
   // pivots, and an iteration that looks at the whole residual does not see the small ones.
-  void solve_directly(const Side_by_side& b, Vector& x, Vector& r, const Value& start,
-                      const Linear_solver_options& options, Linear_solver_result& result)
+  void solve_directly(Approximation& a, const Linear_solver_options& options, Linear_solver_result& result)
   {
     if (!options.may_solve_directly)
       return;
@@ -244,7 +249,7 @@ private:
       if (options.make_direct_solver) {
         if (!m_direct_solver)
           m_direct_solver = options.make_direct_solver(*m_system.rows());
-        apply_direct_solver(b, x, r, start, options, result);
+        apply_direct_solver(a, options, result);
         if (result.is_solved || is_stopped(options))
           return;
       }
@@ -252,7 +257,7 @@ private:
       m_direct_solver = factorize_rows(m_system.rows_of_unit_diagonal());
       m_is_factorized = true;
     }
-    apply_direct_solver(b, x, r, start, options, result);
+    apply_direct_solver(a, options, result);
     result.is_factorized = result.is_solved;
     if (result.is_solved) {      // that takes less time now than iterations in vain
       m_multigrid.reset();
@@ -260,18 +265,17 @@ private:
     }
   }
 
-  // Writes x, its residual r, and what `result` tells of them, if there is a direct solver. The residual that rounding
+  // Writes the approximation, and what `result` tells of it, if there is a direct solver. The residual that rounding
   // leaves to a factorization may be above the tolerance.
-  void apply_direct_solver(const Side_by_side& b, Vector& x, Vector& r, const Value& start,
-                           const Linear_solver_options& options, Linear_solver_result& result) const
+  void apply_direct_solver(Approximation& a, const Linear_solver_options& options, Linear_solver_result& result) const
   {
     if (!m_direct_solver)
       return;
     m_direct_solver->solve_side_by_side(
-        [&](Index i) { return m_is_factorized ? m_system.inverse_diagonal(i) * b[i] : b[i]; }, x);
-    m_system.compute_residual(b, x, r);
-    result.residual = greatest(quotient(m_system.norm(r), start));
-    result.is_solved = m_system.backward_error(b, x) <= options.worst_backward_error &&
+        [&](Index i) { return m_is_factorized ? m_system.inverse_diagonal(i) * a.b[i] : a.b[i]; }, a.x);
+    compute_residual(a);
+    result.residual = relative_residual(a);
+    result.is_solved = m_system.backward_error(a.b, a.x) <= options.worst_backward_error &&
                        result.residual <= (m_is_factorized ? options.worst_residual : options.tolerance);
   }
 

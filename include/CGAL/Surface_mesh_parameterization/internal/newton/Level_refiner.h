@@ -10,9 +10,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Current_energy.h>
-#include <CGAL/Surface_mesh_parameterization/internal/newton/Decreases.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_convergence.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_method.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Newton_system.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Vertex_relaxation.h>
@@ -100,12 +100,15 @@ private:
     m_summary.vertex_visits += effect.visits;
   }
 
-  // On a level with inserted vertices, those whose place is bad get as many steps as they need.
-  void sweep(const Vertex_relaxation& relaxation)
+  // On a level with inserted vertices, those whose place is bad get as many steps as they need. Returns by how much the
+  // energy is lower.
+  double sweep(const Vertex_relaxation& relaxation)
   {
+    const double before = m_current.value();
     const double never = (std::numeric_limits<double>::infinity)(),
                  mean_of_vertex = m_current.little(1 / double(size()));
     count(relaxation.sweep_and_follow_up(m_uv, m_level.index() == 0 ? never : mean_of_vertex));
+    return before - m_current.value();
   }
 
   // The paper's experiment: nothing but so many steps.
@@ -166,55 +169,55 @@ private:
   // may go on.
   bool sweep_while_it_pays(const Vertex_relaxation& relaxation)
   {
-    double before;
+    double decrease;
     std::size_t sweeps = 0;
-    do {
-      before = m_current.value();
-      sweep(relaxation);
-    } while (tell(0) && ++sweeps < m_options.most_first_sweeps &&
-             !m_current.is_little(before - m_current.value(), m_options.least_decrease_of_first_sweeps));
+    do
+      decrease = sweep(relaxation);
+    while (tell(0) && ++sweeps < m_options.most_first_sweeps &&
+           !m_current.is_little(decrease, m_options.least_decrease_of_first_sweeps));
     return m_status == OK;
   }
 
   void take_newton_steps(Vertex_relaxation& relaxation)
   {
-    const double tolerance = m_barrier ? (std::max)(m_refinement.tolerance, m_options.least_decrease_with_barrier)
-                                       : m_refinement.tolerance,
-                 least_decrease = m_level.is_draft() ? m_options.decrease_of_drafts : tolerance;
     Newton_method newton(m_energy, m_barrier.get(), m_options.newton);
     newton.fix_vertices(fixed_vertices(m_level));
     relaxation.set_turn_barrier(newton.turn_barrier());
-    Decreases decreases(m_options.sudden_fall);
-    Lull lull(m_current.value());
-    while (m_status == OK && iterations() < m_refinement.number_of_iterations && !m_summary.converged) {
-      const double negligible =
-          m_energy.is_flip_free() ? m_options.negligible_part * m_refinement.tolerance * m_current.excess() : 0;
-      const auto step = newton.step(m_uv, m_current.value(), negligible);
-      if (has_barrier(newton))      // the step may have paid for room with energy
-        m_current.compute();
-      else
-        m_current.lower_by(step.decrease);
-      ++m_summary.iterations;
-      m_summary.cycles += step.cycles;
-      const double before_sweep = m_current.value();
-      if (wants_sweep(step, decreases.last()))
-        sweep(relaxation);
-      const double decrease = step.decrease + step.slack + (before_sweep - m_current.value());
-      decreases.add(decrease, is_regular(step));
-      const bool jam = is_jammed();
-      lull.add(m_current.value(), m_current.little(jam ? m_options.least_decrease_with_barrier : least_decrease));
-      const bool is_slow = m_current.is_little(decrease, least_decrease) ||
-                           decreases.remainder() <= least_decrease * m_current.excess(),
-                 is_at_rest = (is_slow && !jam) ||
-                              (m_barrier && lull.number_of_steps() >= m_options.most_steps_without_fall),
-                 has_arrived = is_at_rest && !decreases.is_sudden();
-      m_summary.converged = has_arrived && (has_barrier(newton) || !is_stuck(step, least_decrease));
+    const double least_decrease = least_decrease_of_newton_steps();
+    Newton_convergence convergence(m_current, m_barrier != nullptr, least_decrease, m_options);
+    while (m_status == OK && iterations() < m_refinement.number_of_iterations && !convergence.has_arrived()) {
+      const Newton_method::Step step = take_newton_step(newton);
+      double decrease = step.decrease + step.slack;
+      if (wants_sweep(step, convergence.last_decrease()))
+        decrease += sweep(relaxation);
+      convergence.add(decrease, is_regular(step), is_jammed());
+      m_summary.converged = convergence.has_arrived() && (has_barrier(newton) || !is_stuck(step, least_decrease));
       tell(part_done(decrease, least_decrease));
-      if (has_arrived)
-        break;
     }
     if (m_summary.converged && asks_for_last_digits() && !has_barrier(newton))
       take_last_steps(newton);
+  }
+
+  double least_decrease_of_newton_steps() const
+  {
+    if (m_level.is_draft())
+      return m_options.decrease_of_drafts;
+    return m_barrier ? (std::max)(m_refinement.tolerance, m_options.least_decrease_with_barrier)
+                     : m_refinement.tolerance;
+  }
+
+  Newton_method::Step take_newton_step(Newton_method& newton)
+  {
+    const double negligible =
+        m_energy.is_flip_free() ? m_options.negligible_part * m_refinement.tolerance * m_current.excess() : 0;
+    const Newton_method::Step step = newton.step(m_uv, m_current.value(), negligible);
+    if (has_barrier(newton))      // the step may have paid for room with energy
+      m_current.compute();
+    else
+      m_current.lower_by(step.decrease);
+    ++m_summary.iterations;
+    m_summary.cycles += step.cycles;
+    return step;
   }
 
   // Whether there is something else to be minimized than the energy.

@@ -14,8 +14,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Component_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Filled_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_run.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/may_have_flips.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/property_map.h>

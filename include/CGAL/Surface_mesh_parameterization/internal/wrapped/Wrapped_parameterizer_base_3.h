@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Own_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/may_have_flips.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <cstddef>

@@ -1,8 +1,11 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_DECREASES_H
-#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_DECREASES_H
+#ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_CONVERGENCE_H
+#define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_CONVERGENCE_H
+
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Current_energy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/newton/Level_refiner_options.h>
 
 #include <algorithm>
 #include <array>
@@ -73,6 +76,45 @@ private:
   std::size_t m_number_of_steps = 0;
 };
 
+// Tells from the steps of Newton's method whether they have arrived.
+class Newton_convergence
+{
+public:
+  // A step is little that lowers the excess of `current` by less than the part `least_decrease`.
+  Newton_convergence(const Current_energy& current, bool has_border_barrier, double least_decrease,
+                     const Level_refiner_options& options)
+    : m_current(current), m_options(options), m_has_border_barrier(has_border_barrier),
+      m_least_decrease(least_decrease), m_decreases(options.sudden_fall), m_lull(current.value())
+  { }
+
+  // A step has led to the current energy, lower by `decrease`. `is_regular`: whether it tells how the method converges;
+  // `is_jammed`: whether vertices are still to come free, so no step is too small to go on.
+  void add(double decrease, bool is_regular, bool is_jammed)
+  {
+    m_decreases.add(decrease, is_regular);
+    m_lull.add(m_current.value(),
+               m_current.little(is_jammed ? m_options.least_decrease_with_barrier : m_least_decrease));
+    const bool is_slow = m_current.is_little(decrease, m_least_decrease) ||
+                         m_decreases.remainder() <= m_least_decrease * m_current.excess(),
+               falls_no_more = m_has_border_barrier && m_lull.number_of_steps() >= m_options.most_steps_without_fall;
+    m_has_arrived = ((is_slow && !is_jammed) || falls_no_more) && !m_decreases.is_sudden();
+  }
+
+  bool has_arrived() const { return m_has_arrived; }
+
+  // 0 before the first step.
+  double last_decrease() const { return m_decreases.last(); }
+
+private:
+  const Current_energy& m_current;
+  const Level_refiner_options& m_options;
+  const bool m_has_border_barrier;
+  const double m_least_decrease;
+  Decreases m_decreases;
+  Lull m_lull;
+  bool m_has_arrived = false;
+};
+
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
-#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_DECREASES_H
+#endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_CONVERGENCE_H
