@@ -8,8 +8,9 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/sum_over_corners.h>
 
-#include <cstddef>
+#include <array>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -36,13 +37,10 @@ struct Harmonic_edge_weights_3
   void operator()(const internal::Point_3& v, const std::vector<internal::Point_3>& ring, bool is_closed,
                   std::vector<double>& weights) const
   {
-    weights.assign(ring.size(), 0.);
-    for (std::size_t i = 0; i + (is_closed ? 0 : 1) < ring.size(); ++i) {
-      const std::size_t j = internal::next_in_cycle(i, ring.size());
-      const internal::Rest_corner corner = internal::rest_corner(v, ring[i], ring[j]);
-      weights[i] += 0.5 * corner.cotangent_at_b();
-      weights[j] += 0.5 * corner.cotangent_at_a();
-    }
+    const auto halves_of_cotangents = [](const internal::Rest_corner& corner) {
+      return std::array<double, 2>{ 0.5 * corner.cotangent_at_b(), 0.5 * corner.cotangent_at_a() };
+    };
+    internal::sum_over_corners(v, ring, is_closed, halves_of_cotangents, weights);
   }
 };
 

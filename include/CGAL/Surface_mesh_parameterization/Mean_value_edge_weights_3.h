@@ -8,9 +8,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/Rest_triangle.h>
+#include <CGAL/Surface_mesh_parameterization/internal/star/sum_over_corners.h>
 
+#include <array>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -36,15 +37,12 @@ struct Mean_value_edge_weights_3
   void operator()(const internal::Point_3& v, const std::vector<internal::Point_3>& ring, bool is_closed,
                   std::vector<double>& weights) const
   {
-    weights.assign(ring.size(), 0.);
-    for (std::size_t i = 0; i + (is_closed ? 0 : 1) < ring.size(); ++i) {
-      const std::size_t j = internal::next_in_cycle(i, ring.size());
-      const internal::Rest_corner corner = internal::rest_corner(v, ring[i], ring[j]);
+    const auto tangents_over_lengths = [](const internal::Rest_corner& corner) {
       const double cotangent = corner.cotangent_at_v(), hypotenuse = std::sqrt(1 + cotangent * cotangent);
       const double tangent_of_half = cotangent > 0 ? 1 / (hypotenuse + cotangent) : hypotenuse - cotangent;
-      weights[i] += tangent_of_half / corner.length_to_a();
-      weights[j] += tangent_of_half / corner.length_to_b();
-    }
+      return std::array<double, 2>{ tangent_of_half / corner.length_to_a(), tangent_of_half / corner.length_to_b() };
+    };
+    internal::sum_over_corners(v, ring, is_closed, tangents_over_lengths, weights);
   }
 };
 

@@ -42,15 +42,15 @@ namespace internal {
 template <class TriangleMesh, class NamedParameters>
 auto seams_of(const NamedParameters& np)
 {
-  const CGAL::Constant_property_map<typename boost::graph_traits<TriangleMesh>::edge_descriptor, bool> nowhere(false);
+  const CGAL::Constant_property_map<typename boost::graph_traits<TriangleMesh>::edge_descriptor, bool> no_seams(false);
   const auto seams =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained), nowhere);
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained), no_seams);
   typedef Seam_map_check<std::decay_t<decltype(seams)>, TriangleMesh>   Check;
   if constexpr (Check::value)
     return seams;
   else {
     Check::tell();
-    return nowhere;
+    return no_seams;
   }
 }
 
