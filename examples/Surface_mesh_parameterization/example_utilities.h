@@ -14,7 +14,6 @@
 #include <CGAL/Surface_mesh_parameterization/error_message.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/convex_hull_2.h>
@@ -125,10 +124,13 @@ inline int run_application(int argc, char** argv, const std::string& usage, cons
   }
 }
 
-// The diagonal of the box around a mesh: the unit of errors that are told.
+// The diagonal of the box around the faces of a mesh: the unit of errors that are told.
 inline double box_diagonal(const Mesh& mesh)
 {
-  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  CGAL::Bbox_3 box;
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    if (!mesh.is_isolated(v))
+      box += mesh.point(v).bbox();
   return std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
 }
 
@@ -149,11 +151,14 @@ inline Mesh read_mesh_or(const Arguments& arguments, Mesh (*make_default)())
   return mesh;
 }
 
-// The largest component of the input or of the built-in face.
+// The largest component of the input or of the built-in face, without isolated vertices.
 inline Mesh read_surface(const Arguments& arguments)
 {
   Mesh mesh = read_mesh_or(arguments, built_in_face);
   CGAL::Polygon_mesh_processing::keep_largest_connected_components(mesh, 1);
+  for (const Mesh::Vertex_index v : mesh.vertices())
+    if (mesh.is_isolated(v))
+      mesh.remove_vertex(v);
   mesh.collect_garbage();
   check_size(mesh);
   return mesh;

@@ -35,7 +35,10 @@ torus() {
       print 3, i * n + j, k * n + j, k * n + l; print 3, i * n + j, k * n + l, i * n + l
     } }'
 }
+# The same mesh with a vertex of no face.
+with_isolated_vertex() { awk -v p="$2" 'NR == 2 { n = $1++ } NR == n + 3 { print p } { print }' "$1"; }
 flat_square 8 >square.off
+with_isolated_vertex square.off '0.5 0.5 7' >isolated.off
 torus >torus.off
 make_tetrahedron >tetrahedron.off
 
@@ -75,6 +78,9 @@ test_texture_mapping() {
       }
     }
     ' three.obj >message || fail "three.obj: $(cat message)"
+  with_isolated_vertex three.off '1e90 0 0' >far.off
+  expect 0 far.off --output far.obj
+  expect_counts far.obj 13 13 7
   # A torus becomes a disk, whose border is its s seam edges, twice each: it has s + 1 vertices more.
   expect 0 torus.off --output torus.obj
   expect_counts torus.obj 64 $((64 + $(sed 's/.* \([0-9]*\) seam edges.*/\1/' stdout) + 1)) 128
@@ -94,6 +100,8 @@ test_surface_fitting() {
   # A plane is in every spline space, and its map is a rigid motion.
   expect 0 square.off --columns 9 --rows 5
   holds "$(number_after 'greatest') < 1e-8" "a plane"
+  expect 0 isolated.off --columns 9 --rows 5
+  holds "$(number_after 'greatest') < 1e-8" "a plane and an isolated vertex"
   expect 2 tetrahedron.off
   expect 1 --columns 3
 }
@@ -123,6 +131,9 @@ test_remeshing() {
         if (p^2 > 1e-20 && (1 - p)^2 > 1e-20 && q^2 > 1e-20 && (1 - q)^2 > 1e-20) exit 1
       } }
     }' remeshing.obj || fail "a new vertex is not on the square, or one of the border not on its sides"
+  distance=$(number_after 'of its box:')
+  expect 0 isolated.off --coarsest 10
+  holds "$(number_after 'of its box:') == $distance" "a square and an isolated vertex"
   expect 2 tetrahedron.off
   expect 1 --subdivisions 99
 }

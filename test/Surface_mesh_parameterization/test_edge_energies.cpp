@@ -264,6 +264,39 @@ TEST(Edge_energy, a_factor_of_all_weights_does_not_matter)
     EXPECT_LT(greatest_distance(map_with(factor), expected), 1e-8) << factor;
 }
 
+// The rows of uniform weights, times numbers that are not related.
+struct Weights_of_any_size
+{
+  static constexpr bool is_symmetric = false, is_positive = true;
+  int greatest_exponent = 0, exponent_at_border = 0;
+
+  void operator()(const Point_3& p, const std::vector<Point_3>& ring, bool is_closed,
+                  std::vector<double>& weights) const
+  {
+    const double part = is_closed ? std::sin(1e4 * p.x() + 2e4 * p.y()) : 0;
+    weights.assign(ring.size(), std::ldexp(1., int(part * greatest_exponent) + (is_closed ? 0 : exponent_at_border)));
+  }
+};
+
+// Those of fixed vertices do not count at all.
+TEST(Edge_energy, a_factor_of_each_row_does_not_matter)
+{
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(400, 1, wavy));
+  const std::vector<Kernel::Point_2> expected = map_of(mesh, keeping_flips<Method<Uniform_edge_weights_3>>());
+  for (const auto& [exponent, exponent_at_border] :
+       { std::make_pair(30, 0), { 120, 0 }, { 300, 0 }, { 1000, 0 }, { 0, 1000 }, { 0, -1000 } }) {
+    SCOPED_TRACE(std::to_string(exponent) + " " + std::to_string(exponent_at_border));
+    const Weights_of_any_size weights{ exponent, exponent_at_border };
+    typedef Method<Weights_of_any_size>   Method;
+    Parameterization_summary summary;
+    const auto np = parameters::tolerance(1e-11).flip_policy(Flip_policy::KEEP).summary(std::ref(summary));
+    EXPECT_LT(greatest_distance(map_of(mesh, Method({}, weights, np)), expected), 1e-8);
+    EXPECT_TRUE(summary.converged);
+    EXPECT_LT(greatest_distance(map_of(mesh, hierarchical(Method({}, weights, np), summary)), expected), 1e-8);
+    EXPECT_TRUE(summary.converged);
+  }
+}
+
 // ---- CGAL's methods for the same maps ----
 
 template <class TriangleMesh, class Border>

@@ -122,7 +122,12 @@ TEST(Multigrid_solver_traits, feels_no_scale)
   const Sparse_matrix matrix = edge_matrix(m, Mean_value_edge_weights_3());
   const auto rows = matrix.rows();
   for (const auto& [scale_of_matrix, scale_of_solution] :
-       { std::make_pair(1., 1e-170), { 1., 1e170 }, { 1e-200, 1. }, { 1e200, 1. }, { 1e200, 1e-200 } }) {
+       { std::make_pair(1., 1e-170),
+         { 1., 1e-304 },
+         { 1., 1e170 },
+         { 1e-200, 1. },
+         { 1e200, 1. },
+         { 1e200, 1e-200 } }) {
     SCOPED_TRACE(std::to_string(std::log10(scale_of_matrix)) + " " + std::to_string(std::log10(scale_of_solution)));
     Sparse_matrix scaled(matrix.row_dimension());
     for (Index i = 0; i < rows->number_of_rows(); ++i)

@@ -92,6 +92,53 @@ struct Stubborn_parameterizer : Mean_parameterizer<Mesh, Solver>
   }
 };
 
+// The same, but not known for it.
+template <class Mesh, class Solver>
+struct Patient_parameterizer : Stubborn_parameterizer<Mesh, Solver>
+{ };
+
+// Gives the first vertices no place.
+template <class Mesh, class Solver>
+struct Careless_parameterizer : Mean_parameterizer<Mesh, Solver>
+{
+  static inline std::size_t vertices_without_place = 0;
+
+  template <class Halfedge, class VertexUVMap, class... Arguments>
+  SMP::Error_code parameterize(Mesh& mesh, Halfedge bhd, VertexUVMap uvmap, const Arguments&... arguments)
+  {
+    typedef typename boost::property_traits<VertexUVMap>::value_type   Point_2;
+    auto map = mesh.template add_property_map<typename Mesh::Vertex_index, Point_2>().first;
+    const SMP::Error_code code =
+        Mean_parameterizer<Mesh, Solver>::parameterize(mesh, bhd, map, arguments...);
+    for (std::size_t i = vertices_without_place; i < num_vertices(mesh); ++i)
+      put(uvmap, typename Mesh::Vertex_index(i), get(map, typename Mesh::Vertex_index(i)));
+    mesh.remove_property_map(map);
+    return code;
+  }
+};
+
+// Shares what its user has, which cannot be copied.
+struct Counter
+{
+  Counter() = default;
+  Counter(const Counter&) = delete;
+  int calls = 0;
+};
+
+template <class Mesh, class Solver>
+struct Counting_parameterizer : Mean_parameterizer<Mesh, Solver>
+{
+  Counter& counter;
+  explicit Counting_parameterizer(Counter& counter) : counter(counter) { }
+
+  template <class... Arguments>
+  SMP::Error_code parameterize(Mesh& mesh, const Arguments&... arguments)
+  {
+    ++counter.calls;
+    return Mean_parameterizer<Mesh, Solver>::parameterize(mesh, arguments...);
+  }
+};
+
 } // namespace archetype
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -108,9 +155,30 @@ struct Rebind_solver<archetype::Stubborn_parameterizer<Mesh, Solver>, NewSolver>
   typedef archetype::Stubborn_parameterizer<Mesh, NewSolver>   type;
 };
 
+template <class Mesh, class Solver, class NewSolver>
+struct Rebind_solver<archetype::Patient_parameterizer<Mesh, Solver>, NewSolver>
+{
+  typedef archetype::Patient_parameterizer<Mesh, NewSolver>   type;
+};
+
+template <class Mesh, class Solver, class NewSolver>
+struct Rebind_solver<archetype::Careless_parameterizer<Mesh, Solver>, NewSolver>
+{
+  typedef archetype::Careless_parameterizer<Mesh, NewSolver>   type;
+};
+
+template <class Mesh, class Solver, class NewSolver>
+struct Rebind_solver<archetype::Counting_parameterizer<Mesh, Solver>, NewSolver>
+{
+  typedef archetype::Counting_parameterizer<Mesh, NewSolver>   type;
+};
+
 // As CGAL's iterative authalic one.
 template <class Mesh, class Solver>
-struct internal::Solver_use<archetype::Stubborn_parameterizer<Mesh, Solver>> : Solves_in_pairs { };
+struct internal::Solver_use<archetype::Stubborn_parameterizer<Mesh, Solver>> : Solves_in_pairs
+{
+  static constexpr std::size_t most_failures = 6;
+};
 
 } // namespace CGAL::Surface_mesh_parameterization
 
@@ -309,6 +377,43 @@ TEST(Rebind_solver, lets_a_stop_and_failures_end_a_parameterizer_that_would_go_o
   EXPECT_LE(summary.linear_solver.residual, 1e-10);
   EXPECT_EQ(run(Parameterizer::most_tries, told), ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
   EXPECT_LE(Parameterizer::tries, 10);
+}
+
+TEST(Rebind_solver, lets_a_parameterizer_of_the_user_try_as_often_as_it_wants)
+{
+  typedef archetype::Patient_parameterizer<Surface_mesh, Multigrid_solver_traits>   Parameterizer;
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(300, 3, wavy));
+  Parameterizer::failing_tries = 20;
+  EXPECT_EQ(Wrapped_map<Surface_mesh>(mesh).parameterize(Hierarchical_parameterizer_3<Parameterizer>(),
+                                                         longest_border(mesh)), OK);
+  EXPECT_EQ(Parameterizer::tries, 21);
+}
+
+TEST(Rebind_solver, misses_places_that_a_parameterizer_does_not_give)
+{
+  typedef archetype::Careless_parameterizer<Surface_mesh, Multigrid_solver_traits>   Parameterizer;
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(300, 3, wavy));
+  for (const std::size_t missing : { 0, 1, 20 }) {
+    Parameterizer::vertices_without_place = missing;
+    Parameterization_summary summary;
+    Hierarchical_parameterizer_3<Parameterizer> parameterizer(parameters::summary(std::ref(summary)));
+    Wrapped_map<Surface_mesh> mapped(mesh);
+    EXPECT_EQ(mapped.parameterize(parameterizer, longest_border(mesh)),
+              missing == 0 ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM);
+    EXPECT_EQ(mapped.is_untouched(), missing > 0);
+    EXPECT_EQ(summary.error.cause != nullptr, missing > 0);
+  }
+}
+
+TEST(Wrapped_constructor, hands_on_references)
+{
+  typedef archetype::Counting_parameterizer<Surface_mesh, Multigrid_solver_traits>   Parameterizer;
+  Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(300, 3, wavy));
+  archetype::Counter counter;
+  const Hierarchical_parameterizer_3<Parameterizer> original(std::ref(counter));
+  Hierarchical_parameterizer_3<Parameterizer> copy = original;
+  EXPECT_EQ(Wrapped_map<Surface_mesh>(mesh).parameterize(copy, longest_border(mesh)), OK);
+  EXPECT_GT(counter.calls, 0);
 }
 
 } // namespace test_wrapped_constructors

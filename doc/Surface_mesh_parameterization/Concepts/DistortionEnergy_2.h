@@ -13,7 +13,8 @@
 ///
 /// Models are classes, not `final`, that are `DefaultConstructible`, `CopyConstructible` and `Assignable`. An energy
 /// with parameters of its own is passed to the constructor of `Distortion_parameterizer_3` as an object; the functions
-/// of one without may be `static`.
+/// of one without may be `static`. Several threads may call the functions of one object or of its copies at the same
+/// time.
 ///
 /// For a triangle of area 1, a run compares the first derivatives at a few places with differences of values, and a
 /// scale-invariant energy at two scales. Where they are not the same it ends with `ERROR_WRONG_PARAMETER`, and the

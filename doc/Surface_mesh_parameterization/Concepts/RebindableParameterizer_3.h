@@ -9,7 +9,8 @@
 /// same. A model has a specialization of `Rebind_solver`. Models with CGAL's three template parameters, mesh, border
 /// parameterizer and solver traits, need none. A run in which a model does not use the solver that it is given ends
 /// with `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`. Where multigrid does not suit a system, the model's own solver solves it,
-/// made by its default constructor; if it has none, a sparse LU factorization does. LSCM's system is factorized as a
+/// made by its default constructor: the third of CGAL's template parameters, or the type `Solver_traits` of a model
+/// with others. Without such a constructor or type, a sparse LU factorization does. LSCM's system is factorized as a
 /// complex one there.
 ///
 /// Its systems

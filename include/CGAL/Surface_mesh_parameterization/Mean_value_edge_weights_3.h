@@ -19,8 +19,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \ingroup PkgHierarchicalParameterizationEnergies
 ///
 /// The weight is the sum of the tangents of half the two angles at the vertex beside the edge, divided by the length of
-/// the edge. A planar mesh is mapped onto itself if its border is. All weights are positive, so no triangle flips if
-/// the border is convex.
+/// the edge. A planar mesh without holes is mapped onto itself if its border is. All weights are positive, so no
+/// triangle flips if the border is convex.
 ///
 /// An edge on the border of a hole has one such angle. A triangle whose height is less than 1e-6 of its longest edge is
 /// treated as if it had that height, an edge without length as 1e-4 of the other two.

@@ -57,6 +57,9 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   Parameterizer().parameterize(mesh, bhd, uvmap, vimap, vpmap);
 /// \endcode
 ///
+/// `LSCM_parameterizer_3` is one that does, and needs a solver whose index map is negative at the two vertices that it
+/// pins, since these have no unknowns.
+///
 /// Copies share their state, so several threads must not use them at once. CGAL's heat method asks for more than the
 /// concept, and does not take this solver.
 ///

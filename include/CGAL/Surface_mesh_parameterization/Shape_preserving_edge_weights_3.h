@@ -21,8 +21,8 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// The discrete exponential map flattens the one-ring of a vertex. For each neighbor, the vertex then lies in a
 /// triangle of this neighbor and two other, consecutive ones. The weights are the means of its barycentric coordinates
-/// in these triangles, and sum to 1. A planar mesh is mapped onto itself if its border is. No weight is negative, so no
-/// triangle flips if the border is convex.
+/// in these triangles, and sum to 1. A planar mesh whose holes are convex is mapped onto itself if its border is. No
+/// weight is negative, so no triangle flips if the border is convex.
 ///
 /// For a vertex on the border of a hole, its two neighbors on that border count as joined by a triangle.
 ///

@@ -99,8 +99,8 @@ Atlas read_atlas(const TriangleMesh& mesh, EdgeSeamMap seams, const Atlas_option
 /// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; it is only read
 /// \param uvmap a writable property map from halfedges to points of the plane. Untouched on an error, except that of a
 ///        chart: the corners of that chart are untouched, the others have their places. To tell them apart, fill the
-///        map with coordinates that are not finite before, which is also what `IO::write_OBJ()` looks for, or ask
-///        `chart_of_face`
+///        map with coordinates that are not finite before, which is also what `IO::write_OBJ()` looks for, or, where
+///        coordinates cannot be so, as exact ones, ask `chart_of_face`
 /// \param np the named parameters of `cut_to_disk()` and of `pack_charts()`, and
 /// - `edge_is_constrained_map`: a readable property map from edges to `bool`: where the surface is cut in any case;
 ///   default: nowhere
@@ -109,8 +109,8 @@ Atlas read_atlas(const TriangleMesh& mesh, EdgeSeamMap seams, const Atlas_option
 ///   frame, so that further ones can. Up to 50 cuts are tried, and the best division is taken, which need not reach the
 ///   value; 0.7 is within reach of most surfaces. The map of a part remains. More than 200 charts are not divided, nor
 ///   those that would cover the part if a `margin` greater than the default were the default. 0: no chart is divided. A
-///   `double` or a `std::optional<double>`. Default: 0.25, which only slender surfaces, frames and the like do not reach
-///   in one chart
+///   `double` or a `std::optional<double>`. Default: 0.25, which only slender surfaces, frames and the like do not
+///   reach in one chart
 /// - `overlap_bound`: the part of a chart's triangles, from 0 to 1, that may lie over others, counted by their
 ///   centroids, when the method has minimized its energy, or before it keeps borders apart if it can do so. Where more
 ///   do, the chart is divided; a part that exceeds `distortion_bound` is cut further. 1: no chart is divided. A

@@ -43,7 +43,8 @@ void Loops::for_each_block(Index first, Index last, Function_ref<void(Index, Ind
   };
 #ifdef CGAL_LINKED_WITH_TBB
   if (m_is_parallel && blocks > 1) {
-    tbb::task_group_context context(tbb::task_group_context::isolated);
+    typedef tbb::task_group_context   Context;      // with the caller's rounding mode in all threads
+    Context context(Context::isolated, Context::default_traits | Context::fp_settings);
     tbb::this_task_arena::isolate([&] { tbb::parallel_for(Index(0), blocks, run, context); });
     return;
   }

@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -39,9 +41,13 @@ public:
   // a_ij
   double get_coef(std::size_t i, std::size_t j) const
   {
-    merge();
-    const std::size_t k = position(i, j);
-    return k == not_found ? 0 : m_rows->values[k];
+    if (m_waiting.empty())
+      return merged_coef(i, j);
+    if (m_coef_of_waiting.empty())
+      for (const Entry& entry : m_waiting)
+        count_in(entry);
+    const auto found = m_coef_of_waiting.find(key(i, j));
+    return found == m_coef_of_waiting.end() ? merged_coef(i, j) : found->second;
   }
 
   // a_ij := value; `is_new`: the caller knows that a_ij has not been set before, which saves time while the matrix is
@@ -85,7 +91,25 @@ private:
     if (m_waiting.size() == m_waiting.capacity())
       make_room();
     m_waiting.push_back({ Index(i), Index(j), replaces, value });
+    if (!m_coef_of_waiting.empty())
+      count_in(m_waiting.back());
     m_replacements_wait = m_replacements_wait || replaces;
+  }
+
+  double merged_coef(std::size_t i, std::size_t j) const
+  {
+    const std::size_t k = position(i, j);
+    return k == not_found ? 0 : m_rows->values[k];
+  }
+
+  static std::uint64_t key(std::size_t i, std::size_t j) { return std::uint64_t(i) << 32 | j; }
+
+  // Adds an entry that waits to what get_coef() knows of those.
+  void count_in(const Entry& entry) const
+  {
+    double& coef = m_coef_of_waiting.try_emplace(key(entry.row, entry.column), merged_coef(entry.row, entry.column))
+                       .first->second;
+    coef = entry.replaces ? entry.value : coef + entry.value;
   }
 
   // For one more entry that waits. Merges those that wait if they are many.
@@ -125,6 +149,8 @@ private:
   mutable std::shared_ptr<Rows> m_rows;
   mutable std::vector<Entry> m_waiting;
   mutable bool m_replacements_wait = false;
+  // a_ij where something waits for it, by key(i, j); empty until somebody asks for one
+  mutable std::unordered_map<std::uint64_t, double> m_coef_of_waiting;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

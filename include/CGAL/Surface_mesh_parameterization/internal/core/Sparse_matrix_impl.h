@@ -49,6 +49,7 @@ void Sparse_matrix::merge() const
   merged->values.shrink_to_fit();
   m_rows = merged;
   std::vector<Entry>().swap(m_waiting);
+  m_coef_of_waiting.clear();
   m_replacements_wait = false;
 }
 

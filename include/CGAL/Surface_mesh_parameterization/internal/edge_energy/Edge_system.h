@@ -44,8 +44,8 @@ public:
   std::vector<Index> free_vertices() const;
 
   // Row i holds the sum of its weights on the diagonal, and -c_ij; columns ascend. The solution for right_side() is by
-  // how much the vertices are to move.
-  Sparse_rows<double> matrix(const std::vector<Index>& free_vertices) const;
+  // how much the vertices are to move. With rows of unit sum, it is that for residual().
+  Sparse_rows<double> matrix(const std::vector<Index>& free_vertices, bool has_unit_sums = false) const;
 
   // sum_j c_ij (p_j - p_i)
   Vector_2 right_side(Index i, const Level::Uv& uv) const { return m_row_sums[i] * residual(i, uv); }
@@ -62,8 +62,8 @@ public:
     return Vector_2(x, y);
   }
 
-  // Whether rows of uniform weights took the place of others, so that the matrix need not be symmetric even if the
-  // weights are.
+  // Whether rows of uniform weights took the place of others, or rows have another sum than their weights, so that the
+  // matrix need not be symmetric even if the weights are.
   bool has_replaced_rows() const { return m_has_replaced_rows; }
 
   // Puts every vertex that is not fixed into the middle of the others.
@@ -86,7 +86,8 @@ private:
   // A row whose sum is not positive or not finite is taken for one of uniform weights. Returns whether it was not.
   bool set_row(Index i, const std::vector<double>& row);
 
-  // So that the greatest is about 1.
+  // So that the greatest of a free vertex is about 1. Those that are next to 0 then are raised: they may take any
+  // value, but for the symmetry of the matrix.
   void scale_row_sums();
 
   Bbox_2 box_of_fixed_places() const;

@@ -14,6 +14,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -72,9 +73,19 @@ bool Edge_system::set_row(Index i, const std::vector<double>& row)
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Edge_system::scale_row_sums()
 {
-  m_exponent_of_sums = -std::ilogb(*std::max_element(m_row_sums.begin(), m_row_sums.end()));
-  for (double& sum : m_row_sums)
-    sum = std::ldexp(sum, m_exponent_of_sums);
+  const double least = std::ldexp(1., -500), greatest = (std::numeric_limits<double>::max)();
+  double greatest_of_free = 0;
+  for (Index i = 0; i < size(); ++i)
+    if (!m_level.is_fixed(i))
+      greatest_of_free = (std::max)(greatest_of_free, m_row_sums[i]);
+  if (greatest_of_free == 0)
+    return;
+  m_exponent_of_sums = -std::ilogb(greatest_of_free);
+  for (Index i = 0; i < size(); ++i) {
+    const double sum = std::ldexp(m_row_sums[i], m_exponent_of_sums);
+    m_row_sums[i] = std::clamp(sum, least, greatest);
+    m_has_replaced_rows = m_has_replaced_rows || (sum < least && !m_level.is_fixed(i));
+  }
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -91,17 +102,18 @@ std::vector<Index> Edge_system::free_vertices() const
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Sparse_rows<double> Edge_system::matrix(const std::vector<Index>& free_vertices) const
+Sparse_rows<double> Edge_system::matrix(const std::vector<Index>& free_vertices, bool has_unit_sums) const
 {
   const std::vector<Index> number = positions_in(free_vertices, size());
   Sparse_rows<double> result;
   Sparse_row row;
   for (const Index i : free_vertices) {
-    row.assign(1, { number[i], m_row_sums[i] });
+    const double sum = has_unit_sums ? 1 : m_row_sums[i];
+    row.assign(1, { number[i], sum });
     const double* weight = m_weights.data() + m_level.rings().first_slot(i);
     for (const Index j : m_level.one_ring(i)) {
       if (number[j] != no_index)
-        row.push_back({ number[j], -m_row_sums[i] * *weight });
+        row.push_back({ number[j], -sum * *weight });
       ++weight;
     }
     std::sort(row.begin(), row.end());

@@ -26,12 +26,14 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Map_correction
 {
 public:
-  Map_correction(const Edge_system& system, std::vector<Index> free_vertices, const Level::Uv& uv)
+  // For the matrix of the system, which may have rows of unit sum.
+  Map_correction(const Edge_system& system, std::vector<Index> free_vertices, const Level::Uv& uv,
+                 bool has_unit_sums = false)
     : m_vertices(std::move(free_vertices)), m_right_side(2 * m_vertices.size()), m_solution(2 * m_vertices.size())
   {
     const std::size_t n = m_vertices.size();
     for (std::size_t k = 0; k < n; ++k) {
-      const Vector_2 b = system.right_side(m_vertices[k], uv);
+      const Vector_2 b = has_unit_sums ? system.residual(m_vertices[k], uv) : system.right_side(m_vertices[k], uv);
       m_right_side[k] = b.x();
       m_right_side[n + k] = b.y();
     }
@@ -59,6 +61,7 @@ private:
   std::vector<double> m_right_side, m_solution;
 };
 
+// A factorization of rows whose sums are very different takes bad pivots. Only symmetric ones keep them.
 template <bool is_symmetric>
 Error_code solve_directly(const Edge_system& system, Level::Uv& uv)
 {
@@ -68,16 +71,16 @@ Error_code solve_directly(const Edge_system& system, Level::Uv& uv)
   system.put_in_one_point(uv);
   if (vertices.empty())
     return OK;
-  const Sparse_rows<double> matrix = system.matrix(vertices);
   std::unique_ptr<Direct_solver> solver;
   if constexpr (is_symmetric)
     if (!system.has_replaced_rows())
-      solver = factorize_symmetric_rows(matrix);
+      solver = factorize_symmetric_rows(system.matrix(vertices));
+  const bool has_unit_sums = !solver;
   if (!solver)
-    solver = factorize_rows(matrix);
+    solver = factorize_rows(system.matrix(vertices, has_unit_sums));
   if (!solver)
     return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-  Map_correction correction(system, vertices, uv);
+  Map_correction correction(system, vertices, uv, has_unit_sums);
   solver->solve(correction.right_side(), correction.solution(), 2);
   return correction.apply(uv) ? OK : ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
 }
@@ -129,7 +132,7 @@ Error_code solve_by_multigrid(const Edge_system& system, double tolerance, std::
   constexpr double safety = 0.99;               // for rounding
   const Level& level = system.level();
   const double wanted_residual = level.is_finest() ? tolerance : (std::max)(tolerance, coarse_residual);
-  const double residual = system.relative_residual(uv);
+  double residual = system.relative_residual(uv);
   summary.energy_start = summary.energy_end = system.energy(uv);
   summary.converged = residual <= wanted_residual;
   if (!level.progressed(summary, 0))
@@ -138,6 +141,10 @@ Error_code solve_by_multigrid(const Edge_system& system, double tolerance, std::
     return OK;
   if (!std::isfinite(residual))
     return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
+  if (residual > 1) {      // a start that is worse than none
+    system.put_in_one_point(uv);
+    residual = 1;
+  }
 
   Iterations_on_level listener(level, summary);
   Run_progress progress(level.is_watched() ? &listener : nullptr);

@@ -52,6 +52,9 @@ struct Linear_solver_options
   std::size_t rows_for_a_wild_one = 300;
   std::size_t most_vain_matrices = (std::numeric_limits<std::size_t>::max)();     // tried in a row and not solved
 
+  // Solutions in a row that fail, after which Solver_gives_up is thrown.
+  std::size_t most_failures = (std::numeric_limits<std::size_t>::max)();
+
   // Solutions without iteration: of a nearly singular matrix, none has a residual below the tolerance. Of one that is
   // regular by rounding only, they are huge, so that their backward error is small whatever they are.
   double worst_backward_error = 1e-10;

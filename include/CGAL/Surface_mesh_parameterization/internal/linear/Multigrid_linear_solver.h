@@ -158,12 +158,12 @@ private:
     constexpr int greatest_exponent = 1000;
     Value result = Value::all(1);
     for (std::size_t c = 0; c < right_sides.size(); ++c) {
-      int exponent = -greatest_exponent;
+      int exponent = (std::numeric_limits<int>::min)();
       for (Index i = 0; i < m_system.size(); ++i)
         if (const double b = right_sides[c][i]; std::isfinite(b) && b != 0)
           exponent = (std::max)(exponent, std::ilogb(b) + std::ilogb(m_system.inverse_diagonal(i)));
-      if (exponent > -greatest_exponent)
-        result[int(c)] = std::ldexp(1., -(std::min)(exponent, greatest_exponent));
+      if (exponent > (std::numeric_limits<int>::min)())
+        result[int(c)] = std::ldexp(1., -std::clamp(exponent, -greatest_exponent, greatest_exponent));
     }
     return result;
   }
@@ -215,8 +215,8 @@ private:
       compute_residual(a);
     }
     Linear_solver_result result;
-    for (int i = 0; i < options.most_starts && result.iterations < options.most_iterations && !iteration.is_solved(a.r) &&
-                    !is_stopped(options);
+    for (int i = 0; i < options.most_starts && result.iterations < options.most_iterations &&
+                    !iteration.is_solved(a.r) && !is_stopped(options);
          ++i) {
       const std::size_t left = options.most_iterations - result.iterations;
       if (m_system.is_symmetric()) {

@@ -22,7 +22,7 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 // Is thrown by the solver of a run, through the parameterizer that uses it, where the run is to end. Not each one
-// would end by itself: Iterative_authalic_parameterizer_3 tries again, and its count of failures starts at any number.
+// would end by itself.
 struct Solver_gives_up
 { };
 
@@ -113,7 +113,7 @@ private:
   std::vector<double> m_waiting_right_side;
   std::shared_ptr<Vector::Numbers> m_waiting_solution;
   bool m_all_solved = true;       // of what was put off
-  int m_failures = 0;             // in a row
+  std::size_t m_failures = 0;     // in a row
   bool m_has_grids = false;       // the solver
   bool m_last_was_direct = false;
   std::size_t m_vain_matrices = 0;        // in a row, which the grids did not solve

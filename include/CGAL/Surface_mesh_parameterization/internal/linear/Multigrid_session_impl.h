@@ -171,7 +171,6 @@ bool Multigrid_session::make_solver(std::shared_ptr<const Sparse_rows<double>> r
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::solve(const Sparse_matrix& matrix, const Vector& right_side, Vector& solution)
 {
-  constexpr int most_failures = 6;      // CGAL's iterative authalic one ends by itself after 5
   const bool is_set_up = set_up(matrix);
   m_summary.failures += is_set_up ? 0 : 1;
   const bool is_solved =
@@ -180,7 +179,7 @@ bool Multigrid_session::solve(const Sparse_matrix& matrix, const Vector& right_s
     ++m_failures;
   else if (!m_waiting_solution)       // what waits may still fail
     m_failures = 0;
-  if (is_stopped(m_options) || (m_options.progress && m_failures == most_failures))
+  if (is_stopped(m_options) || m_failures == m_options.most_failures)
     throw Solver_gives_up();
   return is_solved;
 }

@@ -119,6 +119,8 @@ void set_fallback(Linear_solver_options& options)
     options.most_vain_matrices = 2;
     options.aim = Solver_use<Parameterizer>::aim;
   }
+  if constexpr (Solver_use<Parameterizer>::most_failures > 0)
+    options.most_failures = Solver_use<Parameterizer>::most_failures;
   if constexpr (Solver_use<Parameterizer>::is_complex)
     options.make_direct_solver = &factorize_as_complex<double>;
 }

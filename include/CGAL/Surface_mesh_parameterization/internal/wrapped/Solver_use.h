@@ -29,6 +29,7 @@ struct Plain_solver_use
   static constexpr bool is_complex = false;               // its matrix is that of a complex one, see complex_rows()
   static constexpr bool has_positive_weights = false;     // see may_have_flips
   static constexpr bool takes_iterations = false;         // as the first further argument; 0 would be a crash
+  static constexpr std::size_t most_failures = 0;         // if it goes on trying where a solution fails; else 0
   static constexpr double part_of_solution = 0.9;         // of what is left of a run, the time of a solution
 
   // Of the matrices that are for multigrid, see Linear_solver_options. Cotangent weights of the worst triangles stay
@@ -74,6 +75,7 @@ struct Solver_use<Iterative_authalic_parameterizer_3<M, B, S>> : Solves_in_pairs
   static constexpr bool always_suits_multigrid = false;
   static constexpr double greatest_row_sum = 3;
   static constexpr bool takes_iterations = true;
+  static constexpr std::size_t most_failures = 6;     // it ends by itself after 5, but its count starts at any number
   static constexpr double aim = 1e-5;
   static constexpr double part_of_solution = 0.1;
 };

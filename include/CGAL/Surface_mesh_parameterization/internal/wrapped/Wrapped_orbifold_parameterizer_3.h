@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Component_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_run.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/flat_map.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -71,7 +72,7 @@ private:
                         "the cones must lie on the seam, on both of its sides, with the unique ones at its ends");
     if (!run.interpolation())
       return run.error();
-    std::vector<User_point_2> uv(run.vertices().size());
+    std::vector<User_point_2> uv = places_not_given<User_point_2>(run.vertices().size());
     const auto session =
         std::make_shared<Constrained_session>(run.interpolation(), run.number_vertices_as(vimap),
                                               run.solver_options(Plain_solver_use::part_of_solution),

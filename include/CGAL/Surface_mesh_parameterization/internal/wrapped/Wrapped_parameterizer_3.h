@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_run.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/flat_map.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -153,7 +154,7 @@ private:
   static void copy_places(const std::vector<vertex_descriptor>& vertices, VertexUVMap uvmap,
                           VertexParameterizedMap vpmap, std::vector<Point>& uv, std::vector<char>& is_placed)
   {
-    uv = std::vector<Point>(vertices.size());
+    uv = places_not_given<Point>(vertices.size());
     is_placed.assign(vertices.size(), false);
     for (std::size_t i = 0; i < vertices.size(); ++i)
       if (vertices[i] != Graph_traits::null_vertex() && get(vpmap, vertices[i])) {

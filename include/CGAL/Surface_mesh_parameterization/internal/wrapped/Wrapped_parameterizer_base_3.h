@@ -46,7 +46,7 @@ public:
             class = std::enable_if_t<!std::is_base_of<Wrapped_parameterizer_base_3, First>::value>>
   explicit Wrapped_parameterizer_base_3(const First& first, const Others&... others)
   {
-    const auto arguments = std::make_tuple(first, others...);
+    const auto arguments = std::tuple<std::decay_t<First>, std::decay_t<Others>...>(first, others...);
     constexpr std::size_t last = sizeof...(others);
     typedef std::decay_t<decltype(std::get<last>(arguments))>   Last;
     if constexpr (is_named_parameters<Last>) {

@@ -213,6 +213,9 @@ public:
   Parameterization_summary& summary() { return m_options.summary ? *m_options.summary : m_own_summary; }
 
 private:
+  static constexpr const char* cause_of_missing_place =
+      "the parameterizer gave a vertex no place, or one that is not finite";
+
   // The number of sides that have a length.
   static int dimension_of_box(const std::vector<Point_3>& points)
   {
@@ -225,9 +228,10 @@ private:
   template <class Point>
   Error_code close(Error_code code, const std::vector<Point>& uv)
   {
-    if (code == OK && !is_finite_map(uv))
+    const bool has_no_place = code == OK && !is_finite_map(uv);
+    if (has_no_place)
       code = ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
-    summary().error.code = code;
+    summary().error = { code, Parameterization_error::NOWHERE, 0, has_no_place ? cause_of_missing_place : nullptr };
     summary().converged = code == OK && summary().linear_solver.failures == 0;
     summary().seconds_parameterize = m_timer.time() - summary().seconds_hierarchy;
     return code;
