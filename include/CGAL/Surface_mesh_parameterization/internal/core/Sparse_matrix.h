@@ -138,12 +138,13 @@ private:
     return true;
   }
 
-  // Merges each row with what waits for it.
+  // Merges each row with what waits for it. That is done in place, from the last row on, since no row becomes shorter:
+  // a copy would double the memory.
   void merge() const;
 
-  // Of the columns that the row has met, `place` tells where in `row` they are; of others, anything.
+  // Writes `row`, in any order. Of the columns that it has met, `place` tells where they are; of others, anything.
   void merge_row(Index i, boost::iterator_range<const Index*> waiting, std::vector<Index>& place,
-                 Sparse_row& row, Rows& merged) const;
+                 Sparse_row& row) const;
 
   std::size_t m_columns;
   mutable std::shared_ptr<Rows> m_rows;

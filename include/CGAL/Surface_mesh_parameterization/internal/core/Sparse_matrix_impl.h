@@ -31,23 +31,36 @@ void Sparse_matrix::make_room()
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Sparse_matrix::merge() const
 {
+  constexpr std::size_t greatest_expected_row_size = 16;
   if (m_waiting.empty())
     return;
-  const Rows& old = *m_rows;
-  const Index n = old.number_of_rows();
+  if (m_rows.use_count() > 1)
+    m_rows = std::make_shared<Rows>(*m_rows);
+  Rows& rows = *m_rows;
+  const Index n = rows.number_of_rows();
   const Compressed_lists<Index> waiting_of_row(n, [this](const auto& add) {
     for (std::size_t k = 0; k < m_waiting.size(); ++k)
       add(m_waiting[k].row, Index(k));
   });
-  const auto merged = std::make_shared<Rows>();
-  merged->reserve(n, old.columns.size() + m_waiting.size());
-  std::vector<Index> place(m_columns, 0);
+  std::vector<Index> place(m_columns, 0), first = { 0 };
+  first.reserve(std::size_t(n) + 1);
   Sparse_row row;
-  for (Index i = 0; i < n; ++i)
-    merge_row(i, waiting_of_row[i], place, row, *merged);
-  merged->columns.shrink_to_fit();
-  merged->values.shrink_to_fit();
-  m_rows = merged;
+  for (Index i = 0; i < n; ++i) {
+    merge_row(i, waiting_of_row[i], place, row);
+    first.push_back(Rows::checked_end(first.back() + row.size()));
+  }
+  rows.reserve(n, (std::max)(std::size_t(first.back()), n * greatest_expected_row_size));
+  rows.columns.resize(first.back());
+  rows.values.resize(first.back());
+  for (Index i = n; i-- > 0;) {
+    merge_row(i, waiting_of_row[i], place, row);
+    std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      rows.columns[first[i] + k] = row[k].first;
+      rows.values[first[i] + k] = row[k].second;
+    }
+  }
+  rows.first.swap(first);
   std::vector<Entry>().swap(m_waiting);
   m_coef_of_waiting.clear();
   m_replacements_wait = false;
@@ -55,7 +68,7 @@ void Sparse_matrix::merge() const
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Sparse_matrix::merge_row(Index i, boost::iterator_range<const Index*> waiting, std::vector<Index>& place,
-                              Sparse_row& row, Rows& merged) const
+                              Sparse_row& row) const
 {
   row.clear();
   const auto at = [&](Index column) -> double& {
@@ -71,8 +84,6 @@ void Sparse_matrix::merge_row(Index i, boost::iterator_range<const Index*> waiti
     double& value = at(e.column);
     value = e.replaces ? e.value : value + e.value;
   }
-  std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  merged.append(row);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
