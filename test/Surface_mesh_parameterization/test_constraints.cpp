@@ -387,7 +387,12 @@ TYPED_TEST(Held_vertices, that_contradict_each_other_are_an_error)
     return result;
   };
   const Mesh::Face_index face(70);
-  const std::vector<Mesh::Vertex_index> corners = corners_of(face);
+  const std::vector<Mesh::Vertex_index> corners = corners_of(face), others = corners_of(Mesh::Face_index(190));
+  const Kernel_point positive[] = { Kernel_point(10, 0), Kernel_point(11, 0), Kernel_point(10, 1) };
+  for (int i = 0; i < 3; ++i) {      // so that the map cannot be mirrored as a whole
+    m.is_held[others[i]] = true;
+    m.uvmap[others[i]] = positive[i];
+  }
   const std::vector<std::vector<Kernel_point>> contradictions = {
     { Kernel_point(0, 0), Kernel_point(0, 1), Kernel_point(1, 0) },       // negative
     { Kernel_point(0, 0), Kernel_point(1, 1), Kernel_point(2, 2) },       // degenerate

@@ -97,14 +97,14 @@ public:
     m_lambda = parameters::choose_parameter(parameters::get_parameter(np, internal_np::lambda), m_lambda);
   }
 
-  /// Tutte's map of a level, scaled to the surface's area. In a flat run it is then improved without flips.
-  /// \return `OK`, `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING` if Tutte's map, computed in
-  /// doubles, has a flip; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if an option is negative or no number
+  /// the first map of `Symmetric_Dirichlet_parameterizer_3`. In a flat run it is then improved without flips.
+  /// \return as there, or `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if an option is negative or no number
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
     if (fault_of_options())
       return ERROR_WRONG_PARAMETER;
-    const Error_code status = internal::compute_first_map(level, uv);
+    const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> energy(level, m_options.triangle_weight);
+    const Error_code status = internal::choose_first_map(energy, m_options, uv);
     if (status != OK)
       return status;
     Level_summary unused_summary;

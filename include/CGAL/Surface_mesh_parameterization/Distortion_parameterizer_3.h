@@ -118,7 +118,8 @@ public:
     : Distortion_parameterizer_3(Energy(), defaults, np)
   { }
 
-  /// the map of less energy among Tutte's, scaled to the surface's area, and the unfolded level, if that is a map.
+  /// the map of less energy among Tutte's, scaled to the surface's area, and the unfolded level, if that is a map. In
+  /// a flat run whose outer border is held, Tutte's map with that at its places, if it has no flip.
   /// \return `OK`, or if the unfolded level is no map: `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING`
   /// if Tutte's map, computed in doubles, has a flip; `ERROR_WRONG_PARAMETER` if an option makes no sense
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
@@ -132,8 +133,7 @@ public:
   /// improves a flip-free map of a level and keeps it flip-free.
   /// \return `OK`, or `ERROR_NO_1_TO_1_MAPPING` if `globally_injective` is true and the borders could not be
   ///         separated, or if on the finest level the energy is not finite or a vertex could not be brought to the
-  ///         place that is given; `ERROR_STOPPED`;
-  ///         `ERROR_WRONG_PARAMETER` if an option makes no sense
+  ///         place that is given; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if an option makes no sense
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     if (!m_options.are_valid())

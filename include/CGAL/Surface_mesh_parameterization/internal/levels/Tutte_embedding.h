@@ -18,6 +18,10 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // `ERROR_NO_1_TO_1_MAPPING` if a triangle is not positive; then `uv` is what doubles gave.
 Error_code compute_Tutte_embedding(const Level& level, Level::Uv& uv);
 
+// The same with the outer border at given places. They may be such that the map has flips, or not be given for all of
+// the border, which is `ERROR_NO_1_TO_1_MAPPING`, too.
+Error_code compute_Tutte_embedding_at_places(const Level& level, Level::Uv& uv);
+
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
 #ifndef CGAL_HIERARCHICAL_PARAMETERIZATION_CORE

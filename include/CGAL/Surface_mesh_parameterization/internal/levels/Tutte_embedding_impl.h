@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_TUTTE_EMBEDDING_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_TUTTE_EMBEDDING_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/place_in_the_middle.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
@@ -48,8 +49,20 @@ inline void place_on_circle(const Level& level, const std::vector<Index>& border
   }
 }
 
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code compute_Tutte_embedding(const Level& level, Level::Uv& uv)
+// Returns whether places are given for all of the border.
+inline bool place_as_given(const Level& level, const std::vector<Index>& border, Level::Uv& uv)
+{
+  std::vector<bool> is_fixed(uv.size(), false);
+  for (const Index v : fixed_vertices(level)) {
+    is_fixed[v] = true;
+    uv[v] = level.fixed_place(v);
+  }
+  return std::all_of(border.begin(), border.end(), [&](Index v) { return is_fixed[v]; });
+}
+
+// Calls `place_border(border, uv)`, which returns whether it could place the outer border.
+template <class Function>
+Error_code compute_Tutte_embedding(const Level& level, const Function& place_border, Level::Uv& uv)
 {
   std::vector<std::vector<Index>> borders = level.rings().borders();
   const auto outer = std::find_if(borders.begin(), borders.end(), [&](const std::vector<Index>& border) {
@@ -61,7 +74,8 @@ Error_code compute_Tutte_embedding(const Level& level, Level::Uv& uv)
   const std::vector<Index> border = std::move(borders.front());
   borders.erase(borders.begin());
   uv.assign(level.number_of_vertices(), Point_2(0, 0));
-  place_on_circle(level, border, uv);
+  if (!place_border(border, uv))
+    return ERROR_NO_1_TO_1_MAPPING;
 
   std::vector<Index> unknown(uv.size(), 0), vertices;
   for (const Index v : border)
@@ -74,6 +88,25 @@ Error_code compute_Tutte_embedding(const Level& level, Level::Uv& uv)
   if (!vertices.empty() && !place_in_the_middle(level.rings(), vertices, unknown, borders, uv))
     return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
   return is_map_valid(level.rings(), uv, level.loops()) ? OK : ERROR_NO_1_TO_1_MAPPING;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code compute_Tutte_embedding(const Level& level, Level::Uv& uv)
+{
+  const auto on_circle = [&](const std::vector<Index>& border, Level::Uv& map) {
+    place_on_circle(level, border, map);
+    return true;
+  };
+  return compute_Tutte_embedding(level, on_circle, uv);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Error_code compute_Tutte_embedding_at_places(const Level& level, Level::Uv& uv)
+{
+  const auto as_given = [&](const std::vector<Index>& border, Level::Uv& map) {
+    return place_as_given(level, border, map);
+  };
+  return compute_Tutte_embedding(level, as_given, uv);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

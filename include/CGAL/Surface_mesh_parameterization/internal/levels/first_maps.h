@@ -13,11 +13,13 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Tutte's map of a level, scaled to the surface's area, or near the places of vertices if some are given or wished for.
-// Returns what compute_Tutte_embedding() does.
+// Tutte's map of a level: on the finest one with the outer border at its places, if they are given and the map is
+// valid; else scaled to the surface's area, or near the places of vertices if some are given or wished for. Returns
+// what compute_Tutte_embedding() does.
 Error_code compute_first_map(const Level& level, Level::Uv& uv);
 
-// The same, or the unfolded level if that is a map of less energy. No borders meet if the options say so.
+// The same; or the unfolded level if that is a map of less energy, and the other is not at all the given places. No
+// borders meet if the options say so.
 Error_code choose_first_map(const Level_energy& energy, const Refinement_options& options, Level::Uv& uv);
 
 // Replaces a map by the unfolded level, if that is a map of less energy, or there is none yet. Returns whether it did.

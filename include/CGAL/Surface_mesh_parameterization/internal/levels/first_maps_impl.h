@@ -69,6 +69,9 @@ void follow_springs(const Level_energy_with_springs& energy, Level::Uv& uv)
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code compute_first_map(const Level& level, Level::Uv& uv)
 {
+  const bool must_meet_places = level.is_finest() && !fixed_vertices(level).empty();
+  if (must_meet_places && compute_Tutte_embedding_at_places(level, uv) == OK)
+    return OK;
   const Error_code status = compute_Tutte_embedding(level, uv);
   if (status == OK) {
     scale_to_area(level, false, uv);
@@ -116,7 +119,8 @@ Error_code choose_first_map(const Level_energy& energy, const Refinement_options
 {
   const Level& level = energy.level();
   const Error_code status = compute_first_map(level, uv);
-  if (!unfold_to_lower_energy(energy, status == OK, options, uv))
+  const bool is_at_places = status == OK && !fixed_vertices(level).empty() && displaced_vertices(level, uv).empty();
+  if (is_at_places || !unfold_to_lower_energy(energy, status == OK, options, uv))
     return status;
   move_near_places(level, uv);
   return OK;

@@ -38,8 +38,11 @@ void take_better_places(const Level_energy& energy, Level::Uv& uv)
     places[spring.vertex] = spring.place;
   for (const Index v : fixed)
     places[v] = level.fixed_place(v);
-  const bool may_be_taken = !energy.is_flip_free() || is_map_valid(level.rings(), places, level.loops());
-  if (may_be_taken && energy(places) < energy(uv))
+  const bool is_valid = is_map_valid(level.rings(), places, level.loops());
+  if (energy.is_flip_free() && !is_valid)
+    return;
+  const bool must_be_taken = is_valid && !displaced_vertices(level, uv).empty();
+  if (must_be_taken || energy(places) < energy(uv))
     uv = std::move(places);
 }
 

@@ -6,10 +6,11 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/border/separate_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Free_minimizer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Tutte_embedding.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/first_maps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/lead_to_places.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/minimize_distortion.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/Free_minimizer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Conformal_refiner.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_with_springs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/soften_springs.h>
@@ -61,6 +62,20 @@ inline Error_code minimize_near_places(const Level_energy& free_energy, Level::U
   return status;
 }
 
+// Leads the map of a level to given places. A first map that gets lost on the way starts from where the border is to
+// be, if there is a map: it leads to minima that are a little higher.
+inline Error_code lead_first_map_to_places(const Level_energy_with_springs& energy, bool borders_must_not_meet,
+                                           Level::Uv& uv, Level_summary& summary)
+{
+  const Error_code status = lead_to_places(energy, borders_must_not_meet, uv, summary);
+  Level::Uv other;
+  if (status != ERROR_NO_1_TO_1_MAPPING || energy.level().index() > 0 ||
+      compute_Tutte_embedding_at_places(energy.level(), other) != OK)
+    return status;
+  uv.swap(other);
+  return lead_to_places(energy, borders_must_not_meet, uv, summary);
+}
+
 // Minimizes the energy together with that of the level's springs, and with vertices at given places. A coarse level may
 // have no room for one of these: it waits for a finer one.
 inline Error_code minimize_with_places(const Level_energy& free_energy, Level::Uv& uv,
@@ -79,7 +94,8 @@ inline Error_code minimize_with_places(const Level_energy& free_energy, Level::U
   if (borders_must_not_meet && !separate_borders(level, uv))
     return ERROR_NO_1_TO_1_MAPPING;
   const double energy_start = energy(uv) / energy.unit();
-  Error_code status = energy.is_flip_free() ? lead_to_places(energy, borders_must_not_meet, uv, summary) : OK;
+  Error_code status =
+      energy.is_flip_free() ? lead_first_map_to_places(energy, borders_must_not_meet, uv, summary) : OK;
   if (status != ERROR_STOPPED && (status == OK || !level.is_finest()))
     status = minimize_from(energy, uv, options, summary);
   summary.energy_start = energy_start;

@@ -18,6 +18,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -104,6 +105,12 @@ inline bool is_border_mirrored(const Triangulated_surface_3& surface)
   return doubled_area(polygon) > 0;
 }
 
+inline bool is_border_fixed(const Triangulated_surface_3& surface)
+{
+  const std::vector<const Point_2*> place = fixed_places(surface);
+  return std::all_of(surface.outer_border.begin(), surface.outer_border.end(), [&](Index v) { return place[v]; });
+}
+
 // Whether more triangles of a map are negative than positive, or as many and the border is mirrored.
 inline bool is_start_mirrored(const Triangulated_surface_3& surface, const std::vector<Point_2>& uv)
 {
@@ -131,9 +138,32 @@ inline std::size_t first_contradiction(const Triangulated_surface_3& surface)
   return f;
 }
 
+inline bool has_contradiction(const Triangulated_surface_3& surface)
+{
+  return first_contradiction(surface) < surface.triangles.size();
+}
+
+// Mirrors the places of a surface if the map has to be mirrored, which it returns: if the border is, or the user's map
+// `start` if the run starts from it, as far as triangles between given places do not tell otherwise.
+inline bool mirror_places_if_needed(Triangulated_surface_3& surface, const std::vector<Point_2>* start)
+{
+  if (surface.fixed_vertices.empty() && surface.springs.empty())
+    return false;
+  const bool is_mirrored = start ? is_start_mirrored(surface, *start) : is_border_mirrored(surface);
+  if (is_mirrored)
+    mirror_places(surface);
+  const bool is_certain = !start && is_border_fixed(surface);
+  if (is_certain || !has_contradiction(surface))
+    return is_mirrored;
+  mirror_places(surface);
+  if (!has_contradiction(surface))
+    return !is_mirrored;
+  mirror_places(surface);
+  return is_mirrored;
+}
+
 // Adds to a component's surface the places that the constraints ask for, as the user's map has them, but mirrored if
-// the map has to be, which `is_mirrored` tells then: if the border is, or the user's map if the run starts from it, as
-// far as a triangle between given places does not tell otherwise.
+// the map has to be, which `is_mirrored` tells then.
 // Returns `ERROR_WRONG_PARAMETER` for a place that is not finite or a weight that is negative or not finite,
 // `ERROR_NO_1_TO_1_MAPPING` for a triangle that given places leave no room for, and which.
 template <class TriangleMesh, class VertexUVMap>
@@ -159,17 +189,8 @@ Parameterization_error add_places(const Place_constraints<TriangleMesh>& constra
     else if (weight > 0)
       surface.springs.push_back({ Index(i), uv[i], stiffness });
   }
-  const bool has_places = !surface.fixed_vertices.empty() || !surface.springs.empty();
-  is_mirrored = has_places && (is_start ? is_start_mirrored(surface, uv) : is_border_mirrored(surface));
-  if (is_mirrored)
-    mirror_places(surface);
-  std::size_t f = first_contradiction(surface);
-  if (is_mirrored && is_start && f < surface.triangles.size()) {      // then it is the start that is the wrong way
-    mirror_places(surface);
-    is_mirrored = false;
-    f = first_contradiction(surface);
-  }
-  if (f < surface.triangles.size())
+  is_mirrored = mirror_places_if_needed(surface, is_start ? &uv : nullptr);
+  if (const std::size_t f = first_contradiction(surface); f < surface.triangles.size())
     return { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::FACE,
              position_in(faces(mesh), component.faces_of_component()[f]),
              "the places of constrained vertices leave a triangle no room" };

@@ -1,0 +1,144 @@
+// Copyright (c) 2026  The Hierarchical Parameterization authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Vertices that are held where it is known that there is a map: by Tutte's theorem, or since it was there before.
+
+#include "constrained_mesh.h"
+#include "generated_meshes.h"
+#include "mesh_conversions.h"
+#include "real_meshes.h"
+#include "test_meshes.h"
+
+#include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameters.h>
+
+#include <CGAL/number_utils.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_held_borders {
+
+using namespace CGAL::Surface_mesh_parameterization;
+using namespace test_meshes;
+using Kernel_point = test_meshes::Kernel::Point_2;
+
+typedef test_meshes::Surface_mesh                                    Mesh;
+typedef Circular_border_arc_length_parameterizer_3<Mesh>             Circle;
+typedef std::vector<std::pair<std::string, Flat_mesh>>               Named_meshes;
+
+template <class Method>
+Error_code run(Constrained_mesh& m, bool is_hierarchical = true)
+{
+  return m.run_with<Method>(SMP::parameters::vertex_is_constrained_map(m.is_held).summary(std::ref(m.summary)),
+                            is_hierarchical);
+}
+
+template <class Method>
+class Held_border : public testing::Test { };
+
+typedef testing::Types<MIPS_parameterizer_3<Mesh>, Symmetric_Dirichlet_parameterizer_3<Mesh>,
+                       As_rigid_as_possible_parameterizer_3<Mesh>>   Methods;
+TYPED_TEST_SUITE(Held_border, Methods);
+
+template <class Method>
+class Held_triangles : public testing::Test { };
+TYPED_TEST_SUITE(Held_triangles, Methods);
+
+// Bent, slender, or with much of their area far from the border.
+Named_meshes surfaces()
+{
+  Random random(1);
+  return { { "cap", cap(14, 32, 0.8 * CGAL_PI) },
+           { "tents", tents(14, 4, 3, random) },
+           { "terrain", random_terrain(20, 0.5, random) },
+           { "helix", helix(20, 2) },
+           { "meander", meander(6, 4) },
+           { "comb", flat_comb(4, 3, 2) },
+           { "star", star(8, 40, 5) } };
+}
+
+// Holds the border on an ellipse whose axes have a ratio, about as large as the surface.
+void hold_on_ellipse(Constrained_mesh& m, double ratio)
+{
+  m.place_border<Circle>(std::sqrt(m.area() / CGAL_PI));
+  for (const auto v : vertices(m.mesh))
+    m.uvmap[v] = Kernel_point(m.uvmap[v].x() * std::sqrt(ratio), m.uvmap[v].y() / std::sqrt(ratio));
+}
+
+// By Tutte's theorem there is a map.
+TYPED_TEST(Held_border, on_a_convex_curve_is_reached)
+{
+  for (const auto& [name, surface] : surfaces())
+    for (const double ratio : { 1, 100 })
+      for (const bool is_hierarchical : { true, false }) {
+        SCOPED_TRACE(name + ' ' + std::to_string(ratio) + (is_hierarchical ? "" : " flat"));
+        Constrained_mesh m(surface);
+        hold_on_ellipse(m, ratio);
+        EXPECT_EQ(run<TypeParam>(m, is_hierarchical), OK);
+        m.expect_places_are_held();
+        EXPECT_TRUE(m.is_valid());
+      }
+}
+
+TYPED_TEST(Held_border, on_a_convex_curve_is_reached_by_real_meshes)
+{
+  Flat_mesh real;
+  if (!read_off("three_peaks.off", real))
+    GTEST_SKIP() << "no three_peaks.off in " << data_folder();
+  for (const double ratio : { 8, 16 })
+    for (const bool is_hierarchical : { true, false }) {
+      SCOPED_TRACE(std::to_string(ratio) + (is_hierarchical ? "" : " flat"));
+      Constrained_mesh m(real);
+      hold_on_ellipse(m, ratio);
+      EXPECT_EQ(run<TypeParam>(m, is_hierarchical), OK);
+      m.expect_places_are_held();
+      EXPECT_TRUE(m.is_valid());
+    }
+}
+
+// Of a strip all vertices are on the border.
+TYPED_TEST(Held_border, may_be_all_of_the_surface)
+{
+  for (const Flat_mesh& surface : { helix(13, 2), strip(20) })
+    for (const bool is_hierarchical : { true, false }) {
+      Constrained_mesh m(surface);
+      m.place_border<Circle>(1);
+      EXPECT_EQ(run<TypeParam>(m, is_hierarchical), OK);
+      m.expect_places_are_held();
+      EXPECT_TRUE(m.is_valid());
+    }
+}
+
+// Of a surface that turns around more than once, some vertices on the border do not tell how it runs: triangles do.
+TYPED_TEST(Held_triangles, tell_whether_the_map_is_mirrored)
+{
+  const Flat_mesh surface = ramp(16, 1.4);
+  Constrained_mesh free(surface);
+  ASSERT_EQ(run<TypeParam>(free), OK);
+  for (Index first = 0; first < 20; ++first)
+    for (const bool is_mirrored : { false, true }) {
+      SCOPED_TRACE(std::to_string(first) + (is_mirrored ? " mirrored" : ""));
+      Constrained_mesh m(surface);
+      for (const auto v : vertices(m.mesh))
+        m.uvmap[v] = Kernel_point((is_mirrored ? 1 : -1) * free.uvmap[v].y(), free.uvmap[v].x());
+      for (Index f = first; f < surface.triangles.size(); f += 20)
+        for (const Index v : surface.triangles[f])
+          m.is_held[Mesh::Vertex_index(v)] = true;
+      EXPECT_EQ(run<TypeParam>(m), OK);
+      m.expect_places_are_held();
+      EXPECT_NEAR(m.summary.energy, free.summary.energy, 0.01 * (free.summary.energy + 1));
+    }
+}
+
+} // namespace test_held_borders
