@@ -340,6 +340,22 @@ TEST(As_rigid_as_possible, replaces_a_map_by_one_that_has_converged)
   EXPECT_GT(replaced, 0u);
 }
 
+// What comes of flips, by a repair or without them, is not better than the start if that was valid and had less energy.
+TEST(As_rigid_as_possible, does_not_end_above_a_valid_start)
+{
+  for (unsigned int seed = 0; seed < 20; ++seed) {
+    Random random(seed);
+    Mesh_with_ARAP_map mapped(tents(8, 4, 2, random));
+    const auto run = [&](bool is_restart) {
+      const auto options = parameters::initial_map(is_restart).summary(std::ref(mapped.summary));
+      EXPECT_EQ(mapped.parameterize(Hierarchical_method(Method(), options)), OK);
+      return mapped.summary.energy;
+    };
+    const double energy = run(false);
+    EXPECT_LE(run(true), energy * (1 + 1e-6)) << seed;
+  }
+}
+
 // After a repair, too. A map that the repair would spoil is replaced: its energy is little above that of the map with
 // flips, and never above that of the symmetric Dirichlet map.
 TEST(As_rigid_as_possible, energy_is_that_of_the_result)

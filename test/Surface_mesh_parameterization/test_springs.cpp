@@ -20,6 +20,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace test_springs {
@@ -172,6 +173,24 @@ TEST(Springs, have_the_gradient_of_their_energy)
     right[v] = internal::Point_2(uv[v].x() + h, uv[v].y());
     EXPECT_NEAR(gradient[v].x, (energy(right) - energy(left)) / (2 * h), 1e-5 * (1 + std::abs(gradient[v].x)));
   }
+}
+
+// A map can always be moved to one place, wherever springs pull it.
+TYPED_TEST(Springs_of_vertices, do_not_keep_a_single_vertex_from_its_place)
+{
+  for (const double size : { 1., 1e3, 1e6 })
+    for (const bool is_hierarchical : { true, false }) {
+      SCOPED_TRACE(std::to_string(size) + (is_hierarchical ? "" : " flat"));
+      Constrained_mesh m(tube(30, 20, 3));
+      for (const auto v : vertices(m.mesh)) {
+        m.weight[v] = v.idx() % 7 == 3;
+        m.uvmap[v] = Kernel::Point_2(size * std::sin(v.idx()), size * std::cos(3. * v.idx()));
+      }
+      m.is_held[Mesh::Vertex_index(200)] = true;
+      EXPECT_EQ(m.run<TypeParam>(is_hierarchical), OK);
+      EXPECT_TRUE(m.is_valid());
+      m.expect_places_are_held();
+    }
 }
 
 } // namespace test_springs

@@ -135,7 +135,7 @@ public:
   /// improves a flip-free map of the finest level and keeps it flip-free: for the sum of the energy and a hundredth of
   /// the symmetric Dirichlet energy; or, if lambda is 0, for the latter. This is the result where a repair of flips
   /// would fail or move a vertex that is held; or leave little of the map, or raise the energy by more than a
-  /// hundredth, and end at a higher energy.
+  /// hundredth, and end at a higher energy. If the map had less energy before, it is the result as it was.
   /// \return `OK`; `ERROR_NO_1_TO_1_MAPPING` as refine(); `ERROR_STOPPED`
   Error_code refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {

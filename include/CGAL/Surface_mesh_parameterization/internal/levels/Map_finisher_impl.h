@@ -74,6 +74,7 @@ const Map_finisher::Other_map& Map_finisher::other_map(const Level& level)
   m_other = Other_map();
   if (!is_map_valid(level.rings(), m_map_before, level.loops()))
     return *m_other;
+  Level::Uv start = m_map_before;
   Level_summary& of_level = m_summary.levels.back();
   Level_summary summary = of_level;      // its iterations go on
   summary.converged = false;
@@ -83,6 +84,14 @@ const Map_finisher::Other_map& Map_finisher::other_map(const Level& level)
     of_level.cycles = summary.cycles;
     m_other->energy = m_method.energy(level, m_map_before);
     m_other->converged = summary.converged;
+  }
+  // What the method minimizes without flips is another energy, which may lead away from a good start.
+  const double energy_of_start = m_method.energy(level, start);
+  const bool is_worse = m_other->status == ERROR_NO_1_TO_1_MAPPING ||
+                        (m_other->status == OK && energy_of_start < m_other->energy);
+  if (is_worse && displaced_vertices(level, start).empty()) {
+    m_map_before.swap(start);
+    *m_other = { OK, energy_of_start, false };
   }
   return *m_other;
 }

@@ -21,9 +21,13 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 Error_code lead_to_places(const Level_energy_with_springs& energy, bool borders_must_not_meet, Level::Uv& uv,
                           Level_summary& summary);
 
-// Where all vertices of a level have given places, or springs that pull them to some, takes these if that is a map of
-// lower energy, and a valid one where the energy keeps triangles positive.
+// Where all vertices of a level have given places, or springs that pull them to some, takes these if that is a valid
+// map and the given places are not yet met, or if it has lower energy, and is valid where the energy keeps triangles
+// positive.
 void take_better_places(const Level_energy& energy, Level::Uv& uv);
+
+// Where the place of one vertex only is given, moves the map there, if it stays valid.
+void move_to_single_place(const Level& level, Level::Uv& uv);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

@@ -46,6 +46,21 @@ void take_better_places(const Level_energy& energy, Level::Uv& uv)
     uv = std::move(places);
 }
 
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+void move_to_single_place(const Level& level, Level::Uv& uv)
+{
+  const std::vector<Index> fixed = fixed_vertices(level);
+  if (fixed.size() != 1 || displaced_vertices(level, uv).empty())
+    return;
+  const Point_2& place = level.fixed_place(fixed.front());
+  const Vector_2 way = place - uv[fixed.front()];
+  Level::Uv moved(uv.size());
+  level.for_each_vertex([&](Index v) { moved[v] = uv[v] + way; });
+  moved[fixed.front()] = place;
+  if (is_map_valid(level.rings(), moved, level.loops()))
+    uv = std::move(moved);
+}
+
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_LEVELS_LEAD_TO_PLACES_IMPL_H

@@ -91,6 +91,7 @@ inline Error_code minimize_with_places(const Level_energy& free_energy, Level::U
   follow_springs(Level_energy_with_springs(free_energy, springs_at_uv()), uv);
   const Level_energy_with_springs energy(free_energy, springs_at_uv());
   take_better_places(energy, uv);
+  move_to_single_place(level, uv);
   if (borders_must_not_meet && !separate_borders(level, uv))
     return ERROR_NO_1_TO_1_MAPPING;
   const double energy_start = energy(uv) / energy.unit();
