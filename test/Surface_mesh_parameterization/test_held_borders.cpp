@@ -76,6 +76,14 @@ void hold_on_ellipse(Constrained_mesh& m, double ratio)
     m.uvmap[v] = Kernel_point(m.uvmap[v].x() * std::sqrt(ratio), m.uvmap[v].y() / std::sqrt(ratio));
 }
 
+template <class Method>
+void expect_held_places(Constrained_mesh& m, bool is_hierarchical)
+{
+  EXPECT_EQ(run<Method>(m, is_hierarchical), OK);
+  m.expect_places_are_held();
+  EXPECT_TRUE(m.is_valid());
+}
+
 // By Tutte's theorem there is a map.
 TYPED_TEST(Held_border, on_a_convex_curve_is_reached)
 {
@@ -85,9 +93,7 @@ TYPED_TEST(Held_border, on_a_convex_curve_is_reached)
         SCOPED_TRACE(name + ' ' + std::to_string(ratio) + (is_hierarchical ? "" : " flat"));
         Constrained_mesh m(surface);
         hold_on_ellipse(m, ratio);
-        EXPECT_EQ(run<TypeParam>(m, is_hierarchical), OK);
-        m.expect_places_are_held();
-        EXPECT_TRUE(m.is_valid());
+        expect_held_places<TypeParam>(m, is_hierarchical);
       }
 }
 
@@ -101,9 +107,7 @@ TYPED_TEST(Held_border, on_a_convex_curve_is_reached_by_real_meshes)
       SCOPED_TRACE(std::to_string(ratio) + (is_hierarchical ? "" : " flat"));
       Constrained_mesh m(real);
       hold_on_ellipse(m, ratio);
-      EXPECT_EQ(run<TypeParam>(m, is_hierarchical), OK);
-      m.expect_places_are_held();
-      EXPECT_TRUE(m.is_valid());
+      expect_held_places<TypeParam>(m, is_hierarchical);
     }
 }
 
@@ -114,9 +118,7 @@ TYPED_TEST(Held_border, may_be_all_of_the_surface)
     for (const bool is_hierarchical : { true, false }) {
       Constrained_mesh m(surface);
       m.place_border<Circle>(1);
-      EXPECT_EQ(run<TypeParam>(m, is_hierarchical), OK);
-      m.expect_places_are_held();
-      EXPECT_TRUE(m.is_valid());
+      expect_held_places<TypeParam>(m, is_hierarchical);
     }
 }
 

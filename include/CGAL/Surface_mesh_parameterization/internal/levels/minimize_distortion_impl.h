@@ -62,8 +62,8 @@ inline Error_code minimize_near_places(const Level_energy& free_energy, Level::U
   return status;
 }
 
-// Leads the map of a level to given places. A first map that gets lost on the way starts from where the border is to
-// be, if there is a map: it leads to minima that are a little higher.
+// Leads the map of a level to given places. A first map that gets lost on the way is replaced by Tutte's with the
+// border at its places, if that is one: not sooner, since from there minima may be a little higher.
 inline Error_code lead_first_map_to_places(const Level_energy_with_springs& energy, bool borders_must_not_meet,
                                            Level::Uv& uv, Level_summary& summary)
 {
