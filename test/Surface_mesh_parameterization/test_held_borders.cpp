@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/number_utils.h>
@@ -52,8 +53,8 @@ typedef testing::Types<MIPS_parameterizer_3<Mesh>, Symmetric_Dirichlet_parameter
 TYPED_TEST_SUITE(Held_border, Methods);
 
 template <class Method>
-class Held_triangles : public testing::Test { };
-TYPED_TEST_SUITE(Held_triangles, Methods);
+class Held_parts_of_a_map : public testing::Test { };
+TYPED_TEST_SUITE(Held_parts_of_a_map, Methods);
 
 // Bent, slender, or with much of their area far from the border.
 Named_meshes surfaces()
@@ -122,25 +123,62 @@ TYPED_TEST(Held_border, may_be_all_of_the_surface)
     }
 }
 
+// Vertices held where a free map has them, turned, or where its mirror image does, leave that map as it was.
+template <class Method>
+void expect_free_map(const Constrained_mesh& free, const Flat_mesh& surface, const std::vector<Index>& held,
+                     bool is_hierarchical = true)
+{
+  for (const bool is_mirrored : { false, true }) {
+    SCOPED_TRACE(is_mirrored ? "mirrored" : "turned");
+    Constrained_mesh m(surface);
+    for (const auto v : vertices(m.mesh))
+      m.uvmap[v] = Kernel_point((is_mirrored ? 1 : -1) * free.uvmap[v].y(), free.uvmap[v].x());
+    for (const Index v : held)
+      m.is_held[Mesh::Vertex_index(v)] = true;
+    EXPECT_EQ(run<Method>(m, is_hierarchical), OK);
+    m.expect_places_are_held();
+    const Parameterization_quality quality = m.quality();
+    EXPECT_EQ(quality.flips, 0u);
+    EXPECT_EQ(quality.is_mirrored, is_mirrored);
+    EXPECT_NEAR(m.summary.energy, free.summary.energy, 0.01 * (free.summary.energy + 1));
+  }
+}
+
 // Of a surface that turns around more than once, some vertices on the border do not tell how it runs: triangles do.
-TYPED_TEST(Held_triangles, tell_whether_the_map_is_mirrored)
+TYPED_TEST(Held_parts_of_a_map, tell_by_triangles_whether_it_is_mirrored)
 {
   const Flat_mesh surface = ramp(16, 1.4);
   Constrained_mesh free(surface);
   ASSERT_EQ(run<TypeParam>(free), OK);
-  for (Index first = 0; first < 20; ++first)
-    for (const bool is_mirrored : { false, true }) {
-      SCOPED_TRACE(std::to_string(first) + (is_mirrored ? " mirrored" : ""));
-      Constrained_mesh m(surface);
-      for (const auto v : vertices(m.mesh))
-        m.uvmap[v] = Kernel_point((is_mirrored ? 1 : -1) * free.uvmap[v].y(), free.uvmap[v].x());
-      for (Index f = first; f < surface.triangles.size(); f += 20)
-        for (const Index v : surface.triangles[f])
-          m.is_held[Mesh::Vertex_index(v)] = true;
-      EXPECT_EQ(run<TypeParam>(m), OK);
-      m.expect_places_are_held();
-      EXPECT_NEAR(m.summary.energy, free.summary.energy, 0.01 * (free.summary.energy + 1));
-    }
+  for (Index first = 0; first < 20; ++first) {
+    SCOPED_TRACE(first);
+    std::vector<Index> held;
+    for (Index f = first; f < surface.triangles.size(); f += 20)
+      held.insert(held.end(), surface.triangles[f].begin(), surface.triangles[f].end());
+    expect_free_map<TypeParam>(free, surface, held);
+  }
+}
+
+// So do a few vertices of a surface that is bent or has many bays.
+TYPED_TEST(Held_parts_of_a_map, tell_by_few_vertices_whether_it_is_mirrored)
+{
+  Random random(1);
+  for (const auto& [name, surface] : Named_meshes{ { "cap", cap(7, 16, 0.7 * CGAL_PI) },
+                                                   { "tents", tents(14, 4, 3, random) },
+                                                   { "terrain", random_terrain(12, 0.5, random) },
+                                                   { "star", star(6, 24, 3) },
+                                                   { "ramp", ramp(16, 1.4) } }) {
+    Constrained_mesh free(surface);
+    ASSERT_EQ(run<TypeParam>(free), OK);
+    for (const int number : { 3, 8 })
+      for (const bool is_hierarchical : { true, false }) {
+        SCOPED_TRACE(name + ' ' + std::to_string(number) + (is_hierarchical ? "" : " flat"));
+        std::vector<Index> held;
+        for (int i = 0; i < number; ++i)
+          held.push_back(Index(random.below(surface.points.size())));
+        expect_free_map<TypeParam>(free, surface, held, is_hierarchical);
+      }
+  }
 }
 
 } // namespace test_held_borders

@@ -82,8 +82,8 @@ public:
   // Ends the run, as the listener may.
   void stop() { m_is_stopped = true; }
 
-  // Tells the same as the last time, within a long iteration.
-  bool tell_again() { return tell(m_now.iterations, m_now.energy, 0); }
+  // Tells the same as the last time, within a long iteration or as more of the stage is done.
+  bool tell_again(double part_of_stage = 0) { return tell(m_now.iterations, m_now.energy, part_of_stage); }
 
   // Tells that the run is done.
   bool finish()

@@ -34,13 +34,19 @@ public:
   // attempt starts from it. The timer runs since the surface began to be read.
   Error_code run(Triangulated_surface_3 surface, CGAL::Real_timer& timer, std::vector<Point_2>& uv);
 
+  // Whether the map is for the mirror images of the surface's places, as the options allow.
+  bool has_mirrored_places() const { return m_has_mirrored_places; }
+
 private:
-  // What follows an attempt: nothing, since there is a map or an error; another one, which is prepared; or the same
-  // with the places given from the start, since the finished map could not be brought to them.
-  enum class Next { NOTHING, ATTEMPT, HOLD_PLACES };
+  // What follows an attempt: nothing, since there is a map or an error; another one, which is prepared; the same with
+  // the places given from the start, since the finished map could not be brought to them; or with mirrored places.
+  enum class Next { NOTHING, ATTEMPT, HOLD_PLACES, MIRROR_PLACES };
 
   // Writes the places if the method finds a map of this hierarchy.
   Next attempt(const Collapse_hierarchy_3& hierarchy, std::vector<Point_2>& uv);
+
+  // Whether the places suit the mirror image of the coarsest level's free map better than that map.
+  bool suit_mirror_image(const Collapse_hierarchy_3& hierarchy);
 
   // Finds a map that has the vertices at their places, for the next attempt to start from, where these are much farther
   // apart than the vertices on the surface, or less: by a run as if the surface were so large. Returns whether there is
@@ -52,8 +58,11 @@ private:
   // small cracks closed, and in the second case all holes filled.
   void find_start_on_closed_surface(const Collapse_hierarchy_3& hierarchy);
 
-  // Finds the map by a run on a surface that begins with the vertices of the user's. Returns whether there is one.
+  // The map by a run on a surface that begins with the vertices of the user's. Returns whether there is one.
   bool find_start(Triangulated_surface_3 surface);
+
+  // A map by a run of its own on a surface, which takes this part of what is left; none if that fails.
+  std::vector<Point_2> find_map(Triangulated_surface_3 surface, Nested_iteration_options options, double part_of_rest);
 
   // A coarsest level that the method cannot lay out without a flip is coarsened further: the vertices come back by
   // insertion. Where doubles leave no room for one of them, another hierarchy may, or a more careful method; at last
@@ -67,6 +76,7 @@ private:
   Parameterization_summary& m_summary;
   std::vector<Point_2> m_start;     // of the next attempt, in the order of the surface's vertices; empty: no map
   unsigned int m_number_of_seeds = 0;
+  bool m_has_mirrored_places = false;
   bool m_has_other_scale = false;         // was tried
   bool m_has_closed_surface = false;      // was tried
   bool m_is_flat = false;                 // the hierarchy has only the finest level

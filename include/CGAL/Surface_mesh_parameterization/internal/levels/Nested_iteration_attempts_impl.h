@@ -6,12 +6,15 @@
 
 #include <CGAL/Surface_mesh_parameterization/Option_defaults.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/input_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/vertex_order.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_attempts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/best_similarity.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/cracks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/holes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/orientation_of_places.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Bbox_3.h>
@@ -45,13 +48,19 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
     const Collapse_hierarchy_3 hierarchy(std::move(surface), m_options.hierarchy, m_method.loops());
     m_summary = Parameterization_summary();
     m_summary.seconds_hierarchy = seconds_hierarchy = timer.time() - seconds_parameterize;
-    find_start_on_closed_surface(hierarchy);
-    const Next next = attempt(hierarchy, uv);
+    Next next = Next::MIRROR_PLACES;
+    if (!std::exchange(m_options.may_mirror_places, false) || !suit_mirror_image(hierarchy)) {
+      find_start_on_closed_surface(hierarchy);
+      next = attempt(hierarchy, uv);
+    }
     m_summary.seconds_parameterize = seconds_parameterize = timer.time() - seconds_hierarchy;
     if (next == Next::NOTHING)
       return m_summary.error.code;
     surface = input_surface(hierarchy);
-    if (next == Next::HOLD_PLACES) {
+    if (next == Next::MIRROR_PLACES) {
+      mirror_places(surface);
+      m_has_mirrored_places = true;
+    } else if (next == Next::HOLD_PLACES) {
       surface.fixed_vertices = std::exchange(m_options.places_at_end, {});
       m_start = std::move(start_of_user);
       m_has_closed_surface = false;
@@ -86,6 +95,22 @@ Nested_iteration_attempts::Next Nested_iteration_attempts::attempt(const Collaps
   }
   return next;
 }
+
+// A run on another surface than the user's, within a stage: no visitor is told of its levels.
+class Run_in_stage final
+  : public Progress_listener
+{
+public:
+  explicit Run_in_stage(Run_progress& stage) : m_stage(stage) { }
+
+  bool progressed(const Parameterization_progress& progress) override
+  {
+    return m_stage.tell_again(progress.part_done);
+  }
+
+private:
+  Run_progress& m_stage;
+};
 
 // The length up to which a hole in the surface of a level is small, as in an atlas.
 inline double greatest_length_of_small_holes(const Level& level)
@@ -126,6 +151,27 @@ inline int scale_exponent_of_places(const Triangulated_surface_3& surface)
   const double ratio = std::hypot(places.x_span(), places.y_span()) /
                        std::hypot(points.x_span(), points.y_span(), points.z_span());
   return std::isnormal(ratio) ? int(std::lround(std::log2(ratio))) : 0;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Nested_iteration_attempts::suit_mirror_image(const Collapse_hierarchy_3& hierarchy)
+{
+  constexpr double good_fit = 0.005, less = 0.9, much_less = 0.1, part_of_run = 0.05;
+  const Level coarsest(hierarchy);
+  Nested_iteration_options options = m_options;
+  options.hierarchy.coarsest_size = (std::min)(options.hierarchy.coarsest_size, Hierarchy_options().coarsest_size);
+  const std::vector<Point_2> map = find_map(surface_by_rank(coarsest), options, part_of_run);
+  if (map.empty())
+    return false;
+  std::vector<Wanted_move> moves, mirrored_moves;
+  for (const Index v : fixed_vertices(coarsest)) {
+    Point_2 place = coarsest.fixed_place(v);
+    moves.push_back({ map[v], place });
+    mirror(place);
+    mirrored_moves.push_back({ map[v], place });
+  }
+  const double rest = unexplained_variance(moves);
+  return unexplained_variance(mirrored_moves) < (rest > good_fit ? less : much_less) * rest;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -175,17 +221,29 @@ void Nested_iteration_attempts::find_start_on_closed_surface(const Collapse_hier
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Nested_iteration_attempts::find_start(Triangulated_surface_3 surface)
 {
-  const Collapse_hierarchy_3 hierarchy(std::move(surface), m_options.hierarchy, m_method.loops());
-  Parameterization_summary summary;
-  Level::Uv uv;
-  Nested_iteration_options options = m_options;
-  options.places_at_end.clear();
-  // A visitor is not told of the maps of these levels: their surface is not the user's.
-  if (Nested_iteration(m_method, options, nullptr, m_progress, summary).run(hierarchy, {}, uv) != OK)
+  constexpr double part_of_run = 0.4;
+  m_start = find_map(std::move(surface), m_options, part_of_run);
+  if (m_start.empty())
     return false;
-  m_start = in_input_order(hierarchy, uv);
   m_options.make_starting_map = nullptr;      // the start is not the user's map
   return true;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::vector<Point_2> Nested_iteration_attempts::find_map(Triangulated_surface_3 surface,
+                                                         Nested_iteration_options options, double part_of_rest)
+{
+  m_progress.start_stage(part_of_rest);
+  Run_in_stage listener(m_progress);
+  Run_progress progress(&listener);
+  options.hierarchy.progress = &progress;
+  options.places_at_end.clear();
+  const Collapse_hierarchy_3 hierarchy(std::move(surface), options.hierarchy, m_method.loops());
+  Parameterization_summary summary;
+  Level::Uv uv;
+  if (Nested_iteration(m_method, options, nullptr, progress, summary).run(hierarchy, {}, uv) != OK)
+    return {};
+  return in_input_order(hierarchy, uv);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -23,6 +23,7 @@ struct Nested_iteration_options
   Hierarchy_options hierarchy;                      // a flat run: `coarsest_size` is at least the number of vertices
   bool fills_holes = false;
   bool must_hold_places = false;                    // a result whose fixed vertices are not at their places is none
+  bool may_mirror_places = false;                   // if a map tells that they are those of its mirror image
   std::vector<Triangulated_surface_3::Fixed_vertex> places_at_end;      // to which a free map moves when it is done
   double overlap_bound = 1;         // the part of the triangles of a map that may lie over others before it is left so
   Make_starting_map make_starting_map = nullptr;      // of the user's map; null if the run starts on the coarsest level

@@ -65,7 +65,21 @@ inline Similarity_2 best_similarity(const std::vector<Wanted_move>& moves)
   return result;
 }
 
-// The same with a motion, which keeps lengths.
+// The part of the variance of where the moves lead that the best similarity leaves: from 0 if it makes all of them, to
+// 1 if it is no better than to move all to one point.
+inline double unexplained_variance(const std::vector<Wanted_move>& moves)
+{
+  const Similarity_2 similarity = best_similarity(moves);
+  double variance = 0, rest = 0;
+  for (const Wanted_move& move : moves) {
+    const Similarity_2::Complex to = Similarity_2::complex(move.to);
+    variance += move.weight * std::norm(to - similarity.to);
+    rest += move.weight * std::norm(to - Similarity_2::complex(similarity(move.from)));
+  }
+  return variance > 0 ? rest / variance : 0;
+}
+
+// The best similarity that keeps lengths: a motion.
 inline Similarity_2 best_motion(const std::vector<Wanted_move>& moves)
 {
   Similarity_2 result = best_similarity(moves);

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Refinable_method_of.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Run_setup.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Place_constraints.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/orientation_of_places.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/position_in.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/read_map.h>
@@ -106,7 +107,7 @@ public:
     Nested_iteration_attempts attempts(method, options, visitor, summary);
     if (attempts.run(std::move(m_component.surface()), m_timer, uv) != OK)
       return explained(summary.error, method.cause());
-    if (m_is_mirrored)
+    if (m_orientation.is_mirrored != attempts.has_mirrored_places())
       mirror(uv);
     const Error_code status = write_map(m_component, scale_exponent, uv, m_uvmap, vpmap);
     return { status, Parameterization_error::NOWHERE, 0, status == OK ? nullptr : cause_of_overflow };
@@ -130,7 +131,7 @@ private:
       return error;
     if constexpr (is_map_readable)
       return add_places(m_setup.constraints, m_mesh, m_uvmap, bool(m_setup.options.make_starting_map), m_component,
-                        m_is_mirrored);
+                        m_orientation);
     else
       return unreadable_map();
   }
@@ -141,6 +142,7 @@ private:
     result.round = rounding_to<User_point_2>(m_component.surface().scale_exponent);
     result.flips.loops = m_loops;
     result.must_hold_places = !m_setup.constraints.empty();
+    result.may_mirror_places = !m_orientation.is_certain;
     result.places_at_end = take_places_at_no_cost<Method>(m_component.surface());
     return result;
   }
@@ -152,7 +154,7 @@ private:
     if constexpr (is_map_readable) {
       start = read_map(m_component, m_component.surface().scale_exponent, m_uvmap);
       start.resize(m_component.surface().points.size(), nowhere());      // where holes were filled
-      if (m_is_mirrored)
+      if (m_orientation.is_mirrored)
         mirror(start);
       if (!m_setup.options.make_starting_map(m_component.surface(), m_loops, start))
         start.clear();
@@ -178,7 +180,7 @@ private:
   VertexUVMap m_uvmap;
   CGAL::Real_timer m_timer;
   Mesh_component<TriangleMesh> m_component;
-  bool m_is_mirrored = false;
+  Orientation_of_places m_orientation;
 };
 
 // Runs a model of RefinableParameterizer_3 coarse to fine on the component of a mesh, and writes to the property maps
