@@ -63,6 +63,22 @@ Flat_mesh ball_with_limbs(int subdivisions, double scale)
   });
 }
 
+// Of a thin surface, any cut gains a little, and charts that have many are worse than one without.
+TEST(Thin_surface, is_not_worse_for_its_cuts)
+{
+  for (const double thickness : { 1e-1, 1e-2, 1e-3 }) {
+    SCOPED_TRACE(thickness);
+    const Flat_mesh m = moved(flat_mesh(hostile_meshes::torus(30, 16)), [thickness](const Point_3& p) {
+      return Point_3(p.x(), thickness * p.y(), thickness * p.z());
+    });
+    Surface cut(m), whole(m);
+    ASSERT_TRUE(atlas_parameterization(cut.mesh, cut.uv).is_ok());
+    ASSERT_TRUE(atlas_parameterization(whole.mesh, whole.uv, parameters::distortion_bound(infinity)).is_ok());
+    EXPECT_LE(energy(cut), energy(whole));
+    expect_one_to_one(cut);
+  }
+}
+
 // A first cut leads from one tip to another, and one from each of the other four is enough.
 TEST(Closed_surface, is_cut_from_each_limb_once)
 {

@@ -178,35 +178,51 @@ private:
     return result;
   }
 
-  // Cuts from where the priority is greatest, until too often that gains too little.
+  // Cuts from where the priority is greatest, until too often that gains too little. While the distortion is great, it
+  // is not known well, and several branches may gain only together: those that did not are taken back in the end.
   template <class Priority>
   void add_branches(const Priority& priority, double longest_seam, std::vector<Index>& extremities)
   {
-    unsigned int failures = 0;
+    unsigned int failures = 0, branches_in_vain = 0;
+    State best = m_state;
+    std::size_t best_size = extremities.size();
     while (m_state.distortion > m_options.distortion_bound && extremities.size() < m_options.most_branches &&
-           failures < m_options.most_failures && seam_length() < longest_seam) {
+           (std::max)(failures, branches_in_vain) < m_options.most_failures && seam_length() < longest_seam) {
       const Index tip = candidate(priority);
       if (tip == no_index)
         break;
       const Shortest_paths paths = paths_from_borders(m_state.sample.mesh);
       State other = with_branch(tip, paths);
-      if (is_gain(other.distortion)) {
-        extremities.push_back(m_state.sample.fine_vertex[tip]);
-        m_state = std::move(other);
-      } else {
+      const bool is_gain = gains(best.distortion, other.distortion);
+      if (!is_gain && !(m_state.distortion > great_distortion)) {
         give_up_around(tip, paths);
         ++failures;
+        continue;
       }
+      extremities.push_back(m_state.sample.fine_vertex[tip]);
+      m_state = std::move(other);
+      if (is_gain) {
+        best = m_state;
+        best_size = extremities.size();
+        branches_in_vain = 0;
+      } else
+        ++branches_in_vain;
     }
+    m_state = std::move(best);
+    extremities.resize(best_size);
   }
 
-  bool is_gain(double other_distortion) const
+  // Whether a branch gains enough: where the distortion is great, the part that makes it less than that by as many
+  // branches as there may be. A thin surface gains a little by any branch, and its charts are the worse for many.
+  // Where no map was found there is nothing to lose.
+  bool gains(double distortion, double other_distortion) const
   {
     constexpr double minimum = Symmetric_Dirichlet_energy_2::minimum;
-    if (!std::isfinite(m_state.distortion) || !std::isfinite(other_distortion))
-      return !std::isfinite(m_state.distortion);
-    return m_state.distortion - other_distortion >= m_options.least_gain * (m_state.distortion - minimum) ||
-           m_state.distortion > great_distortion;
+    if (!std::isfinite(distortion))
+      return true;
+    const double excess = distortion - minimum,
+                 part = 1 - std::pow((great_distortion - minimum) / excess, 1 / double(m_options.most_branches));
+    return distortion - other_distortion >= (std::max)(m_options.least_gain, part) * excess;
   }
 
   // Looks elsewhere: not nearer to the tip than half its way to the border.

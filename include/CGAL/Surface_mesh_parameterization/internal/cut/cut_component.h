@@ -29,8 +29,9 @@ struct Component_cut
 // splits its vertices.
 Component_cut cut_component(Corner_mesh& mesh, const Cut_options& options);
 
-// Cuts a mesh of disk type that is a part of a surface that was cut, if it exceeds the bound for such surfaces.
-void cut_distorted(Corner_mesh& mesh, const Cut_options& options);
+// Cuts a mesh of disk type that is a part of a surface that was cut, if it exceeds the bound for such surfaces. Returns
+// whether it does not, then.
+bool cut_distorted(Corner_mesh& mesh, const Cut_options& options);
 
 // Makes a cut component's borders what the options ask for, and such that triangles can be told by their vertices.
 void settle_borders(Corner_mesh& mesh, const Cut_options& options);

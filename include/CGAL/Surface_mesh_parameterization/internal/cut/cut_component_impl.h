@@ -161,10 +161,11 @@ inline void cut_distorted(Corner_mesh& mesh, double bound, const Cut_options& op
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-void cut_distorted(Corner_mesh& mesh, const Cut_options& options)
+bool cut_distorted(Corner_mesh& mesh, const Cut_options& options)
 {
   Component_cut result;
   cut_distorted(mesh, options.distortion_bound, options, result);
+  return result.distortion <= options.distortion_bound;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -85,9 +85,12 @@ public:
                     parameters::choose_parameter(parameters::get_parameter(np, internal_np::globally_injective), true))
   { }
 
-  // Appends the parts into which it divides a chart. Once a visitor has stopped the run, parts get no map.
+  // Appends the parts into which it divides a chart. Once a visitor has stopped the run, parts get no map. A surface
+  // some of whose parts stay above the bound of distortion is thin: those that follow are not cut any more.
   void operator()(Chart_part chart, Parts_with_map& parts)
   {
+    constexpr unsigned int most_cuts_in_vain = 3;
+    unsigned int cuts_in_vain = 0;
     std::vector<Chart_part> waiting(1, std::move(chart));
     while (!waiting.empty()) {
       Chart_part part = std::move(waiting.back());
@@ -99,8 +102,8 @@ public:
         for (Chart_part& p : divided) {
           const bool may_exceed = p.distortion() > m_cut_options.distortion_bound;
           settle_borders(p.mesh, m_cut_options);
-          if (may_exceed)
-            cut_distorted(p.mesh, m_cut_options);
+          if (may_exceed && cuts_in_vain < most_cuts_in_vain)
+            cuts_in_vain += cut_distorted(p.mesh, m_cut_options) ? 0 : 1;
           waiting.push_back(std::move(p));
         }
         if (!divided.empty())
