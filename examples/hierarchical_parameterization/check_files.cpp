@@ -98,7 +98,7 @@ void check_output(const std::string& name)
   std::error_code unused_error;
   const std::filesystem::file_status status = std::filesystem::status(folder.empty() ? "." : folder, unused_error);
   if (std::filesystem::status_known(status) && !std::filesystem::is_directory(status))
-    throw std::runtime_error(name + ": cannot be written ('" + folder.string() + "' is no folder)");
+    throw std::runtime_error(name + ": cannot be written (there is no folder '" + folder.string() + "')");
   if (std::filesystem::is_directory(place.path, unused_error))
     throw std::runtime_error(name + ": cannot be written (it is a folder)");
   check_permission(name);

@@ -472,7 +472,7 @@ const Row unusable_paths[] = {
   { "picture_on_full_disk", nullptr, failed, "", "/dev/full: cannot be written", "patch.off --picture /dev/full" },
   { "report_on_full_disk", nullptr, failed, "", "/dev/full: cannot be written", "patch.off --report /dev/full" },
   { "no_folder", nullptr, failed, "", "none/map.obj: cannot be written", "patch.off --output none/map.obj" },
-  { "no_folder_is_told_first", nullptr, failed, "", "none/map.svg: cannot be written ('none' is no folder)",
+  { "no_folder_is_told_first", nullptr, failed, "", "none/map.svg: cannot be written (there is no folder 'none')",
     "missing.off --picture none/map.svg" },
   { "no_folder_for_report", nullptr, failed, "", "none/report.json: cannot be written",
     "patch.off --report none/report.json" },

@@ -114,8 +114,9 @@ TYPED_TEST(Relaxation_of, sweeps_lower_the_energy_by_exactly_what_they_return)
       std::mt19937 random(0);
       double before = energy(uv);
       for (int i = 0; i < 12; ++i) {
-        const double decrease = i % 4 == 3 ? relaxation.random_steps(uv, uv.size(), random) : relaxation.sweep(uv),
-                     after = energy(uv);
+        const auto effect = i % 4 == 3 ? relaxation.random_steps(uv, uv.size(), random) : relaxation.sweep(uv);
+        const double decrease = effect.decrease, after = energy(uv);
+        EXPECT_EQ(effect.visits, uv.size());
         EXPECT_GE(decrease, 0);
         EXPECT_NEAR(before - after, decrease, 1e-9 * before);
         EXPECT_TRUE(is_map_valid(f.level.rings(), uv));
@@ -193,17 +194,23 @@ TYPED_TEST(Relaxation_of, moves_the_vertices_it_is_told_to)
   }
 }
 
-TYPED_TEST(Relaxation_of, leaves_pinned_vertices)
+TYPED_TEST(Relaxation_of, leaves_vertices_that_are_fixed_and_moves_those_that_are_pinned)
 {
-  const Flat_mesh m = grid(5, 5, wavy);
-  const Finest_level f(m, parameters::coarsest_size(1000).vertex_is_constrained_map(
-                              CGAL::Constant_property_map<std::size_t, bool>(true)));
-  const Level_energy_of<TypeParam> energy(f.level, Triangle_weight::ONE);
-  Vertex_relaxation relaxation(energy, 1);
-  const Level::Uv start = first_map(f.level);
-  Level::Uv uv = start;
-  EXPECT_EQ(relaxation.sweep(uv), 0);
-  EXPECT_EQ(uv, start);
+  for (const bool are_fixed : { false, true }) {
+    Triangulated_surface_3 grid_of_25 = surface(grid(5, 5, wavy));
+    for (Index v = 0; are_fixed && v < grid_of_25.points.size(); ++v)
+      grid_of_25.fixed_vertices.push_back({ v, Point_2(grid_of_25.points[v].x(), grid_of_25.points[v].y()) });
+    const Collapse_hierarchy_3 hierarchy(std::move(grid_of_25),
+                                         parameters::coarsest_size(1000).vertex_is_constrained_map(
+                                             CGAL::Constant_property_map<std::size_t, bool>(!are_fixed)));
+    const Level level(hierarchy);
+    const Level_energy_of<TypeParam> energy(level, Triangle_weight::ONE);
+    const Level::Uv start = first_map(level);
+    Level::Uv uv = start;
+    const double decrease = Vertex_relaxation(energy, 1).sweep(uv).decrease;
+    EXPECT_EQ(decrease == 0, are_fixed);
+    EXPECT_EQ(uv == start, are_fixed);
+  }
 }
 
 } // namespace test_relaxation

@@ -66,7 +66,7 @@ public:
       internal::Names<internal_np::optimizer_t, internal_np::tolerance_t, internal_np::number_of_iterations_t,
                       internal_np::number_of_local_steps_t, internal_np::random_seed_t, internal_np::lambda_t,
                       internal_np::initial_map_t>,
-      internal::Joined_names<internal::Place_constraint_names, typename Base::Flat_option_names>>   Option_names;
+      internal::Place_constraint_names, typename Base::Flat_option_names>   Option_names;
   /// \endcond
 
   /// whether vertices may be held at given places. A repair of flips that would have to move one gives way to a map

@@ -84,11 +84,9 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   static constexpr std::size_t places_at_no_cost = Energy::is_scale_invariant ? 2 : 1;
-  typedef internal::Joined_names<internal::Joined_names<Refinement_options::Option_names,
-                                                        typename Base::Flat_option_names>,
-                                 internal::Joined_names<internal::Names<internal_np::initial_map_t,
-                                                                        internal_np::overlap_bound_t>,
-                                                        internal::Place_constraint_names>>   Option_names;
+  typedef internal::Joined_names<Refinement_options::Option_names, typename Base::Flat_option_names,
+                                 internal::Names<internal_np::initial_map_t, internal_np::overlap_bound_t>,
+                                 internal::Place_constraint_names>   Option_names;
   /// \endcond
 
   /// \param np

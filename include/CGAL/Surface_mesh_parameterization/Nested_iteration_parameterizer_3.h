@@ -48,13 +48,11 @@ class Nested_iteration_parameterizer_3
       internal::Names<internal_np::coarsest_size_t, internal_np::random_seed_t, internal_np::unit_edges_t,
                       internal_np::visitor_t, internal_np::fill_holes_t, internal_np::flip_policy_t,
                       internal_np::summary_t>,
-      internal::Joined_names<
-          std::conditional_t<Method::is_flip_free, internal::Names<internal_np::initial_map_t>, internal::Names<>>,
-          internal::Joined_names<
-              std::conditional_t<internal::keeps_borders_apart<Method>, internal::Names<internal_np::overlap_bound_t>,
-                                 internal::Names<>>,
-              std::conditional_t<internal::holds_vertices<Method>, internal::Place_constraint_names,
-                                 internal::Names<>>>>>   Option_names;
+      std::conditional_t<Method::is_flip_free, internal::Names<internal_np::initial_map_t>, internal::Names<>>,
+      std::conditional_t<internal::keeps_borders_apart<Method>, internal::Names<internal_np::overlap_bound_t>,
+                         internal::Names<>>,
+      std::conditional_t<internal::holds_vertices<Method>, internal::Place_constraint_names,
+                         internal::Names<>>>   Option_names;
 
 public:
   typedef typename Method::Triangle_mesh   Triangle_mesh;   ///< the mesh type

@@ -119,7 +119,8 @@ Atlas read_atlas(const TriangleMesh& mesh, EdgeSeamMap seams, const Atlas_option
 ///   area are laid out as parts of the surface, closed by a virtual vertex in their middle, as scans have many of them.
 ///   The sides of cracks, where vertices at one place were not merged, get the same places. The longest border of a
 ///   component and seams stay open, and with `join_borders` all holes do. Energies, flips and levels of charts are
-///   those of the closed ones. 0: none. A `double` or a `std::optional<double>`. Default: 0.1
+///   those of the closed ones. Charts that are one as long as holes are closed are packed as one, and may touch. 0:
+///   none. A `double` or a `std::optional<double>`. Default: 0.1
 /// \param np_of_charts those of `hierarchical_parameterization()` for every chart, but for `summary`, `overlap_bound`
 ///        and those of the mesh's vertices: `vertex_is_constrained_map`, `position_weight_map` and `initial_map`. The
 ///        default of `flip_policy` is `REPAIR` for all methods. A `visitor` is told of one chart after the other, and

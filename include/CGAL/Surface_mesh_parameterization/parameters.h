@@ -79,11 +79,20 @@ constexpr bool is_named_parameters = decltype(test_named_parameters(static_cast<
 template <class... Tags>
 struct Names { };
 
-template <class... Tags, class... Others>
-Names<Tags..., Others...> join(Names<Tags...>, Names<Others...>);
+template <class... Lists>
+struct Join;
 
-template <class A, class B>
-using Joined_names = decltype(join(A(), B()));
+template <class... Tags>
+struct Join<Names<Tags...>>
+{
+  typedef Names<Tags...>   type;
+};
+
+template <class... Tags, class... Others, class... Lists>
+struct Join<Names<Tags...>, Names<Others...>, Lists...> : Join<Names<Tags..., Others...>, Lists...> { };
+
+template <class... Lists>
+using Joined_names = typename Join<Lists...>::type;
 
 template <class Tag, class... Tags>
 constexpr bool has_name(Names<Tags...>)

@@ -38,7 +38,7 @@ public:
   // Whether borders meet in the last map.
   bool have_met() const { return m_is_on && !m_is_apart; }
 
-  // Has what it has seen of the last map count no more.
+  // As if the last map had not been seen.
   void forget_last_map() { m_is_apart = true; }
 
   // To be told of each map that a level gets.

@@ -93,7 +93,6 @@ private:
     if (!is_small() && !is_better(start))
       return;
     const Level_summary before = m_summary;
-    m_summary.converged = false;
     const Error_code status = minimize_from(m_energy, start, m_options, m_summary);
     m_summary.energy_start = before.energy_start;
     if (status == OK && is_better(start)) {

@@ -28,17 +28,19 @@ public:
 
   Error_code finish(const Level& level, Level::Uv& uv);
 
-  // Tells of the vertex of a result that is farthest from its given place, if one is not there; the status with that.
+  // Writes to the summary which fixed vertex of a result is farthest from its place. Returns `ERROR_NO_1_TO_1_MAPPING`
+  // if one is not there, else the status.
   Error_code check_places(const Level& level, const Level::Uv& uv, Error_code status);
 
   // Whether the map was good, but not at the places that waited for the end.
   bool has_lost_places() const { return m_has_lost_places; }
 
 private:
-  // What becomes of the start of the method without flips.
+  // What becomes of the method's start without flips.
   struct Other_map
   {
     Error_code status = ERROR_NO_1_TO_1_MAPPING;
+    Level::Uv uv = {};
     double energy = 0;
     bool converged = false;
   };
@@ -47,8 +49,8 @@ private:
   // other map takes its place, if there is one and it is better. Where the repair may give up, it does so before it
   // moves most vertices, and the other map has to be good.
   Error_code settle_flips(const Level& level, bool may_give_up, Level::Uv& uv);
-  Error_code replace_map(const Level& level, bool has_given_up, Error_code status, Level::Uv& uv);
-  const Other_map& other_map(const Level& level);      // made in `m_map_before` when it is asked for
+  Error_code replace_map(const Level& level, bool may_give_up, Error_code status, Level::Uv& uv);
+  Other_map make_other_map(const Level& level);
 
   // Moves a map to the places that wait for the end, rounded, if it is valid there and its energy hardly rises.
   Error_code go_to_places(const Level& level, Level::Uv& uv);
@@ -62,8 +64,8 @@ private:
   const Nested_iteration_options& m_options;
   bool m_must_keep_apart;           // the borders of the result
   Parameterization_summary& m_summary;
-  Level::Uv m_map_before;           // as the method got it; empty if it has no other way
-  std::optional<Other_map> m_other;
+  Level::Uv m_start;                // of the method; empty if it has no other way
+  std::optional<Other_map> m_other; // made when it is asked for
   bool m_has_lost_places = false;
 };
 

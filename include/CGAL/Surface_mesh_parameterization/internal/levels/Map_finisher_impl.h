@@ -29,7 +29,7 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Map_finisher::remember_start(const Level::Uv& uv)
 {
   if (m_options.flips.policy == Flip_policy::REPAIR && m_method.has_flip_free_alternative())
-    m_map_before = uv;
+    m_start = uv;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -38,7 +38,7 @@ Error_code Map_finisher::finish(const Level& level, Level::Uv& uv)
   m_summary.energy = m_summary.levels.back().energy_end;
   m_summary.converged = m_summary.levels.back().converged;
   Error_code status = settle_flips(level, true, uv);
-  if (status == ERROR_NO_1_TO_1_MAPPING && !m_map_before.empty())
+  if (status == ERROR_NO_1_TO_1_MAPPING && !m_start.empty())
     status = settle_flips(level, false, uv);
   if (status == OK && !m_options.places_at_end.empty())
     status = go_to_places(level, uv);
@@ -51,13 +51,13 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Error_code Map_finisher::settle_flips(const Level& level, bool may_give_up, Level::Uv& uv)
 {
   Flip_settlement settlement = m_options.flips;
-  settlement.may_give_up = may_give_up && !m_map_before.empty();
+  settlement.may_give_up = may_give_up && !m_start.empty();
   const Error_code status = m_method.settle_flips(
       settlement, level.rings(), [&] { return surface_by_rank(level); }, uv, m_summary);
   const bool is_repaired = m_summary.moved_vertices > 0;
   if (is_repaired && m_method.has_energy())
     m_summary.energy = m_method.energy(level, uv);
-  if (m_map_before.empty() || (status == OK && !is_repaired))
+  if (m_start.empty() || (status == OK && !is_repaired))
     return status;
   constexpr double greatest_factor = 1.01;      // of the energy, by a repair whose map stays without comparison
   const bool is_good = status == OK && !leaves_little(m_summary.moved_vertices, uv.size()) &&
@@ -67,53 +67,50 @@ Error_code Map_finisher::settle_flips(const Level& level, bool may_give_up, Leve
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-const Map_finisher::Other_map& Map_finisher::other_map(const Level& level)
+Map_finisher::Other_map Map_finisher::make_other_map(const Level& level)
 {
-  if (m_other)
-    return *m_other;
-  m_other = Other_map();
-  if (!is_map_valid(level.rings(), m_map_before, level.loops()))
-    return *m_other;
-  Level::Uv start = m_map_before;
+  Other_map other;
+  if (!is_map_valid(level.rings(), m_start, level.loops()))
+    return other;
+  other.uv = m_start;
   Level_summary& of_level = m_summary.levels.back();
   Level_summary summary = of_level;      // its iterations go on
   summary.converged = false;
-  m_other->status = m_method.refine_without_flips(level, m_map_before, summary);
-  if (m_other->status == OK) {
+  other.status = m_method.refine_without_flips(level, other.uv, summary);
+  if (other.status == OK) {
     of_level.iterations = summary.iterations;
     of_level.cycles = summary.cycles;
-    m_other->energy = m_method.energy(level, m_map_before);
-    m_other->converged = summary.converged;
+    other.energy = m_method.energy(level, other.uv);
+    other.converged = summary.converged;
   }
   // What the method minimizes without flips is another energy, which may lead away from a good start.
-  const double energy_of_start = m_method.energy(level, start);
-  const bool is_worse = m_other->status == ERROR_NO_1_TO_1_MAPPING ||
-                        (m_other->status == OK && energy_of_start < m_other->energy);
-  if (is_worse && displaced_vertices(level, start).empty()) {
-    m_map_before.swap(start);
-    *m_other = { OK, energy_of_start, false };
-  }
-  return *m_other;
+  const double energy_of_start = m_method.energy(level, m_start);
+  const bool is_worse = other.status == ERROR_NO_1_TO_1_MAPPING ||
+                        (other.status == OK && energy_of_start < other.energy);
+  if (is_worse && displaced_vertices(level, m_start).empty())
+    return { OK, m_start, energy_of_start, false };
+  return other;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code Map_finisher::replace_map(const Level& level, bool has_given_up, Error_code status, Level::Uv& uv)
+Error_code Map_finisher::replace_map(const Level& level, bool may_give_up, Error_code status, Level::Uv& uv)
 {
   constexpr double greatest_factor = 2;      // of the energy, by a map that is taken before all of the repair is tried
-  const Other_map& other = other_map(level);
-  if (other.status == ERROR_STOPPED)
+  if (!m_other)
+    m_other = make_other_map(level);
+  if (m_other->status == ERROR_STOPPED)
     return ERROR_STOPPED;
-  if (other.status != OK)
+  if (m_other->status != OK)
     return status;
-  const bool is_better = status != OK ? !has_given_up || other.energy <= greatest_factor * m_summary.energy
-                                      : other.energy < m_summary.energy ||
-                                            displaced_vertices(level, m_map_before).size() <
-                                                displaced_vertices(level, uv).size();
-  if (!is_better)
+  const auto displaced = [&](const Level::Uv& map) { return displaced_vertices(level, map).size(); };
+  const bool replaces_failure = status != OK && (!may_give_up || m_other->energy <= greatest_factor * m_summary.energy),
+             replaces_repair = status == OK && (m_other->energy < m_summary.energy ||
+                                                displaced(m_other->uv) < displaced(uv));
+  if (!replaces_failure && !replaces_repair)
     return status;
-  uv.swap(m_map_before);
-  m_summary.energy = other.energy;
-  m_summary.converged = other.converged;
+  uv.swap(m_other->uv);
+  m_summary.energy = m_other->energy;
+  m_summary.converged = m_other->converged;
   m_summary.moved_vertices = uv.size();
   m_summary.is_replaced = true;
   return OK;

@@ -31,9 +31,16 @@ public:
   Nested_iteration(Refinable_method& method, const Nested_iteration_options& options, Any_hierarchy_visitor* visitor,
                    Run_progress& progress, Parameterization_summary& summary);
 
-  // Makes a map of the finest level: from a valid one, in the order of the surface's vertices, or from none. To be
-  // called once.
-  Error_code run(const Collapse_hierarchy_3& hierarchy, std::vector<Point_2> start, Level::Uv& uv);
+  // A valid map to start from, in the order of the surface's vertices; none if it is empty. The borders of the user's,
+  // if they are apart, are kept apart from the first step on.
+  struct Start
+  {
+    std::vector<Point_2> uv;
+    bool is_users = false;
+  };
+
+  // Makes a map of the finest level. To be called once.
+  Error_code run(const Collapse_hierarchy_3& hierarchy, Start start, Level::Uv& uv);
 
   // Whether the method has made a map of the finest level, even if that is no result.
   bool is_finished() const { return m_is_finished; }
@@ -47,7 +54,7 @@ private:
   Error_code climb(Level& level, Level::Uv& uv);
 
   // Lets the method refine the map that the run starts from.
-  Error_code refine_start(Level& level, std::vector<Point_2> start, Level::Uv& uv);
+  Error_code refine_start(Level& level, Start start, Level::Uv& uv);
 
   // Sees to it that borders do not meet, where the method is to keep them apart and they do.
   Error_code separate_borders(Level& level, Level::Uv& uv);
@@ -77,7 +84,6 @@ private:
   Parameterization_summary& m_summary;
   bool m_must_hold_places;
   double m_overlap_bound;
-  bool m_start_is_users;            // so that its borders, if they are apart, are kept apart from the first step on
   bool m_must_keep_apart;           // the method, the borders of the result
   Map_finisher m_finisher;
   CGAL::Real_timer m_timer_of_level;

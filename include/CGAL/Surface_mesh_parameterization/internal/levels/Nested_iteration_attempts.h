@@ -12,6 +12,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Run_progress.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
+#include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Refinable_method.h>
 
@@ -30,8 +31,8 @@ public:
   Nested_iteration_attempts(Refinable_method& method, const Nested_iteration_options& options,
                             Any_hierarchy_visitor* visitor, Parameterization_summary& summary);
 
-  // Writes the places of the surface's vertices, in their order, if all went well. If `uv` holds a valid map, the first
-  // attempt starts from it. The timer runs since the surface began to be read.
+  // Writes the places of the surface's vertices, in their order, if all went well. If `uv` holds a valid map, which is
+  // the user's, the first attempt starts from it. The timer runs since the surface began to be read.
   Error_code run(Triangulated_surface_3 surface, CGAL::Real_timer& timer, std::vector<Point_2>& uv);
 
   // Whether the map is for the mirror images of the surface's places, as the options allow.
@@ -74,7 +75,7 @@ private:
   Any_hierarchy_visitor* m_visitor;
   Run_progress m_progress;
   Parameterization_summary& m_summary;
-  std::vector<Point_2> m_start;     // of the next attempt, in the order of the surface's vertices; empty: no map
+  Nested_iteration::Start m_start;      // of the next attempt
   unsigned int m_number_of_seeds = 0;
   bool m_has_mirrored_places = false;
   bool m_has_other_scale = false;         // was tried

@@ -40,8 +40,8 @@ Error_code Nested_iteration_attempts::run(Triangulated_surface_3 surface, CGAL::
                                           std::vector<Point_2>& uv)
 {
   constexpr double part_of_hierarchy = 0.05;      // of the time, more or less
-  m_start.swap(uv);
-  std::vector<Point_2> start_of_user = m_options.places_at_end.empty() ? std::vector<Point_2>() : m_start;
+  m_start = { std::exchange(uv, {}), true };
+  Nested_iteration::Start start_of_user = m_options.places_at_end.empty() ? Nested_iteration::Start() : m_start;
   double seconds_hierarchy = 0, seconds_parameterize = 0;      // of all attempts
   for (;;) {
     m_progress.start_stage(part_of_hierarchy);
@@ -193,7 +193,7 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Nested_iteration_attempts::find_start_on_closed_surface(const Collapse_hierarchy_3& hierarchy)
 {
   constexpr std::size_t least_vertices_at_hole = 3;
-  if (m_has_closed_surface || !m_start.empty() || !m_method.is_flip_free())
+  if (m_has_closed_surface || !m_start.uv.empty() || !m_method.is_flip_free())
     return;
   const Level coarsest(hierarchy);
   const double greatest_length = greatest_length_of_small_holes(coarsest);
@@ -213,20 +213,17 @@ void Nested_iteration_attempts::find_start_on_closed_surface(const Collapse_hier
   if ((!has_many_holes && !has_cracks) || !find_start(std::move(closed.surface)))
     return;
   if (has_cracks)
-    m_start = open_cracks(input_surface(hierarchy), closed, m_start);
+    m_start.uv = open_cracks(input_surface(hierarchy), closed, m_start.uv);
   else
-    m_start.resize(hierarchy.number_of_vertices());
+    m_start.uv.resize(hierarchy.number_of_vertices());
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Nested_iteration_attempts::find_start(Triangulated_surface_3 surface)
 {
   constexpr double part_of_run = 0.4;
-  m_start = find_map(std::move(surface), m_options, part_of_run);
-  if (m_start.empty())
-    return false;
-  m_options.make_starting_map = nullptr;      // the start is not the user's map
-  return true;
+  m_start = { find_map(std::move(surface), m_options, part_of_run), false };
+  return !m_start.uv.empty();
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -26,14 +26,14 @@ Nested_iteration::Nested_iteration(Refinable_method& method, const Nested_iterat
                                    Parameterization_summary& summary)
   : m_method(method), m_visitor(visitor), m_progress(progress), m_summary(summary),
     m_must_hold_places(options.must_hold_places), m_overlap_bound(options.overlap_bound),
-    m_start_is_users(options.make_starting_map != nullptr), m_must_keep_apart(method.keep_borders_apart(true)),
+    m_must_keep_apart(method.keep_borders_apart(true)),
     m_finisher(method, options, m_must_keep_apart, summary)
 {
   m_timer_of_level.start();
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code Nested_iteration::run(const Collapse_hierarchy_3& hierarchy, std::vector<Point_2> start, Level::Uv& uv)
+Error_code Nested_iteration::run(const Collapse_hierarchy_3& hierarchy, Start start, Level::Uv& uv)
 {
   if (!m_progress.is_stopped() && m_visitor && !m_visitor->hierarchy_built(hierarchy))
     m_progress.stop();
@@ -42,7 +42,7 @@ Error_code Nested_iteration::run(const Collapse_hierarchy_3& hierarchy, std::vec
 
   Level level(hierarchy, 0, m_method.loops(), &m_progress);
   Error_code status = ERROR_NO_1_TO_1_MAPPING;
-  if (!start.empty())
+  if (!start.uv.empty())
     status = refine_start(level, std::move(start), uv);
   if (status == ERROR_NO_1_TO_1_MAPPING)
     status = parameterize_level_by_level(level, uv);
@@ -97,15 +97,14 @@ Error_code Nested_iteration::climb(Level& level, Level::Uv& uv)
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code Nested_iteration::refine_start(Level& level, std::vector<Point_2> start, Level::Uv& uv)
+Error_code Nested_iteration::refine_start(Level& level, Start start, Level::Uv& uv)
 {
   m_timer_of_level.reset();
   level.go_to(level.hierarchy().number_of_levels() - 1);
-  uv = by_rank(level.hierarchy(), start);
-  start = std::vector<Point_2>();
+  uv = by_rank(level.hierarchy(), std::exchange(start.uv, {}));
   if (is_free(level) && !bring_to_scale(level, m_must_keep_apart, uv))
     return ERROR_NO_1_TO_1_MAPPING;
-  if (m_must_keep_apart && !m_start_is_users) {
+  if (m_must_keep_apart && !start.is_users) {
     m_method.keep_borders_apart(false);
     m_watch.begin_at(level, uv);
   }

@@ -85,7 +85,7 @@ private:
   // once.
   static constexpr double near_part = 0.2;
 
-  // Tells of the energy without the springs. Returns whether the run may go on.
+  // Tells of the energy without the springs that lead. Returns whether the run may go on.
   bool tell()
   {
     if (m_level.is_watched())

@@ -12,7 +12,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Right sides, each times its scale, as one vector of their values. What there is less than columns is 0.
+// Right sides, each times its scale, as one vector of their values. Missing columns are 0.
 template <int columns>
 struct Scaled_right_sides
 {

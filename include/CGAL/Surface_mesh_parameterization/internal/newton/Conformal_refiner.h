@@ -35,6 +35,7 @@ public:
     Newton_method newton(m_energy);
     newton.fix_vertices(vertices_to_hold());
     double current = m_energy(m_uv);
+    m_summary.converged = false;
     bool may_go_on = tell(current, 0);
     const std::size_t iterations_before = m_summary.iterations;
     std::size_t iterations = 0;

@@ -58,7 +58,8 @@ public:
   // Infinite if a triangle is not positive and the energy keeps them so.
   double operator()(const Level::Uv& uv) const;
 
-  // The greatest energy of the triangles whose least vertex is the same one.
+  // The greatest sum, over the vertices, of the energies of the triangles whose least vertex it is. Precondition: no
+  // triangle has a negative energy.
   double greatest_of_vertices(const Level::Uv& uv) const;
 
   // Writes the gradient, and the rows of a Hessian that is made positive semidefinite but for a part `indefinite_part`,

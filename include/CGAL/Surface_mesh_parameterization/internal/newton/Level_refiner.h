@@ -41,11 +41,11 @@ public:
           std::make_unique<Border_barrier>(m_level, m_options.newton.barrier_stiffness * m_energy.mean_weight());
   }
 
-  // Energies are reported in the unit of the level's energy: as the sum over the triangles, as the mean over the area
-  // if triangles are weighted so, or as the method says.
+  // Energies are reported in the unit of the level's energy, see there.
   // Returns `OK`, `ERROR_STOPPED` if a visitor stopped the run, or `GIVEN_UP` if keeping borders apart is in vain.
   Error_code run()
   {
+    m_summary.converged = false;
     m_summary.energy_start = m_current.value() / m_unit;
     if (tell(0)) {
       if (m_refinement.number_of_local_steps > 0)
@@ -119,9 +119,8 @@ private:
     std::size_t steps_left = m_refinement.number_of_local_steps;
     do {
       const std::size_t steps = (std::min)(size(), steps_left);
-      m_current.lower_by(relaxation.random_steps(m_uv, steps, random));
+      count(relaxation.random_steps(m_uv, steps, random));
       steps_left -= steps;
-      m_summary.vertex_visits += steps;
       ++m_summary.iterations;
     } while (tell(1 - double(steps_left) / double(m_refinement.number_of_local_steps)) && steps_left > 0);
   }
@@ -143,8 +142,7 @@ private:
     std::mt19937 random(m_refinement.random_seed);
     while (m_status == OK && iterations() < most_sweeps && !m_summary.converged) {
       const double before = m_current.value();
-      m_current.lower_by(is_random ? relaxation.random_steps(m_uv, size(), random) : relaxation.sweep(m_uv));
-      m_summary.vertex_visits += size();
+      count(is_random ? relaxation.random_steps(m_uv, size(), random) : relaxation.sweep(m_uv));
       m_summary.converged = m_current.is_little(before - m_current.value(), m_refinement.tolerance);
       ++m_summary.iterations;
       tell(part_done(before - m_current.value(), m_refinement.tolerance));

@@ -59,13 +59,18 @@ public:
   {
     m_accuracy.negligible = negligible;
     Step result = try_step(uv, energy);
+    const auto try_again = [&] {
+      const std::size_t cycles_before = result.cycles;
+      result = try_step(uv, energy);
+      result.cycles += cycles_before;
+    };
     if (result.length == 0 && m_objective.lost_gaps() > 0 && !m_objective.has_barrier()) {
       m_objective.begin_turn_barrier(uv, m_options.first_slack * result.predicted / double(m_objective.lost_gaps()));
-      result = try_step(uv, energy);
+      try_again();
     }
     if (result.length == 0 && m_system.indefinite_part() > 0) {
       m_system.set_indefinite_part(0);
-      result = try_step(uv, energy);
+      try_again();
     }
     adapt_accuracy(result);
     adapt_grids(result);

@@ -31,15 +31,15 @@ public:
   // Has border vertices moved only where that lowers the energy by more than it raises the barrier's.
   void set_turn_barrier(const Turn_barrier& barrier) { m_turn_barrier = &barrier; }
 
-  // Relaxes every vertex, group by group, and returns by how much the energy fell.
-  double sweep(Level::Uv& uv) const { return sweep_once(uv, infinity).decrease; }
-
   struct Effect
   {
     double decrease = 0;                    // of the energy
     std::size_t visits = 0;                 // of vertices
     std::vector<Index> active_vertices;     // those whose own step lowered the energy by more than was asked
   };
+
+  // Relaxes every vertex, group by group.
+  Effect sweep(Level::Uv& uv) const { return sweep_once(uv, infinity); }
 
   // A sweep, and then steps for the vertices that lower the energy by more than `least_decrease` each, and for their
   // neighbors, as long as they do so. Vertices that were inserted into a bad place, a handful of them, can hold most of
@@ -58,19 +58,18 @@ public:
     return relax_group(group, uv, infinity, sweeps);
   }
 
-  // Relaxes vertices that are chosen at random by a generator of 32-bit numbers, as the paper does; returns by how much
-  // the energy fell.
+  // Relaxes vertices that are chosen at random by a generator of 32-bit numbers, as the paper does.
   template <class RandomGenerator>
-  double random_steps(Level::Uv& uv, std::size_t number_of_steps, RandomGenerator& random) const
+  Effect random_steps(Level::Uv& uv, std::size_t number_of_steps, RandomGenerator& random) const
   {
     const std::unique_ptr<Vertex_relaxer> relaxer = m_energy.make_vertex_relaxer();
-    double decrease = 0;
-    for (std::size_t i = 0; i < number_of_steps; ++i) {
-      if (i % m_level.number_of_vertices() == 0)
+    Effect effect;
+    for (; effect.visits < number_of_steps; ++effect.visits) {
+      if (effect.visits % m_level.number_of_vertices() == 0)
         set_reach(uv);
-      decrease += relax(Index((std::uint64_t(random()) * m_level.number_of_vertices()) >> 32), 1, uv, *relaxer);
+      effect.decrease += relax(Index((std::uint64_t(random()) * m_level.number_of_vertices()) >> 32), 1, uv, *relaxer);
     }
-    return decrease;
+    return effect;
   }
 
 private:
@@ -91,9 +90,8 @@ private:
   }
 
   // Relaxes the vertices that the level `group` has in addition to the next coarser one. They share no edge, so that
-  // only those on the border, where the angles involve two neighbors, have to go one by one. So have all of level 0.
-  //
-  // Several sweeps go over any group but that of level 0. To a vertex within the surface they are steps in one star.
+  // only those on the border, where the angles involve two neighbors, have to go one by one. Those of level 0 have to,
+  // too, and get one sweep at a time. An interior vertex takes the steps of several sweeps at once.
   Effect relax_group(std::size_t group, Level::Uv& uv, double least_decrease, int sweeps = 1) const
   {
     const Collapse_hierarchy_3& hierarchy = m_level.hierarchy();
@@ -182,7 +180,7 @@ private:
   // Returns by how much the energy fell.
   double relax(Index v, int steps, Level::Uv& uv, Vertex_relaxer& relaxer) const
   {
-    if (m_level.is_pinned(v) || m_level.is_fixed(v))
+    if (m_level.is_fixed(v))
       return 0;
     if (!m_level.is_border(v))
       return relaxer.relax(v, steps, m_relaxation_factor, infinity, uv);

@@ -15,7 +15,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-typedef Joined_names<Joined_names<Cut_names, Pack_names>,
+typedef Joined_names<Cut_names, Pack_names,
                      Names<internal_np::edge_is_constrained_t, internal_np::least_used_part_t,
                            internal_np::overlap_bound_t, internal_np::hole_bound_t>>   Atlas_names;
 
