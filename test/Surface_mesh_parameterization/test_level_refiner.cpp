@@ -318,23 +318,23 @@ TEST(Decreases, foretell_nothing_after_steps_that_are_not_regular)
   EXPECT_TRUE(std::isinf(decreases.remainder()));
 }
 
-// An energy that goes up and down, or falls by next to nothing, is in a lull; one that falls below all before is not.
-TEST(Lull, lasts_while_the_energy_does_not_fall_below_what_it_was)
+// An energy that goes up and down, or falls by next to nothing, stagnates; one that falls below all before does not.
+TEST(Stagnation, lasts_while_the_energy_does_not_fall_below_what_it_was)
 {
-  Lull lull(10);
+  Stagnation stagnation(10);
   for (const double energy : { 9., 8., 7. }) {
-    lull.add(energy, 0.5);
-    EXPECT_EQ(lull.number_of_steps(), 0u);
+    stagnation.add(energy, 0.5);
+    EXPECT_EQ(stagnation.number_of_steps(), 0u);
   }
   std::size_t steps = 0;
   for (const double energy : { 12., 7.1, 11., 6.9, 6.6 }) {
-    lull.add(energy, 0.5);
-    EXPECT_EQ(lull.number_of_steps(), ++steps);
+    stagnation.add(energy, 0.5);
+    EXPECT_EQ(stagnation.number_of_steps(), ++steps);
   }
-  lull.add(6.4, 0.5);
-  EXPECT_EQ(lull.number_of_steps(), 0u);
-  lull.add(std::numeric_limits<double>::quiet_NaN(), 0.5);
-  EXPECT_EQ(lull.number_of_steps(), 1u);
+  stagnation.add(6.4, 0.5);
+  EXPECT_EQ(stagnation.number_of_steps(), 0u);
+  stagnation.add(std::numeric_limits<double>::quiet_NaN(), 0.5);
+  EXPECT_EQ(stagnation.number_of_steps(), 1u);
 }
 
 TEST(Decreases, are_sudden_once)

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/internal/hierarchy/fixed_vertices.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Block_multigrid.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Contact_pattern.h>
 #include <CGAL/Surface_mesh_parameterization/internal/newton/Level_energy_of.h>
@@ -158,7 +159,7 @@ TEST(Springs, have_the_gradient_of_their_energy)
   for (internal::Index v = 0; v < level.number_of_vertices(); ++v)
     uv.emplace_back(level.point(v).x(), level.point(v).y());
   const internal::Level_energy_of<Symmetric_Dirichlet_energy_2> alone(level, Triangle_weight::ONE);
-  const internal::Level_energy_with_springs energy(alone, internal::springs(level));
+  const internal::Level_energy_with_springs energy(alone, internal::springs_of(level));
   EXPECT_NEAR(energy(uv) - alone(uv), energy.energy_of_springs(uv), 1e-9);
 
   internal::Block_multigrid multigrid(level);

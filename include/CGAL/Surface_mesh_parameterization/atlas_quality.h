@@ -92,10 +92,10 @@ inline Parameterization_quality quality(const Atlas& atlas, const std::vector<In
 inline Parameterization_quality quality_of_no_map(std::size_t number_of_faces)
 {
   const Point_2 p = nowhere();
-  const Mapped_triangle nowhere({}, { p, p, p });
+  const Mapped_triangle triangle({}, { p, p, p });
   Quality_sums sums{ Unit_scale() };
   for (std::size_t i = 0; i < number_of_faces; ++i)
-    sums.add(nowhere);
+    sums.add(triangle);
   return sums.quality();
 }
 

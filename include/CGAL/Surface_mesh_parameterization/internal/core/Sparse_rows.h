@@ -32,14 +32,20 @@ struct Sparse_rows
     values.reserve(number_of_entries);
   }
 
+  // Adds an entry to the row that is being made below the others, and ends that row.
+  void add_entry(Index column, const Real& value)
+  {
+    columns.push_back(column);
+    values.push_back(value);
+  }
+  void end_row() { first.push_back(checked_end(columns.size())); }
+
   // Adds a row below the others.
   void append(const Sparse_row& row)
   {
-    for (const auto& [column, value] : row) {
-      columns.push_back(column);
-      values.push_back(Real(value));
-    }
-    first.push_back(checked_end(columns.size()));
+    for (const auto& [column, value] : row)
+      add_entry(column, Real(value));
+    end_row();
   }
 
   // Adds rows below the others.
@@ -75,15 +81,8 @@ struct Sparse_rows
   template <class Vector>
   typename Vector::value_type row_times(Index i, const Vector& x) const
   {
-    return range_times(first[i], first[i + 1], x);
-  }
-
-  // The part of it that the entries from `begin` to `end` give.
-  template <class Vector>
-  typename Vector::value_type range_times(Index begin, Index end, const Vector& x) const
-  {
     typename Vector::value_type sum = Vector::value_type::zero();
-    for (Index k = begin; k < end; ++k)
+    for (Index k = first[i]; k < first[i + 1]; ++k)
       sum += values[k] * x[columns[k]];
     return sum;
   }

@@ -5,8 +5,11 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_HIERARCHY_FIXED_VERTICES_H
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -35,6 +38,15 @@ inline std::vector<Index> displaced_vertices(const Level& level, const Level::Uv
     if (v < level.number_of_vertices() && uv[v] != place)
       result.push_back(v);
   return result;
+}
+
+// The springs that pull at vertices of a level.
+inline std::vector<Triangulated_surface_3::Spring> springs_of(const Level& level)
+{
+  const std::vector<Triangulated_surface_3::Spring>& all = level.hierarchy().springs();
+  const auto end = std::lower_bound(all.begin(), all.end(), level.number_of_vertices(),
+                                    [](const auto& s, std::size_t v) { return s.vertex < v; });
+  return { all.begin(), end };
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

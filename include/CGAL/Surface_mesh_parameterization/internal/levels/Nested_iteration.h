@@ -57,14 +57,14 @@ private:
   Error_code refine_start(Level& level, Start start, Level::Uv& uv);
 
   // Sees to it that borders do not meet, where the method is to keep them apart and they do.
-  Error_code separate_borders(Level& level, Level::Uv& uv);
+  Error_code keep_borders_apart_if_they_met(Level& level, Level::Uv& uv);
 
   // Goes on with borders kept apart from the finest level on which they were apart of themselves, or from the start.
   Error_code climb_with_borders_apart(Level& level, Level::Uv& uv);
 
   // The same, unless the map lies over itself far. If it does so at all, and keeping the borders apart fails or costs
   // much energy, it stays as it was, too. It may be a draft, which has not converged.
-  Error_code separate_borders_if_that_pays(Level& level, Level::Uv& uv);
+  Error_code keep_borders_apart_if_that_pays(Level& level, Level::Uv& uv);
 
   Error_code insert_vertices(const Level& level, Level::Uv& uv) const;
   Error_code refine(Level& level, Level::Uv& uv);

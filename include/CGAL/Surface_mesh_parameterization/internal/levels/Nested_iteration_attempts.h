@@ -80,7 +80,7 @@ private:
   bool m_has_mirrored_places = false;
   bool m_has_other_scale = false;         // was tried
   bool m_has_closed_surface = false;      // was tried
-  bool m_is_flat = false;                 // the hierarchy has only the finest level
+  bool m_was_flat = false;                // the finest level alone was tried, or is to be tried now
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

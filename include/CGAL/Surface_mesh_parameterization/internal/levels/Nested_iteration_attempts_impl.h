@@ -250,16 +250,19 @@ bool Nested_iteration_attempts::prepare_another_way(const Collapse_hierarchy_3& 
   if (!m_method.is_flip_free())
     return false;
   const bool has_coarsest_map = !m_summary.levels.empty();
-  m_is_flat = m_is_flat || (has_coarsest_map && hierarchy.number_of_levels() == 1);
   if (has_coarsest_map) {
+    m_was_flat = m_was_flat || hierarchy.number_of_levels() == 1;
     ++m_options.hierarchy.random_seed;
-    if ((++m_number_of_seeds < most_seeds && !m_is_flat) || m_method.leave_room())
+    ++m_number_of_seeds;
+    if ((m_number_of_seeds < most_seeds && !m_was_flat) || m_method.leave_room())
       return true;
   }
-  if (m_is_flat)
+  if (m_was_flat)
     return false;
-  m_is_flat = has_coarsest_map || hierarchy.number_of_vertices(0) > m_options.hierarchy.coarsest_size;
-  m_options.hierarchy.coarsest_size = m_is_flat ? hierarchy.number_of_vertices() : hierarchy.number_of_vertices(0) / 2;
+  const bool may_be_coarser = hierarchy.number_of_vertices(0) <= m_options.hierarchy.coarsest_size;
+  m_was_flat = has_coarsest_map || !may_be_coarser;
+  m_options.hierarchy.coarsest_size =
+      m_was_flat ? hierarchy.number_of_vertices() : hierarchy.number_of_vertices(0) / 2;
   return true;
 }
 

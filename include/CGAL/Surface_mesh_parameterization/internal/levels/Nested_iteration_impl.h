@@ -67,7 +67,7 @@ Error_code Nested_iteration::parameterize_level_by_level(Level& level, Level::Uv
   Error_code status = parameterize_coarsest(level, uv);
   if (status == OK)
     status = climb(level, uv);
-  return status == OK ? separate_borders(level, uv) : status;
+  return status == OK ? keep_borders_apart_if_they_met(level, uv) : status;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -110,17 +110,17 @@ Error_code Nested_iteration::refine_start(Level& level, Start start, Level::Uv& 
   }
   start_stage(level);
   const Error_code status = refine(level, uv);
-  return status == OK ? separate_borders(level, uv) : status;
+  return status == OK ? keep_borders_apart_if_they_met(level, uv) : status;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code Nested_iteration::separate_borders(Level& level, Level::Uv& uv)
+Error_code Nested_iteration::keep_borders_apart_if_they_met(Level& level, Level::Uv& uv)
 {
   if (!m_watch.have_met())
     return OK;
   if (m_overlap_bound == 1)
     return climb_with_borders_apart(level, uv);
-  return separate_borders_if_that_pays(level, uv);
+  return keep_borders_apart_if_that_pays(level, uv);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -146,7 +146,7 @@ Error_code Nested_iteration::climb_with_borders_apart(Level& level, Level::Uv& u
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Error_code Nested_iteration::separate_borders_if_that_pays(Level& level, Level::Uv& uv)
+Error_code Nested_iteration::keep_borders_apart_if_that_pays(Level& level, Level::Uv& uv)
 {
   constexpr double greatest_rise_of_energy = 0.02, hopeless_rise_of_energy = 1;      // relative
   const double covered = covered_part(level.triangles(), uv);

@@ -40,11 +40,11 @@ public:
       return bad.size();
     open_flat_ears(bad);
     for (const bool may_have_needles : { false, true })
-      for (const std::size_t rings : numbers_of_rings) {
+      for (const std::size_t width : widths) {
         if (bad.empty() || (may_have_needles && !m_unfolder.has_refused_needles()))
           return bad.size();
-        for (const std::vector<Index>& patch : patches_around(bad, rings))
-          if (patch.size() <= (rings == 0 ? greatest_patch_without_ring : greatest_patch))
+        for (const std::vector<Index>& patch : patches_around(bad, width))
+          if (patch.size() <= (width == 0 ? greatest_patch_without_ring : greatest_patch))
             repair(patch, may_have_needles);
         erase_good(bad);
       }
@@ -52,9 +52,9 @@ public:
   }
 
 private:
-  // The numbers of rings around the vertices of flips that are tried for a patch. Without a ring the triangles of many
+  // The widths of patches that are tried, in rings around the vertices of flips. Without a ring the triangles of many
   // flips would find little room.
-  static constexpr std::size_t numbers_of_rings[] = { 0, 1, 2, 4 };
+  static constexpr std::size_t widths[] = { 0, 1, 2, 4 };
   static constexpr std::size_t greatest_patch_without_ring = 8, greatest_patch = 1000;      // in vertices
   // Those of bad stars: of more flips than that, nothing is repaired.
   static constexpr double greatest_part_of_vertices = 0.1;
@@ -111,13 +111,13 @@ private:
   }
 
   // The connected parts of what is at most so many rings away from some vertices.
-  std::vector<std::vector<Index>> patches_around(const std::vector<Index>& vertices, std::size_t rings) const
+  std::vector<std::vector<Index>> patches_around(const std::vector<Index>& vertices, std::size_t width) const
   {
     std::vector<Mark> marks(m_uv.size(), Mark::OUTSIDE);
     std::vector<Index> all;
     for (const Index v : vertices)
       mark(v, Mark::OUTSIDE, Mark::INSIDE, marks, all);
-    for (std::size_t begin = 0; rings > 0; --rings)
+    for (std::size_t begin = 0; width > 0; --width)
       for (const std::size_t end = all.size(); begin < end; ++begin)
         for (const Index w : m_rings[all[begin]])
           mark(w, Mark::OUTSIDE, Mark::INSIDE, marks, all);

@@ -30,9 +30,9 @@ inline std::vector<Wanted_move> wanted_moves(const Level& level, const Level::Uv
   for (const Index v : fixed_vertices(level))
     result.push_back({ uv[v], level.fixed_place(v) });
   double greatest_stiffness = 0;
-  for (const Triangulated_surface_3::Spring& s : springs(level))
+  for (const Triangulated_surface_3::Spring& s : springs_of(level))
     greatest_stiffness = (std::max)(greatest_stiffness, s.stiffness);
-  for (const Triangulated_surface_3::Spring& s : springs(level))
+  for (const Triangulated_surface_3::Spring& s : springs_of(level))
     if (s.stiffness > 0)
       result.push_back({ uv[s.vertex], s.place, s.stiffness / greatest_stiffness });
   return result;

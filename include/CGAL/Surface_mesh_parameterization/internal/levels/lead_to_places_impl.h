@@ -30,7 +30,7 @@ void take_better_places(const Level_energy& energy, Level::Uv& uv)
 {
   const Level& level = energy.level();
   const std::vector<Index> fixed = fixed_vertices(level);
-  const std::vector<Triangulated_surface_3::Spring> pulled = springs(level);
+  const std::vector<Triangulated_surface_3::Spring> pulled = springs_of(level);
   if (fixed.size() + pulled.size() < level.number_of_vertices())
     return;
   Level::Uv places(level.number_of_vertices(), nowhere());

@@ -28,7 +28,7 @@ inline std::vector<Triangulated_surface_3::Spring> springs_of_energy(const Level
 {
   constexpr double greatest_stiffness_on_coarse = 10;
   const Level& level = energy.level();
-  std::vector<Triangulated_surface_3::Spring> result = springs(level);
+  std::vector<Triangulated_surface_3::Spring> result = springs_of(level);
   if (weight == Triangle_weight::AREA)
     for (Triangulated_surface_3::Spring& s : result)
       s.stiffness = std::ldexp(s.stiffness, 2 * level.scale_exponent());
@@ -48,7 +48,8 @@ inline Refinement_options options_with_springs(Refinement_options options)
 // Whether the map of a level is a first one, not the user's, from which springs are to pull.
 inline bool has_first_map_and_springs(const Level& level)
 {
-  return level.index() == 0 && !level.is_finest() && fixed_vertices(level).empty();
+  return level.index() == 0 && !level.is_finest() && fixed_vertices(level).empty() &&
+         !level.hierarchy().springs().empty();
 }
 
 // Springs that pull at triangles in which a first map has next to no area crush them for good.
@@ -64,8 +65,8 @@ inline Error_code minimize_near_places(const Level_energy& free_energy, Level::U
 
 // Leads the map of a level to given places. A first map that gets lost on the way is replaced by Tutte's with the
 // border at its places, if that is one: not sooner, since from there minima may be a little higher.
-inline Error_code lead_first_map_to_places(const Level_energy_with_springs& energy, bool borders_must_not_meet,
-                                           Level::Uv& uv, Level_summary& summary)
+inline Error_code lead_map_to_places(const Level_energy_with_springs& energy, bool borders_must_not_meet,
+                                     Level::Uv& uv, Level_summary& summary)
 {
   const Error_code status = lead_to_places(energy, borders_must_not_meet, uv, summary);
   Level::Uv other;
@@ -96,7 +97,7 @@ inline Error_code minimize_with_places(const Level_energy& free_energy, Level::U
     return ERROR_NO_1_TO_1_MAPPING;
   const double energy_start = energy(uv) / energy.unit();
   Error_code status =
-      energy.is_flip_free() ? lead_first_map_to_places(energy, borders_must_not_meet, uv, summary) : OK;
+      energy.is_flip_free() ? lead_map_to_places(energy, borders_must_not_meet, uv, summary) : OK;
   if (status != ERROR_STOPPED && (status == OK || !level.is_finest()))
     status = minimize_from(energy, uv, options, summary);
   summary.energy_start = energy_start;

@@ -157,11 +157,9 @@ private:
     void append_to(Sparse_rows<Number>& rows)
     {
       std::sort(m_columns.begin(), m_columns.end());
-      for (const Index column : m_columns) {
-        rows.columns.push_back(column);
-        rows.values.push_back(Number(m_sums[column].value));
-      }
-      rows.first.push_back(Index(rows.columns.size()));
+      for (const Index column : m_columns)
+        rows.add_entry(column, Number(m_sums[column].value));
+      rows.end_row();
     }
 
   private:

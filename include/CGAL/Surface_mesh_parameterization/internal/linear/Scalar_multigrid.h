@@ -230,11 +230,9 @@ private:
         row.emplace_back(column, Double_number(value));
       });
       std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-      for (const auto& [column, value] : row) {
-        rows.columns.push_back(column);
-        rows.values.push_back(value);
-      }
-      rows.first.push_back(Index(rows.columns.size()));
+      for (const auto& [column, value] : row)
+        rows.add_entry(column, value);
+      rows.end_row();
     }
     if constexpr (std::is_same<Double_number, double>::value)
       m_direct_solver = factorize_rows(rows);

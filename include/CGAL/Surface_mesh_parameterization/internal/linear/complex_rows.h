@@ -64,10 +64,9 @@ std::optional<Sparse_rows<Complex<Real>>> complex_rows(const Sparse_rows<Real>& 
     for_each_2x2(rows, i, [&](Index j, const Entries_2x2<Real>& a) {
       const Real most = rounding * (size[i] + size[j]);
       is_complex = is_complex && std::abs(a[0][0] - a[1][1]) <= most && std::abs(a[0][1] + a[1][0]) <= most;
-      result.columns.push_back(j);
-      result.values.push_back({ (a[0][0] + a[1][1]) / 2, (a[1][0] - a[0][1]) / 2 });
+      result.add_entry(j, { (a[0][0] + a[1][1]) / 2, (a[1][0] - a[0][1]) / 2 });
     });
-    result.first.push_back(Index(result.columns.size()));
+    result.end_row();
   }
   return is_complex ? std::make_optional(std::move(result)) : std::nullopt;
 }

@@ -109,15 +109,6 @@ private:
   std::vector<Spring> m_springs;
 };
 
-// The springs of a level's vertices.
-inline std::vector<Triangulated_surface_3::Spring> springs(const Level& level)
-{
-  const std::vector<Triangulated_surface_3::Spring>& all = level.hierarchy().springs();
-  const auto end = std::lower_bound(all.begin(), all.end(), level.number_of_vertices(),
-                                    [](const auto& s, std::size_t v) { return s.vertex < v; });
-  return { all.begin(), end };
-}
-
 } // namespace CGAL::Surface_mesh_parameterization::internal
 
 #endif // CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LEVEL_ENERGY_WITH_SPRINGS_H

@@ -154,11 +154,11 @@ private:
   // they get to their places.
   void iterate_newton()
   {
-    Vertex_relaxation relaxation(m_energy, m_options.over_relaxation, m_barrier.get());
+    const Vertex_relaxation relaxation(m_energy, m_options.over_relaxation, m_barrier.get());
     const std::size_t levels_to_finest = m_level.hierarchy().number_of_levels() - 1 - m_level.index();
     if (has_grid_of_finest_level(m_energy) || (m_barrier && levels_to_finest % m_options.stride_with_barrier == 0)) {
       if (sweep_while_it_pays(relaxation))
-        take_newton_steps(relaxation);
+        take_newton_steps();
     } else
       sweep(relaxation);
   }
@@ -176,11 +176,11 @@ private:
     return m_status == OK;
   }
 
-  void take_newton_steps(Vertex_relaxation& relaxation)
+  void take_newton_steps()
   {
     Newton_method newton(m_energy, m_barrier.get(), m_options.newton);
     newton.fix_vertices(fixed_vertices(m_level));
-    relaxation.set_turn_barrier(newton.turn_barrier());
+    const Vertex_relaxation relaxation(m_energy, m_options.over_relaxation, m_barrier.get(), &newton.turn_barrier());
     const double least_decrease = least_decrease_of_newton_steps();
     Newton_convergence convergence(m_current, m_barrier != nullptr, least_decrease, m_options);
     while (m_status == OK && iterations() < m_refinement.number_of_iterations && !convergence.has_arrived()) {

@@ -54,10 +54,10 @@ private:
 };
 
 // Steps in a row that have not brought the energy below what it was before.
-class Lull
+class Stagnation
 {
 public:
-  explicit Lull(double energy) : m_least(energy) { }
+  explicit Stagnation(double energy) : m_least(energy) { }
 
   // A step has led to `energy`; what it is lower by counts if it is more than `little`.
   void add(double energy, double little)
@@ -84,7 +84,7 @@ public:
   Newton_convergence(const Current_energy& current, bool has_border_barrier, double least_decrease,
                      const Level_refiner_options& options)
     : m_current(current), m_options(options), m_has_border_barrier(has_border_barrier),
-      m_least_decrease(least_decrease), m_decreases(options.sudden_fall), m_lull(current.value())
+      m_least_decrease(least_decrease), m_decreases(options.sudden_fall), m_stagnation(current.value())
   { }
 
   // A step has led to the current energy, lower by `decrease`. `is_regular`: whether it tells how the method converges;
@@ -92,11 +92,12 @@ public:
   void add(double decrease, bool is_regular, bool is_jammed)
   {
     m_decreases.add(decrease, is_regular);
-    m_lull.add(m_current.value(),
-               m_current.little(is_jammed ? m_options.least_decrease_with_barrier : m_least_decrease));
+    m_stagnation.add(m_current.value(),
+                     m_current.little(is_jammed ? m_options.least_decrease_with_barrier : m_least_decrease));
     const bool is_slow = m_current.is_little(decrease, m_least_decrease) ||
                          m_decreases.remainder() <= m_least_decrease * m_current.excess(),
-               falls_no_more = m_has_border_barrier && m_lull.number_of_steps() >= m_options.most_steps_without_fall;
+               falls_no_more = m_has_border_barrier &&
+                               m_stagnation.number_of_steps() >= m_options.most_steps_without_fall;
     m_has_arrived = ((is_slow && !is_jammed) || falls_no_more) && !m_decreases.is_sudden();
   }
 
@@ -111,7 +112,7 @@ private:
   const bool m_has_border_barrier;
   const double m_least_decrease;
   Decreases m_decreases;
-  Lull m_lull;
+  Stagnation m_stagnation;
   bool m_has_arrived = false;
 };
 

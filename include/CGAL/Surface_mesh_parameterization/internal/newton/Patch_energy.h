@@ -87,7 +87,7 @@ public:
   {
     double sum = 0;
     for (const Triangle& t : m_triangles) {
-      const double value = energy.value(t.frobenius(m_uv), t.determinant(m_uv));
+      const double value = energy.value(t.squared_frobenius_norm(m_uv), t.determinant(m_uv));
       sum += value > 0 ? value : (std::numeric_limits<double>::infinity)();
     }
     return sum;
@@ -128,7 +128,7 @@ private:
       return corners[0].determinant(uv[vertices[0]], uv[vertices[1]], uv[vertices[2]]);
     }
 
-    double frobenius(const std::vector<Point_2>& uv) const
+    double squared_frobenius_norm(const std::vector<Point_2>& uv) const
     {
       return corners[0].squared_frobenius_norm(uv[vertices[0]], uv[vertices[1]], uv[vertices[2]]);
     }

@@ -23,13 +23,13 @@ class Vertex_relaxation
 {
 public:
   // Steps are `relaxation_factor` times Newton's, as in successive over-relaxation; between 0 and 2. `barrier`, if
-  // there is one, keeps the borders apart.
-  Vertex_relaxation(const Level_energy& energy, double relaxation_factor, Border_barrier* barrier = nullptr)
-    : m_energy(energy), m_level(energy.level()), m_relaxation_factor(relaxation_factor), m_barrier(barrier)
+  // there is one, keeps the borders apart. If there is a `turn_barrier`, border vertices move only where that lowers the
+  // energy by more than it raises the barrier's.
+  Vertex_relaxation(const Level_energy& energy, double relaxation_factor, Border_barrier* barrier = nullptr,
+                    const Turn_barrier* turn_barrier = nullptr)
+    : m_energy(energy), m_level(energy.level()), m_relaxation_factor(relaxation_factor), m_barrier(barrier),
+      m_turn_barrier(turn_barrier)
   { }
-
-  // Has border vertices moved only where that lowers the energy by more than it raises the barrier's.
-  void set_turn_barrier(const Turn_barrier& barrier) { m_turn_barrier = &barrier; }
 
   struct Effect
   {
@@ -205,7 +205,7 @@ private:
   const Level& m_level;
   double m_relaxation_factor;
   Border_barrier* m_barrier;
-  const Turn_barrier* m_turn_barrier = nullptr;
+  const Turn_barrier* m_turn_barrier;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
