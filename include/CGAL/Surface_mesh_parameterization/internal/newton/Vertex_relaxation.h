@@ -23,8 +23,8 @@ class Vertex_relaxation
 {
 public:
   // Steps are `relaxation_factor` times Newton's, as in successive over-relaxation; between 0 and 2. `barrier`, if
-  // there is one, keeps the borders apart. If there is a `turn_barrier`, border vertices move only where that lowers the
-  // energy by more than it raises the barrier's.
+  // there is one, keeps the borders apart. With a turn barrier, border vertices move only where that lowers the energy
+  // by more than it raises the barrier's.
   Vertex_relaxation(const Level_energy& energy, double relaxation_factor, Border_barrier* barrier = nullptr,
                     const Turn_barrier* turn_barrier = nullptr)
     : m_energy(energy), m_level(energy.level()), m_relaxation_factor(relaxation_factor), m_barrier(barrier),
