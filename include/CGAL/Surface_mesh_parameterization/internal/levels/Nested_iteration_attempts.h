@@ -39,8 +39,8 @@ public:
   bool has_mirrored_places() const { return m_has_mirrored_places; }
 
 private:
-  // What follows an attempt: nothing, since there is a map or an error; another one, which is prepared; the same with
-  // the places given from the start, since the finished map could not be brought to them; or with mirrored places.
+  // What follows: nothing, since there is a map or an error; another attempt, which is prepared; the same with the
+  // places given from the start, since the finished map could not be brought to them; or with mirrored places.
   enum class Next { NOTHING, ATTEMPT, HOLD_PLACES, MIRROR_PLACES };
 
   // Writes the places if the method finds a map of this hierarchy.

@@ -232,7 +232,7 @@ std::vector<Point_2> Nested_iteration_attempts::find_map(Triangulated_surface_3 
 {
   m_progress.start_stage(part_of_rest);
   Run_in_stage listener(m_progress);
-  Run_progress progress(&listener);
+  Run_progress progress(m_progress.is_watched() ? &listener : nullptr);
   options.hierarchy.progress = &progress;
   options.places_at_end.clear();
   const Collapse_hierarchy_3 hierarchy(std::move(surface), options.hierarchy, m_method.loops());
