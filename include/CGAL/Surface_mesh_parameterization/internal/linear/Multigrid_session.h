@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Mesh_unknowns.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Solver_vector.h>
+#include <CGAL/Surface_mesh_parameterization/internal/linear/Unknown_marks.h>
 
 #include <functional>
 #include <memory>
@@ -54,11 +55,11 @@ public:
 
   // Allows this: where a system's unknowns do not sit at the vertices in their order, the solution becomes marks of the
   // unknowns. The map that is made of these goes to read_marks(), and from then on it is known where they sit.
-  void allow_marks() { m_marks = Marks::ALLOWED; }
-  bool has_given_marks() const { return m_marks == Marks::GIVEN; }
+  void allow_marks() { m_marks.allow(); }
+  bool has_given_marks() const { return m_marks.are_given(); }
 
   // Returns whether each vertex has marks of its own.
-  bool read_marks(const std::vector<Point_2>& map);
+  bool read_marks(const std::vector<Point_2>& map) { return m_marks.read(map, *m_unknowns); }
 
   // Solves the system whose solution became marks.
   bool solve_marked(std::vector<double>& solution);
@@ -80,8 +81,6 @@ public:
   bool finish();
 
 private:
-  enum class Marks { NONE, ALLOWED, GIVEN, READ };
-
   void solve_now() override { finish(); }
   bool suits_multigrid(const Sparse_rows<double>& rows) const;
   bool find_hierarchy();
@@ -93,7 +92,6 @@ private:
   bool set_up_multigrid(std::shared_ptr<const Sparse_rows<double>> rows, const std::vector<Index>& tied_vertices);
   bool make_solver(std::shared_ptr<const Sparse_rows<double>> rows, std::vector<Mesh_unknown> unknowns,
                    const std::vector<Index>& tied_vertices);
-  bool give_marks(const Vector& right_side, Vector& solution);
   bool put_off(const Vector& right_side, Vector& solution);
   bool solve(const std::vector<const std::vector<double>*>& right_sides,
              const std::vector<std::vector<double>*>& solutions);
@@ -102,10 +100,7 @@ private:
   Make_hierarchy m_make_hierarchy;
   std::shared_ptr<const Hierarchy_interpolation> m_interpolation;     // null until it is made
   std::optional<Mesh_unknowns> m_unknowns;
-  Marks m_marks = Marks::NONE;
-  std::shared_ptr<const Sparse_rows<double>> m_marked_rows;
-  std::vector<double> m_marked_right_side;
-  std::vector<Mesh_unknown> m_marked_unknowns;
+  Unknown_marks m_marks;
   Linear_solver_options m_options;
   Make_linear_solver m_make_solver;
   bool m_defers;

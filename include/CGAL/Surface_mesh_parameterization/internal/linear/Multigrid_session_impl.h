@@ -60,17 +60,9 @@ bool Multigrid_session::start_stage(double factor) const
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool Multigrid_session::read_marks(const std::vector<Point_2>& map)
-{
-  m_marks = Marks::READ;
-  m_marked_unknowns = m_unknowns->from_marks(m_marked_rows->number_of_rows(), map);
-  return !m_marked_unknowns.empty();
-}
-
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::solve_marked(std::vector<double>& solution)
 {
-  return set_up(m_marked_rows, {}) && solve({ &m_marked_right_side }, { &solution });
+  return set_up(m_marks.rows(), {}) && solve({ &m_marks.right_side() }, { &solution });
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -136,14 +128,11 @@ bool Multigrid_session::set_up_multigrid(std::shared_ptr<const Sparse_rows<doubl
   std::vector<Mesh_unknown> unknowns = m_unknowns->in_order(rows->number_of_rows());
   const bool is_of_mesh = unknowns.size() == rows->number_of_rows();
   if (!unknowns_match(*m_interpolation, *rows, unknowns))
-    unknowns = m_marked_unknowns;
+    unknowns = m_marks.unknowns();
   if (!unknowns_match(*m_interpolation, *rows, unknowns)) {
-    if (m_marks == Marks::ALLOWED || m_marks == Marks::GIVEN) {
-      m_marks = Marks::GIVEN;
-      m_marked_rows = std::move(rows);
+    if (m_marks.put_aside(rows))
       return true;
-    }
-    if (!is_of_mesh && m_marks == Marks::NONE)
+    if (!is_of_mesh && !m_marks.are_allowed())
       return false;
     unknowns.clear();
   }
@@ -187,20 +176,8 @@ bool Multigrid_session::solve(const Sparse_matrix& matrix, const Vector& right_s
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::solve(const Vector& right_side, Vector& solution)
 {
-  return m_solver ? solve({ &right_side.values() }, { &solution.values() }) : give_marks(right_side, solution);
-}
-
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool Multigrid_session::give_marks(const Vector& right_side, Vector& solution)
-{
-  if (m_marks != Marks::GIVEN || right_side.size() != m_marked_rows->number_of_rows())
-    return false;
-  m_marked_right_side = right_side.values();
-  std::vector<double>& marks = solution.values();
-  marks.resize(m_marked_right_side.size());
-  for (Index i = 0; i < marks.size(); ++i)
-    marks[i] = Mesh_unknowns::mark(i);
-  return true;
+  return m_solver ? solve({ &right_side.values() }, { &solution.values() })
+                  : m_marks.give(right_side.values(), solution.values());
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

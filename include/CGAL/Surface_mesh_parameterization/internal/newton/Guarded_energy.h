@@ -38,7 +38,6 @@ public:
   // Finds the contacts of a map from which a step begins. Returns the energy of the barriers.
   double find_contacts(const Level::Uv& uv)
   {
-    m_lost_gaps = 0;
     m_contacts.clear();
     m_turn_barrier.add_contacts(uv, m_contacts);
     if (m_border_barrier) {
@@ -66,17 +65,18 @@ public:
   }
 
   // Whether the map to which a step leads is valid.
-  bool is_valid(const Level::Uv& start, const Level::Uv& end)
+  bool is_valid(const Level::Uv& start, const Level::Uv& end) const
   {
-    if (!m_energy.is_flip_free())
-      return true;
-    m_lost_gaps = m_turn_barrier.number_of_lost_gaps(start, end);
-    return m_lost_gaps == 0 && is_map_valid(m_energy.level().rings(), end, m_energy.level().loops()) &&
-           (!m_border_barrier || m_border_barrier->keeps_apart(end));
+    return !m_energy.is_flip_free() ||
+           (lost_gaps(start, end) == 0 && is_map_valid(m_energy.level().rings(), end, m_energy.level().loops()) &&
+            (!m_border_barrier || m_border_barrier->keeps_apart(end)));
   }
 
-  // Of the map that is_valid() was asked of last.
-  std::size_t lost_gaps() const { return m_lost_gaps; }
+  // How many angles at the border such a step opens to the full turn.
+  std::size_t lost_gaps(const Level::Uv& start, const Level::Uv& end) const
+  {
+    return m_turn_barrier.number_of_lost_gaps(start, end);
+  }
 
 private:
   double energy_of_barriers(const Level::Uv& uv) const
@@ -88,7 +88,6 @@ private:
   Border_barrier* m_border_barrier;
   Turn_barrier m_turn_barrier;
   Contacts m_contacts;
-  std::size_t m_lost_gaps = 0;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

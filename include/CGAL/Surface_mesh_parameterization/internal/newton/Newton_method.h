@@ -33,6 +33,7 @@ public:
     std::size_t cycles = 0;       // of multigrid
     double slack = 0;             // a bound of what the barrier at the full turn costs
     double missed = 0;            // what the model could be lowered by, about, where its minimum was not found
+    std::size_t lost_gaps = 0;    // angles at the border for which alone no step was possible, while no barrier acts
 
     // The decrease along the slope at the start, by a part of the step.
     double promised_by_slope(double part) const { return 2 * part * predicted; }
@@ -64,8 +65,8 @@ public:
       result = try_step(uv, energy);
       result.cycles += cycles_before;
     };
-    if (result.length == 0 && m_objective.lost_gaps() > 0 && !m_objective.has_barrier()) {
-      m_objective.begin_turn_barrier(uv, m_options.first_slack * result.predicted / double(m_objective.lost_gaps()));
+    if (result.length == 0 && result.lost_gaps > 0) {
+      m_objective.begin_turn_barrier(uv, m_options.first_slack * result.predicted / double(result.lost_gaps));
       try_again();
     }
     if (result.length == 0 && m_system.indefinite_part() > 0) {
@@ -88,14 +89,14 @@ public:
   {
     m_system.set_indefinite_part(1);
     m_accuracy = { m_options.forcing_of_last_steps, 0, m_options.most_cycles };
-    m_trial.clear();      // the solution is exact: the step before has nothing to add
+    m_other_end.clear();      // the solution is exact: the step before has nothing to add
     Step result;
     if (!find_direction(uv, result) || !(result.predicted < greatest_promise))
       return result;
-    m_trial.resize(uv.size());
-    go(uv, 1, m_system.moves(), m_trial);
-    if (m_energy(m_trial) <= m_energy(uv) + rounding && m_objective.is_valid(uv, m_trial)) {
-      uv.swap(m_trial);
+    m_other_end.resize(uv.size());
+    go(uv, 1, m_system.moves(), m_other_end);
+    if (m_energy(m_other_end) <= m_energy(uv) + rounding && m_objective.is_valid(uv, m_other_end)) {
+      uv.swap(m_other_end);
       result.length = 1;
     }
     return result;
@@ -170,8 +171,8 @@ private:
       return false;
     }
     result.cycles = m_system.solve(m_accuracy);
-    if (m_trial.size() == uv.size())
-      m_system.add_previous_step(m_trial, uv);      // from the map before the last step, or the last trial of none
+    if (m_other_end.size() == uv.size())
+      m_system.add_previous_step(m_other_end, uv);
     result.predicted = m_system.predicted_decrease();
     if (!(result.predicted > 0))
       result.missed = m_system.decrease_by_relaxation();
@@ -184,53 +185,57 @@ private:
   {
     const double longest = m_options.part_of_longest_step * m_objective.longest_step(uv, direction);
     double length = (std::min)(1., longest);
-    m_trial.resize(uv.size());
+    m_other_end.resize(uv.size());
     for (int i = 0; i < m_options.most_halvings; ++i, length *= 0.5) {
-      go(uv, length, direction, m_trial);
-      const double decrease = energy - m_objective(m_trial);
+      go(uv, length, direction, m_other_end);
+      const double decrease = energy - m_objective(m_other_end);
       if (!(decrease > m_options.sufficient_decrease * result.promised_by_slope(length)))
         continue;
-      if (m_objective.is_valid(uv, m_trial)) {
-        uv.swap(m_trial);
+      if (m_objective.is_valid(uv, m_other_end)) {
+        uv.swap(m_other_end);
         result.decrease = decrease;
         result.length = length;
         if (!(decrease > m_options.poor_part_of_prediction * length * result.predicted))
-          shorten_step(uv, direction, energy, result);
+          shorten_step(m_other_end, uv, direction, energy, result);
         else if (m_objective.has_barrier())
-          lengthen_step(uv, direction, energy, longest, result);
+          lengthen_step(m_other_end, uv, direction, energy, longest, result);
         return;
       }
-      if (m_objective.lost_gaps() > 0 && !m_objective.has_barrier())
+      result.lost_gaps = m_objective.has_barrier() ? 0 : m_objective.lost_gaps(uv, m_other_end);
+      if (result.lost_gaps > 0)
         return;
     }
   }
 
-  // After a step that gained little because it went too far: goes back to the minimum of the parabola that has the
-  // slope at its start and the energy at its end, if that is lower.
-  void shorten_step(Level::Uv& uv, const Block_vectors& direction, double energy, Step& result)
+  // After a step from `start` to `uv` that gained little because it went too far: goes back to the minimum of the
+  // parabola that has the slope at its start and the energy at its end, if that is lower.
+  void shorten_step(const Level::Uv& start, Level::Uv& uv, const Block_vectors& direction, double energy,
+                    Step& result) const
   {
     const double promise = result.promised_by_slope(result.length),
                  length = 0.5 * result.length * promise / (promise - result.decrease);
     Level::Uv trial(uv.size());
-    go(m_trial, length, direction, trial);
+    go(start, length, direction, trial);
     const double decrease = energy - m_objective(trial);
-    if (decrease > result.decrease && m_objective.is_valid(m_trial, trial)) {
+    if (decrease > result.decrease && m_objective.is_valid(start, trial)) {
       uv.swap(trial);
       result.decrease = decrease;
       result.length = length;
     }
   }
 
-  // Doubles a step, up to the length `longest`, while it lowers the energy by more than the model says. The model is
-  // too stiff where borders are close: a step that Newton's method takes there is a small part of the way.
-  void lengthen_step(Level::Uv& uv, const Block_vectors& direction, double energy, double longest, Step& result)
+  // Doubles a step from `start` to `uv`, up to the length `longest`, while it lowers the energy by more than the model
+  // says. The model is too stiff where borders are close: a step that Newton's method takes there is a small part of
+  // the way.
+  void lengthen_step(const Level::Uv& start, Level::Uv& uv, const Block_vectors& direction, double energy,
+                     double longest, Step& result) const
   {
     Level::Uv trial(uv.size());
     while (2 * result.length <= longest &&
            result.decrease > m_options.good_part_of_prediction * result.length * result.predicted) {
-      go(m_trial, 2 * result.length, direction, trial);
+      go(start, 2 * result.length, direction, trial);
       const double decrease = energy - m_objective(trial);
-      if (!(decrease > result.decrease) || !m_objective.is_valid(m_trial, trial))
+      if (!(decrease > result.decrease) || !m_objective.is_valid(start, trial))
         return;
       uv.swap(trial);
       result.decrease = decrease;
@@ -253,8 +258,8 @@ private:
   {
     const Block_vectors direction = m_system.moves();
     if (result.length == 0)
-      m_trial = uv;
-    const Level::Uv& start = m_trial;
+      m_other_end = uv;
+    const Level::Uv& start = m_other_end;
     const double t = m_options.difference_for_bend * (std::min)(1., m_objective.longest_step(start, direction));
     const Newton_system::Accuracy accuracy = { m_accuracy.forcing, 0, m_options.most_cycles_of_bend };
     result.cycles += m_system.solve_for_bend(start, direction, t, accuracy);
@@ -288,7 +293,10 @@ private:
   Guarded_energy m_objective;
   Newton_system m_system;
   Newton_system::Accuracy m_accuracy;
-  Level::Uv m_trial;
+
+  // Of the step that was tried last: its start if it was taken, else its end. Either tells a direction that the next
+  // solution may be joined with.
+  Level::Uv m_other_end;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -65,7 +65,7 @@ public:
 
   void set_indefinite_part(double part)
   {
-    m_needs_setup = m_needs_setup || part != m_indefinite_part;
+    m_are_grids_outdated = m_are_grids_outdated || part != m_indefinite_part;
     m_indefinite_part = part;
   }
 
@@ -76,7 +76,7 @@ public:
     if (m_pattern.join(contacts)) {
       m_pattern.give_to(matrix);
       m_multigrid.forget_pattern();
-      m_needs_setup = true;
+      m_are_grids_outdated = true;
     }
     Block_vectors& gradient = m_residual;
     m_energy.assemble(uv, m_indefinite_part, gradient, matrix);
@@ -90,10 +90,11 @@ public:
         gradient[c.vertices[i]] += c.first * c.gradients[i];
     for_each_vertex([&](Index v) { m_residual[v] = -matrix.scale[v] * gradient[v]; });
     m_decrease_by_relaxation = 0.5 * inner_product(m_level.loops(), m_residual, m_residual);
-    if (m_needs_setup || !contacts.empty())
-      m_multigrid.setup();
-    else
+    if (can_keep_grids() && contacts.empty())
       m_multigrid.scale();
+    else
+      m_multigrid.setup();
+    m_are_grids_outdated = !m_multigrid.is_ready();
     return m_multigrid.is_ready();
   }
 
@@ -109,15 +110,12 @@ public:
   std::size_t solve(const Accuracy& accuracy)
   {
     const std::size_t cycles = solve_for_residual(accuracy);
-    keep_coarse_grids();
-    m_needs_setup = m_needs_setup || cycles > m_options.most_cycles_without_setup;
+    m_are_grids_weak = cycles > m_options.most_cycles_without_setup;
     return cycles;
   }
 
-  // Lets the coarse grids serve for the next map, however many cycles they took. A finest level without coarse grids
-  // has its matrix factorized for each map: what the factors of an earlier one miss is little enough in a cycle to be
-  // taken for convergence.
-  void keep_coarse_grids() { m_needs_setup = m_multigrid.is_direct() && m_level.is_finest(); }
+  // Lets the coarse grids serve for the next map, however many cycles they took.
+  void keep_coarse_grids() { m_are_grids_weak = false; }
 
   // Finds half of the second derivative by t of the path that leads from `uv` down the valley of the model's minima,
   // and begins with the direction that solve() found.
@@ -206,6 +204,13 @@ private:
     double m_residual_reduction, m_target = -1;
   };
 
+  // Whether those of the last map serve for the next one. A finest level without coarse grids has its matrix factorized
+  // for each map: what the factors of an earlier one miss is little enough in a cycle to be taken for convergence.
+  bool can_keep_grids() const
+  {
+    return !m_are_grids_outdated && !m_are_grids_weak && !(m_multigrid.is_direct() && m_level.is_finest());
+  }
+
   template <class Function>
   void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, Index(m_solution.size()), f); }
 
@@ -232,7 +237,8 @@ private:
   const Newton_options& m_options;
   Block_multigrid m_multigrid;
   Contact_pattern m_pattern;
-  bool m_needs_setup = true;
+  bool m_are_grids_outdated = true;       // they are of another pattern, or of another part of what is indefinite
+  bool m_are_grids_weak = false;          // the last solution took many cycles
   double m_indefinite_part = 0;
   std::vector<Index> m_fixed;
   Block_vectors m_solution, m_residual, m_direction;      // of the linear system A x = b, in scaled variables
