@@ -3,6 +3,7 @@
 
 // The weights of edges: one check for all models, and what each of them promises.
 
+#include "Random.h"
 #include "edge_energy_maps.h"
 #include "mesh_conversions.h"
 #include "test_meshes.h"
@@ -132,6 +133,22 @@ TEST(Shape_preserving_edge_weights, sum_to_one)
   for (const auto& [name, m] : named_meshes())
     for (const std::vector<double>& row : weights_of<Shape_preserving_edge_weights_3>(m))
       EXPECT_NEAR(sum(row), 1, 1e-12) << name;
+}
+
+// Where the flattened ring leaves V on the line between two neighbors, rounding puts it on either side of that.
+TEST(Shape_preserving_edge_weights, between_two_neighbors_are_by_distance)
+{
+  Random random(1);
+  const auto point = [&] { return Point_3(random(-1, 1), random(-1, 1), random(-1, 1)); };
+  Shape_preserving_edge_weights_3 weights;
+  for (int i = 0; i < 100; ++i) {
+    const Point_3 v = point(), a = point(), b = point();
+    const double to_a = std::sqrt(CGAL::squared_distance(v, a)), to_b = std::sqrt(CGAL::squared_distance(v, b));
+    std::vector<double> row;
+    weights(v, { a, b }, false, row);
+    EXPECT_NEAR(row[0], to_b / (to_a + to_b), 1e-12);
+    EXPECT_NEAR(row[1], to_a / (to_a + to_b), 1e-12);
+  }
 }
 
 TEST(Chordal_edge_weights, fall_by_a_power_of_the_length)

@@ -4,6 +4,7 @@
 // From a mesh to flat arrays.
 
 #include "mesh_conversions.h"
+#include "seam_meshes.h"
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
@@ -12,8 +13,12 @@
 #include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 
+#include <CGAL/Kernel/global_functions.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <gtest/gtest.h>
 
@@ -133,6 +138,57 @@ TEST(Mesh_component, wrong_halfedge)
   const Surface_mesh closed = make<Surface_mesh>(sphere(4, 6));
   EXPECT_TRUE(
       is_error(error_of(closed, *closed.halfedges().begin()), ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE));
+}
+
+// Puts a second edge with the same ends beside an edge, and a vertex of two triangles between them.
+void double_edge(Surface_mesh& mesh, Surface_mesh::Edge_index e)
+{
+  const auto h = mesh.halfedge(e), opposite = mesh.opposite(h);
+  const auto middle = CGAL::midpoint(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+  const auto first_half = CGAL::Euler::split_edge(h, mesh);
+  mesh.point(mesh.target(first_half)) = middle;
+  CGAL::Euler::split_face(mesh.prev(first_half), h, mesh);
+  CGAL::Euler::split_face(mesh.prev(opposite), mesh.opposite(first_half), mesh);
+}
+
+TEST(Mesh_component, two_edges_with_the_same_ends)
+{
+  const Surface_mesh whole = make<Surface_mesh>(grid(4, 4, flat));
+  for (const auto e : whole.edges()) {
+    if (whole.is_border(e))
+      continue;
+    Surface_mesh mesh = whole;
+    const std::set<std::size_t> ends = { mesh.vertex(e, 0), mesh.vertex(e, 1) };
+    double_edge(mesh, e);
+    ASSERT_TRUE(CGAL::is_valid_polygon_mesh(mesh) && CGAL::is_triangle_mesh(mesh));
+    for (const auto h : mesh.halfedges())
+      if (mesh.is_border(h)) {
+        const Parameterization_error error = error_of(mesh, h);
+        EXPECT_EQ(error.code, ERROR_NO_TOPOLOGICAL_DISC);
+        EXPECT_EQ(error.place, Parameterization_error::VERTEX);
+        EXPECT_TRUE(ends.count(error.index));
+      }
+  }
+}
+
+// The triangles at its sides fit together, as if it were closed.
+TEST(Mesh_component, slit_of_one_edge)
+{
+  Surface_mesh base = make<Surface_mesh>(grid(4, 4, flat));
+  const Surface_mesh::Vertex_index a(6), b(12);
+  const auto seam = CGAL::halfedge(a, b, base);
+  ASSERT_TRUE(seam.second && !base.is_border(CGAL::edge(seam.first, base)));
+  const auto outer = longest_border(base);
+  Seam_mesh mesh(base, base.add_property_map<Surface_mesh::Edge_index, bool>("e:seam", false).first,
+                 base.add_property_map<Surface_mesh::Vertex_index, bool>("v:seam", false).first);
+  ASSERT_TRUE(mesh.add_seam(a, b));
+  typedef boost::graph_traits<Seam_mesh>::halfedge_descriptor   Seam_halfedge;
+  for (const auto& bhd : { Seam_halfedge(outer, false), Seam_halfedge(seam.first, true) }) {
+    ASSERT_TRUE(is_border(bhd, mesh));
+    const Parameterization_error error = Mesh_component<Seam_mesh>(mesh, bhd).error();
+    EXPECT_EQ(error.code, ERROR_NO_TOPOLOGICAL_DISC);
+    EXPECT_EQ(error.place, Parameterization_error::VERTEX);
+  }
 }
 
 TEST(Mesh_component, quad_face)

@@ -29,6 +29,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <string>
 
 namespace test_one_call {
@@ -107,6 +109,29 @@ TEST(One_call, the_outer_border_is_one_of_faces)
   ASSERT_TRUE(hierarchical_parameterization(run.mesh, run.uvmap).is_ok());
   for (const auto v : vertices(usual.mesh))
     EXPECT_EQ(get(run.uvmap, v), get(usual.uvmap, v));
+}
+
+// The fault of a component is told, wherever it stands among the others.
+TEST(One_call, a_border_with_a_point_that_is_no_number_is_the_longest)
+{
+  for (const std::size_t faulty : { 0, 1, 2 }) {
+    SCOPED_TRACE(faulty);
+    Mapped_mesh run{ Flat_mesh() };
+    for (const double width : { 3, 2, 1 }) {
+      Flat_mesh m = grid(3, 3, flat);
+      for (Point_3& p : m.points)
+        p = Point_3(width * p.x(), p.y(), p.z());
+      append(m, run.mesh);
+    }
+    const std::size_t bad_vertex = faulty * num_vertices(run.mesh) / 3;
+    run.mesh.point(Surface_mesh::Vertex_index(bad_vertex)) =
+        Kernel::Point_3(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+    const Parameterization_summary result = hierarchical_parameterization(run.mesh, run.uvmap);
+    EXPECT_EQ(result.error.code, ERROR_WRONG_PARAMETER);
+    EXPECT_EQ(result.error.place, Parameterization_error::VERTEX);
+    EXPECT_EQ(result.error.index, bad_vertex);
+    EXPECT_TRUE(run.is_untouched());
+  }
 }
 
 TEST(One_call, takes_a_const_mesh)

@@ -73,8 +73,8 @@ public:
   /// - `ERROR_EMPTY_MESH`: the mesh has no face;
   /// - `ERROR_WRONG_PARAMETER`: `bhd` is not a border halfedge, or a point has a coordinate that is not finite;
   /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
-  /// - `ERROR_NO_TOPOLOGICAL_DISC`: two fans of triangles meet at a vertex, possibly of another component, or the
-  ///   surface has a handle.
+  /// - `ERROR_NO_TOPOLOGICAL_DISC`: two fans of triangles meet at a vertex, possibly of another component, two edges
+  ///   have the same ends, or the surface has a handle.
   const Parameterization_error& error() const { return m_error; }
 
   /// the vertices of the component; the position of a vertex in this array is its index in `surface()`
@@ -100,8 +100,11 @@ private:
     else if (bhd == Graph_traits::null_halfedge() || !is_border(bhd, mesh) || is_border(opposite(bhd, mesh), mesh))
       m_error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0,
                   "the surface has no border, or the halfedge is not on one" };
-    else if (read_component(mesh, bhd) && is_disk_with_holes(mesh, loops))
-      internal::normalize(m_surface);
+    else {
+      std::vector<internal::Index> border_vertices;
+      if (read_component(mesh, bhd, border_vertices) && is_disk_with_holes(mesh, border_vertices, loops))
+        internal::normalize(m_surface);
+    }
   }
 
   bool fail(Error_code code, Parameterization_error::Place place, std::size_t index, const char* cause = nullptr)
@@ -110,7 +113,8 @@ private:
     return false;
   }
 
-  bool read_component(const TriangleMesh& mesh, halfedge_descriptor bhd)
+  // Adds the vertices on all borders to `border_vertices`.
+  bool read_component(const TriangleMesh& mesh, halfedge_descriptor bhd, std::vector<internal::Index>& border_vertices)
   {
     const auto index_of = get(CGAL::dynamic_vertex_property_t<internal::Index>(), mesh);
     for (vertex_descriptor v : vertices(mesh))
@@ -119,10 +123,12 @@ private:
     if (!read_faces(mesh, face(opposite(bhd, mesh), mesh), index_of, border))
       return false;
     // Where another component touches this one at a vertex, the mesh may lead from one border to the other.
-    for (halfedge_descriptor h : border)
+    for (halfedge_descriptor h : border) {
       if (get(index_of, target(next(h, mesh), mesh)) == internal::no_index)
         return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX,
                     internal::position_in(vertices(mesh), target(h, mesh)));
+      border_vertices.push_back(get(index_of, target(h, mesh)));
+    }
     if (!read_points(mesh))
       return false;
     for (halfedge_descriptor h : halfedges_around_face(bhd, mesh))
@@ -190,9 +196,10 @@ private:
     return true;
   }
 
-  bool is_disk_with_holes(const TriangleMesh& mesh, const internal::Loops& loops)
+  bool is_disk_with_holes(const TriangleMesh& mesh, const std::vector<internal::Index>& border_vertices,
+                          const internal::Loops& loops)
   {
-    const internal::Disk_check check = internal::check_disk_with_holes(m_surface, loops);
+    const internal::Disk_check check = internal::check_disk_with_holes(m_surface, border_vertices, loops);
     if (check.bad_vertex != internal::no_index)
       return fail(ERROR_NO_TOPOLOGICAL_DISC, Parameterization_error::VERTEX,
                   internal::position_in(vertices(mesh), m_vertices[check.bad_vertex]));

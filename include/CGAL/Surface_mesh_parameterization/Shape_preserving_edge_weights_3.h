@@ -65,16 +65,21 @@ private:
                                           (std::max)(0., internal::cross(wk, wi)),
                                           (std::max)(0., internal::cross(wi, wj)) };
     const double area = areas[0] + areas[1] + areas[2];
-    if (area > 0) {
+    if (j != i && k != i && area > 0) {
       weights[i] += factor * areas[0] / area;
       weights[j] += factor * areas[1] / area;
       weights[k] += factor * areas[2] / area;
-    } else {      // V lies between Wi and Wk
-      const double to_i = std::sqrt(wi.squared_length()), to_k = std::sqrt(wk.squared_length());
-      const double fraction = to_i > 0 ? to_i / (to_i + to_k) : 0;
-      weights[i] += factor * (1 - fraction);
-      weights[k] += factor * fraction;
-    }
+    } else
+      add_coordinates_between(i, k == i ? j : k, factor, weights);
+  }
+
+  // Where V lies between Wi and Wk, up to rounding, as in a ring of two.
+  void add_coordinates_between(std::size_t i, std::size_t k, double factor, std::vector<double>& weights) const
+  {
+    const double to_i = std::sqrt(m_flat_ring[i].squared_length()), to_k = std::sqrt(m_flat_ring[k].squared_length());
+    const double fraction = to_i > 0 ? to_i / (to_i + to_k) : 0;
+    weights[i] += factor * (1 - fraction);
+    weights[k] += factor * fraction;
   }
 
   std::size_t next(std::size_t i) const { return internal::next_in_cycle(i, m_flat_ring.size()); }

@@ -41,12 +41,15 @@ void settle_flips_of_component(Mesh_component<TriangleMesh>& component, VertexUV
   const One_rings rings(uv.size(), component.surface().triangles);
   summary.error.code = internal::settle_flips(
       { policy, &repair_map, false, Loops() }, rings, [&] { return std::move(component.surface()); }, uv, summary);
-  if (summary.error.code == OK && summary.moved_vertices > 0 && !round_map(rings, rounding_to<User_point_2>(0), 0, uv))
+  if (summary.error.code != OK || summary.moved_vertices == 0)
+    return;
+  if (!round_map(rings, rounding_to<User_point_2>(0), 0, uv)) {
     summary.error.code = ERROR_NO_1_TO_1_MAPPING;
-  if (summary.error.code == OK)
-    for (std::size_t i = 0; i < uv.size(); ++i)
-      if (uv[i] != before[i])
-        put(uvmap, component.vertices_of_component()[i], User_point_2(uv[i].x(), uv[i].y()));
+    return;
+  }
+  for (std::size_t i = 0; i < uv.size(); ++i)
+    if (uv[i] != before[i])
+      put(uvmap, component.vertices_of_component()[i], User_point_2(uv[i].x(), uv[i].y()));
 }
 
 } // namespace internal

@@ -30,9 +30,9 @@ typedef std::array<Index, 3>             Index_triangle;   // counter-clockwise
 
 constexpr Index no_index = (std::numeric_limits<Index>::max)();
 
-// Of a surface, whose corners have indices.
-constexpr std::size_t most_triangles = no_index / 3;
-inline constexpr const char* cause_of_size = "the surface has more than 1431655765 triangles";
+// Of a surface, so that its corners and border vertices have indices, also when its holes are closed by triangles.
+constexpr std::size_t most_triangles = no_index / 8;
+inline constexpr const char* cause_of_size = "the surface has more than 536870911 triangles";
 
 inline double cross(const Vector_2& a, const Vector_2& b) { return a.x() * b.y() - a.y() * b.x(); }
 

@@ -106,6 +106,7 @@ Sparse_rows<double> Edge_system::matrix(const std::vector<Index>& free_vertices,
 {
   const std::vector<Index> number = positions_in(free_vertices, size());
   Sparse_rows<double> result;
+  result.reserve(free_vertices.size(), size() + m_weights.size());
   Sparse_row row;
   for (const Index i : free_vertices) {
     const double sum = has_unit_sums ? 1 : m_row_sums[i];

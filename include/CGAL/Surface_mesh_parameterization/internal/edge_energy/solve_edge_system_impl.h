@@ -109,6 +109,7 @@ inline Linear_solver_result correct_by_multigrid(const Edge_system& system, cons
   const Level& level = system.level();
   const std::vector<Index> vertices = system.free_vertices();
   std::vector<Mesh_unknown> unknowns;
+  unknowns.reserve(vertices.size());
   for (const Index v : vertices)
     unknowns.push_back({ v, 0 });
   Map_correction correction(system, vertices, uv);

@@ -17,6 +17,7 @@
 #include <numeric>
 #include <optional>
 #include <random>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -58,6 +59,8 @@ public:
       if (metric)
         metric->compact(m_is_removed);
     }
+    metric.reset();
+    release_mesh();
     return number_by_removal();
   }
 
@@ -99,6 +102,17 @@ private:
     m_vertex.resize(kept);
     for (const Collapse_group::Collapse& c : m_group.collapses())
       m_number[c.removed_vertex] = m_number[c.parent[0]];
+  }
+
+  // What no group needs any more, before the splits take their place twice.
+  void release_mesh()
+  {
+    const auto release = [](auto& member) { std::decay_t<decltype(member)> released(std::move(member)); };
+    release(m_mesh);
+    release(m_group);
+    release(m_points);
+    release(m_is_removed);
+    release(m_number);
   }
 
   // Turns the splits, finest group first, into those of the hierarchy, coarsest group first; inside a group the order

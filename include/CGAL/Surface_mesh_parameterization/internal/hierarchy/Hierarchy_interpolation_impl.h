@@ -40,7 +40,9 @@ inline Vertex_hierarchy build_vertex_hierarchy(Triangulated_surface_3 surface, c
                                                const Loops& loops)
 {
   std::vector<bool> is_pinned = pinned_vertices(surface, options.is_constrained);
-  return Hierarchy_builder(std::move(surface.points), std::move(is_pinned), surface.triangles, loops).build(options);
+  Hierarchy_builder builder(std::move(surface.points), std::move(is_pinned), surface.triangles, loops);
+  std::vector<Index_triangle>().swap(surface.triangles);      // the builder has read them
+  return builder.build(options);
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

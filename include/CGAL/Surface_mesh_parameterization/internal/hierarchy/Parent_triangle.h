@@ -67,11 +67,10 @@ double worst_quality_after_collapse(const std::vector<Place>& ring, std::size_t 
                                     double bound = -(std::numeric_limits<double>::infinity)())
 {
   const std::size_t size = ring.size();
-  const auto following = [size](std::size_t i) { return i + 1 == size ? 0 : i + 1; };
   double worst = 1;
-  std::size_t i = following(w0);
+  std::size_t i = next_in_cycle(w0, size);
   for (std::size_t k = 2; k < size && worst > bound; ++k) {
-    const std::size_t j = following(i);
+    const std::size_t j = next_in_cycle(i, size);
     worst = (std::min)(worst, shape_quality(ring[w0], ring[i], ring[j]));
     i = j;
   }

@@ -35,7 +35,7 @@ public:
     Index position_of(Index w) const { return Index(std::find(begin(), end(), w) - begin()); }
     bool contains(Index w) const { return position_of(w) != size; }
 
-    Index following(Index i) const { return i + 1 == size ? 0 : i + 1; }
+    Index following(Index i) const { return Index(next_in_cycle(i, size)); }
     bool are_adjacent(Index i, Index j) const
     {
       return i + 1 == j || j + 1 == i || (is_closed && (following(i) == j || following(j) == i));

@@ -53,7 +53,7 @@ Longest_border<TriangleMesh> longest_border(const TriangleMesh& mesh, const Is_w
     if (!has_face)
       continue;
     ++longest.number_of_borders;
-    if (!(length <= greatest_length)) {
+    if (!(length <= greatest_length) && !std::isnan(greatest_length)) {
       greatest_length = length;
       longest.halfedge = start;
     }

@@ -9,17 +9,22 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 
+#include <vector>
+
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// Whether a connected surface is a disk with holes, and if not, the first vertex where several fans meet,
-// `no_index` if there is none.
+// Whether a connected surface is a disk with holes, and if not, the first vertex where several fans meet or that two
+// edges join with the same neighbor, `no_index` if there is none.
 struct Disk_check
 {
   bool is_disk_with_holes;
   Index bad_vertex;
 };
 
-Disk_check check_disk_with_holes(const Triangulated_surface_3& surface, const Loops& loops);
+// `border_vertices` are those on borders of the mesh: two edges with the same ends look like one if the triangles beside
+// them fit together.
+Disk_check check_disk_with_holes(const Triangulated_surface_3& surface, const std::vector<Index>& border_vertices,
+                                 const Loops& loops);
 
 // Scales the points by a power of two, to about size 1, and moves them to the center of their box.
 void normalize(Triangulated_surface_3& surface);

@@ -10,15 +10,47 @@
 
 #include <CGAL/Bbox_3.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+inline bool has_neighbor_twice(const One_rings::Ring& ring)
+{
+  constexpr std::size_t most_neighbors_to_compare = 32;
+  if (ring.size() > most_neighbors_to_compare) {
+    std::vector<Index> neighbors(ring.begin(), ring.end());
+    std::sort(neighbors.begin(), neighbors.end());
+    return std::adjacent_find(neighbors.begin(), neighbors.end()) != neighbors.end();
+  }
+  for (auto v = ring.begin(); v != ring.end(); ++v)
+    if (std::find(ring.begin(), v, *v) != v)
+      return true;
+  return false;
+}
+
+// The vertex that a Disk_check tells of.
+inline Index bad_vertex_of(const One_rings& rings, const std::vector<Index>& border_vertices, const Loops& loops)
+{
+  if (const Index v = rings.first_non_manifold_vertex(); v != no_index)
+    return v;
+  const auto closed = std::find_if_not(border_vertices.begin(), border_vertices.end(),
+                                       [&](Index v) { return rings.is_border(v); });
+  if (closed != border_vertices.end())
+    return *closed;
+  return loops.min(0, Index(rings.number_of_vertices()), no_index,
+                   [&](Index v) { return has_neighbor_twice(rings[v]) ? v : no_index; });
+}
+
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Disk_check check_disk_with_holes(const Triangulated_surface_3& surface, const Loops& loops)
+Disk_check check_disk_with_holes(const Triangulated_surface_3& surface, const std::vector<Index>& border_vertices,
+                                 const Loops& loops)
 {
   One_rings rings;
   rings.build(surface.points.size(), surface.triangles, loops);
-  if (const Index bad_vertex = rings.first_non_manifold_vertex(); bad_vertex != no_index)
-    return { false, bad_vertex };
+  if (const Index v = bad_vertex_of(rings, border_vertices, loops); v != no_index)
+    return { false, v };
   // A connected surface whose vertices have one fan each is a disk with holes exactly if V - E + F = 2 - (number
   // of borders).
   long long border_edges = 0;

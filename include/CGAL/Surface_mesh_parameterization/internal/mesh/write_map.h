@@ -24,10 +24,10 @@ Error_code write_map(const Mesh_component<TriangleMesh>& component, int scale_ex
 {
   typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
   const auto in_user_units = [&](const Point_2& p) { return times_power_of_two(p, -scale_exponent); };
-  for (const Point_2& p : uv)
-    if (!is_finite_in_users_numbers<User_point_2>(in_user_units(p)))
-      return ERROR_WRONG_PARAMETER;
   const auto& vertices = component.vertices_of_component();
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (!is_finite_in_users_numbers<User_point_2>(in_user_units(uv[i])))
+      return ERROR_WRONG_PARAMETER;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Point_2 p = in_user_units(uv[i]);
     put(uvmap, vertices[i], User_point_2(p.x(), p.y()));
