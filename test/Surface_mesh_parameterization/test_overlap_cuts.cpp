@@ -92,7 +92,7 @@ Chart_part chart_part_of(const Flat_mesh& m)
 {
   const Surface_mesh mesh = make<Surface_mesh>(m);
   const CGAL::Constant_property_map<Surface_mesh::Edge_index, bool> no_seam(false);
-  Chart_part part{ 0, std::vector<Index>(mesh.number_of_faces()), {}, {} };
+  Chart_part part{ std::vector<Index>(mesh.number_of_faces()), {}, {} };
   EXPECT_EQ(internal::read_corner_mesh(mesh, no_seam, part.mesh).code, OK);
   std::iota(part.faces.begin(), part.faces.end(), Index(0));
   return part;

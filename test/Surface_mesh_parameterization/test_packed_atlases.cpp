@@ -287,6 +287,57 @@ TEST(Packing, is_told_to_overflow_floats)
   EXPECT_TRUE(atlas_parameterization(surface.mesh, uv).is_ok());
 }
 
+// Nothing is written then, also if some charts, beside the origin, could be.
+TEST(Packing, of_several_charts_is_told_to_overflow_floats)
+{
+  typedef CGAL::Simple_cartesian<float>::Point_2   Float_point_2;
+  constexpr double size = 2.2e38;
+  Flat_mesh m = grid(3, 3, flat);
+  for (int i = 1; i < 4; ++i)
+    m = with_component(m, grid(3, 3, flat), 1, 0);
+  Surface surface(affine_image(m, size, 0, 0, size));
+  const Float_point_2 untouched(7, 8);
+  const auto uv = surface.mesh.add_property_map<Surface_mesh::Halfedge_index>("h:float_uv", untouched).first;
+  const Atlas_summary summary = atlas_parameterization(surface.mesh, uv, parameters::unit_square(false));
+  EXPECT_EQ(summary.error.code, ERROR_WRONG_PARAMETER);
+  for (const auto h : surface.mesh.halfedges())
+    EXPECT_EQ(uv[h], untouched);
+
+  for (const auto h : surface.mesh.halfedges())
+    uv[h] = Float_point_2(float(surface.mesh.point(surface.mesh.target(h)).x()),
+                          float(surface.mesh.point(surface.mesh.target(h)).y()));
+  const std::vector<Float_point_2> before(uv.begin(), uv.end());
+  EXPECT_EQ(pack_charts(surface.mesh, uv, parameters::unit_square(false)), ERROR_WRONG_PARAMETER);
+  EXPECT_EQ(std::vector<Float_point_2>(uv.begin(), uv.end()), before);
+  EXPECT_EQ(pack_charts(surface.mesh, uv), OK);
+}
+
+// A chart without flips may be mirrored, as in maps of other programs. Without moves, a speck that is a few steps of
+// floats wide has flat triangles.
+TEST(Packing, keeps_mirrored_charts_without_flips_in_floats)
+{
+  typedef CGAL::Simple_cartesian<float>::Point_2   Float_point_2;
+  const auto flat_triangles = [](double factor) {
+    Surface surface(with_component(grid(1, 1, flat), grid(30, 30, flat), 3e-8, 0));
+    const auto uv = surface.mesh.add_property_map<Surface_mesh::Halfedge_index, Float_point_2>("h:float_uv").first;
+    for (const auto h : surface.mesh.halfedges()) {
+      const Kernel::Point_3& p = surface.mesh.point(surface.mesh.target(h));
+      uv[h] = Float_point_2(float(factor * p.x()), float(p.y()));
+    }
+    EXPECT_EQ(pack_charts(surface.mesh, uv), OK);
+    std::size_t result = 0;
+    for (const auto f : surface.mesh.faces()) {
+      std::vector<internal::Point_2> t;
+      for (const auto h : CGAL::halfedges_around_face(surface.mesh.halfedge(f), surface.mesh))
+        t.emplace_back(factor * double(uv[h].x()), double(uv[h].y()));
+      result += !internal::is_left_turn(t[0], t[1], t[2]);
+    }
+    return result;
+  };
+  EXPECT_EQ(flat_triangles(1), 0u);
+  EXPECT_EQ(flat_triangles(-1), 0u);
+}
+
 // Rounding to the user's numbers makes no flips, not even in a chart whose triangles are a few of their steps wide.
 TEST(Packing, keeps_triangles_positive_in_floats)
 {

@@ -9,7 +9,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Bitmap.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mask.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Grid_packer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/turn_chart.h>
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Simple_cartesian.h>
@@ -132,6 +134,22 @@ TEST(Pack_charts, keeps_the_margin_and_fills_the_square)
     EXPECT_NEAR(packing.used_part, total_area(original) / (packing.side * packing.side), 1e-9);
     EXPECT_GE(packing.used_part, 0.65);
   }
+}
+
+// Right-angled triangles fit beside each other by halves of squares, in whatever direction there is room.
+TEST(Grid_packer, turns_charts_into_all_directions)
+{
+  Random random(3);
+  std::vector<Flat_chart> charts;
+  for (int i = 0; i < 200; ++i) {
+    const double size = random(1, 3);
+    charts.push_back({ { Point_2(0, 0), Point_2(size, 0), Point_2(0, size) }, { { 0, 1, 2 } } });
+  }
+  const std::vector<Vector_2> four = evenly_spaced_directions(4);
+  const Grid_packer packer(charts, std::vector<std::vector<Vector_2>>(charts.size(), four), 0.05, 1);
+  const std::vector<std::size_t> directions = packer.pack({ packer.order_by_size(), 500 }).directions;
+  for (std::size_t d = 0; d < four.size(); ++d)
+    EXPECT_GE(std::count(directions.begin(), directions.end(), d), 10) << d;
 }
 
 TEST(Pack_charts, keeps_wide_margins)

@@ -83,8 +83,8 @@ Error_code write_corners(const TriangleMesh& mesh, const Atlas& atlas, const std
 ///        Of a `Seam_mesh`, the mesh that it cuts
 /// \param uvmap a readable and writable property map from halfedges to points of the plane: the place of the corner to
 ///        which a halfedge leads in its face, as `atlas_parameterization()` writes it; a map of a `Seam_mesh` has to be
-///        copied to all corners, see `cut_to_disk()`. Untouched on an error. A chart without flips gets none by
-///        rounding
+///        copied to all corners, see `cut_to_disk()`. Untouched on an error. A chart without flips, which may be
+///        mirrored, gets none by rounding
 /// \param np
 /// - `margin`: the least distance between charts, and half of it to the sides of the square, as a part of the side;
 ///   from 0 to 0.1. Of n charts it is at most \f$ 1 / (4 \sqrt n) \f$: wider margins would fill the square. Default:
@@ -123,10 +123,10 @@ Error_code pack_charts(const TriangleMesh& mesh, HalfedgeUVMap uvmap,
     internal::make_charts(corners, atlas);
     std::vector<bool> is_packed(atlas.charts.size(), true);
     typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
-    const internal::Packing packing =
-        internal::pack_atlas(atlas, is_packed, options, internal::rounding_to<User_point_2>(atlas.scale_exponent));
+    const internal::Round_coordinate round = internal::rounding_to<User_point_2>(atlas.scale_exponent);
+    const internal::Packing packing = internal::pack_atlas(atlas, is_packed, options, round);
     if (packing.side == 0 || std::find(is_packed.begin(), is_packed.end(), false) != is_packed.end())
-      return ERROR_NO_1_TO_1_MAPPING;
+      return internal::error_of_packing(packing, { round, atlas.scale_exponent }, 0).code;
     error.code = internal::write_corners(mesh, atlas, is_packed, uvmap);
   } else
     Check::tell();

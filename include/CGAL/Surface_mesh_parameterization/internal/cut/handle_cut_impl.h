@@ -74,20 +74,19 @@ inline std::vector<Index> without_dead_ends(const Corner_mesh& mesh, const Short
   return result;
 }
 
+// The closing edges with the paths to their ends. These are those of a tree: what lies before an edge that one of them
+// shares with an earlier one is there already.
 inline std::vector<Index> system_of_loops(const Corner_mesh& mesh, const Shortest_paths& paths)
 {
   std::vector<bool> is_taken(mesh.number_of_halfedges(), false);
   std::vector<Index> result;
-  const auto take = [&](Index h) {
-    if (!is_taken[h])
-      result.push_back(h);
-    is_taken[h] = true;
-  };
   for (const Index edge : closing_edges(mesh, paths)) {
-    take(edge);
-    for (const Index end : { mesh.source(edge), mesh.target(edge) })
-      for (const Index h : paths.path_to(paths.place(end)))
-        take(h);
+    result.push_back(edge);
+    for (Index end : { mesh.source(edge), mesh.target(edge) })
+      for (Index h; (h = paths.last_halfedge(paths.place(end))) != no_index && !is_taken[h]; end = mesh.source(h)) {
+        is_taken[h] = true;
+        result.push_back(h);
+      }
   }
   return without_dead_ends(mesh, paths, result);
 }

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_H
 
+#include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
@@ -96,8 +97,14 @@ void split_charts(const std::vector<Point_2>& corners, Atlas& atlas);
 // Packs those charts of an atlas that are wanted. Coordinates are rounded by `round` if that is not null. A chart
 // without flips stays so: where rounding makes a flip, vertices move, or the chart is scaled up, but not so far
 // that it meets another one. A chart whose borders do not meet stays so, too. One for which that fails is not wanted
-// any more. Returns how the charts fill the square, or a side of 0 if they have no area.
+// any more, and none is if the square has a corner that is not finite when it is rounded. Returns how the charts fill
+// the square, or a side of 0 if they have no area.
 Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_options& options, Round_coordinate round);
+
+inline constexpr const char* cause_of_lost_chart = "rounding leaves the triangles of a chart no room";
+
+// Why a chart is not wanted any more.
+Parameterization_error error_of_packing(const Packing& packing, const Rounding& round, Index first_face);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

@@ -4,8 +4,11 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_ATLAS_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Function_ref.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/turn_chart.h>
@@ -160,6 +163,31 @@ inline bool are_apart(const Atlas& atlas, const std::vector<bool>& is_wanted, do
   return are_charts_apart(edges, chart_of_edge, atlas.uv);
 }
 
+// How triangles of a chart are turned.
+enum class Chart_sign { POSITIVE, MIRRORED, MIXED };
+
+inline Chart_sign sign_of(const Flat_chart& chart)
+{
+  return is_positive(chart) ? Chart_sign::POSITIVE : is_mirrored(chart) ? Chart_sign::MIRRORED : Chart_sign::MIXED;
+}
+
+// Rounds the places of a chart without flips, whose shape is that in the atlas times a scale, so that it keeps none and
+// its borders do not meet. Returns whether it could.
+inline bool round_without_flips(Flat_chart& chart, std::vector<Point_2> shape, double scale, Chart_sign sign,
+                                double most_size, const Rounding& round,
+                                Function_ref<Triangulated_surface_3()> make_surface)
+{
+  if (sign == Chart_sign::MIRRORED) {
+    mirror(chart.points);
+    mirror(shape);
+  }
+  const bool is_rounded = round_chart(chart, scaled(shape, scale), most_size, round, make_surface) &&
+                          part_borders(chart, shape, round);
+  if (sign == Chart_sign::MIRRORED)
+    mirror(chart.points);
+  return is_rounded;
+}
+
 // Packs charts, each at its rounded places. `strayed` are those that had to be changed so much for this that they may
 // meet others or leave the square.
 inline Packing place_charts(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_options& options,
@@ -173,9 +201,9 @@ inline Packing place_charts(Atlas& atlas, std::vector<bool>& is_wanted, const Pa
       charts.push_back(chart_of(component_of(atlas.mesh, atlas.charts[i], scratch), map_of(atlas, atlas.charts[i])));
       numbers.push_back(i);
     }
-  std::vector<bool> was_positive;
+  std::vector<Chart_sign> signs;
   for (const Flat_chart& chart : charts)
-    was_positive.push_back(is_positive(chart));
+    signs.push_back(sign_of(chart));
   Packing packing = pack_charts(charts, options);
   if (packing.side == 0)
     return packing;
@@ -185,6 +213,10 @@ inline Packing place_charts(Atlas& atlas, std::vector<bool>& is_wanted, const Pa
   const Rounding round{ round_coordinate, atlas.scale_exponent };
   packing.side *= scale;
   packing.distance *= scale;
+  if (!is_finite(round(Point_2(packing.side, packing.side)))) {
+    is_wanted.assign(is_wanted.size(), false);
+    return packing;
+  }
 
   const double most_distance = 0.25 * packing.distance;         // two charts may come nearer to each other
   for (std::size_t i = 0; i < charts.size(); ++i) {
@@ -193,12 +225,10 @@ inline Packing place_charts(Atlas& atlas, std::vector<bool>& is_wanted, const Pa
     Flat_chart& chart = charts[i];
     chart.points = scaled(std::move(chart.points), scale);
     const std::vector<Point_2> exact = chart.points;
-    if (was_positive[i]) {
-      const std::vector<Point_2> shape = map_of(atlas, faces);
+    if (signs[i] != Chart_sign::MIXED) {
       is_wanted[number] =
-          round_chart(chart, scaled(shape, scale), most_distance, round,
-                      [&] { return surface_of(component_of(atlas.mesh, faces, scratch)); }) &&
-          part_borders(chart, shape, round);
+          round_without_flips(chart, map_of(atlas, faces), scale, signs[i], most_distance, round,
+                              [&] { return surface_of(component_of(atlas.mesh, faces, scratch)); });
       if (is_wanted[number] && !are_within(chart.points, exact, most_distance))
         strayed.push_back(number);
     } else
@@ -224,6 +254,15 @@ Packing pack_atlas(Atlas& atlas, std::vector<bool>& is_wanted, const Pack_option
       return packing;
     }
   }
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Parameterization_error error_of_packing(const Packing& packing, const Rounding& round, Index first_face)
+{
+  if (!is_finite(round(Point_2(packing.side, packing.side))))
+    return { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, cause_of_overflow };
+  return { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::FACE, first_face,
+           packing.side == 0 ? "the charts have no area" : cause_of_lost_chart };
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -19,7 +19,6 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // A chart, or a part of one.
 struct Chart_part
 {
-  std::size_t chart;
   std::vector<Index> faces;                 // of the atlas's mesh, in increasing order
   Corner_mesh mesh;
   std::vector<Point_2> uv;
@@ -52,7 +51,6 @@ inline std::vector<Chart_part> sides_of(const Chart_part& part, const std::vecto
   std::vector<Chart_part> sides;
   for (const std::vector<Index>& faces : connected_components(mesh)) {
     Chart_part& side = sides.emplace_back();
-    side.chart = part.chart;
     side.mesh = component_of(mesh, faces, scratch);
     for (const Index f : faces)
       side.faces.push_back(part.faces[f]);

@@ -12,6 +12,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -72,14 +73,15 @@ Grid_packer::Result Grid_packer::pack(const Plan& plan, std::size_t most_side) c
   result.places.resize(m_masks.size());
   result.directions.resize(m_masks.size());
   Strip strip(plan.width, m_margin, levels[0]);
-  std::map<std::pair<int, int>, std::size_t> first_rows;       // where charts of about a size begin to fit
+  // Where charts of about a size begin to fit, about: by size and direction, for in each direction they fit elsewhere.
+  std::map<std::tuple<int, int, std::size_t>, std::size_t> first_rows;
   for (std::size_t i = 0; i < plan.order.size(); ++i) {
     const std::size_t chart = plan.order[i];
     Strip::Place& best = result.places[chart];
     best.top = most_side;
     for (std::size_t direction = 0; direction < m_masks[chart].size(); ++direction) {
       const Chart_mask& mask = m_masks[chart][direction];
-      std::size_t& first_row = first_rows[{ size_class(mask.width), size_class(mask.height) }];
+      std::size_t& first_row = first_rows[{ size_class(mask.width), size_class(mask.height), direction }];
       if (const Strip::Place place = strip.find(mask, first_row, best.top); place.top < best.top) {
         best = place;
         result.directions[chart] = direction;

@@ -25,8 +25,6 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-inline constexpr const char* cause_of_lost_chart = "rounding leaves the triangles of a chart no room";
-
 // The face of a chart at which an error lies, as a face of the mesh; the chart's first one if it lies nowhere.
 inline Parameterization_error error_in_mesh(const Parameterization_error& error, const Corner_mesh& chart,
                                             const std::vector<Index>& faces)
@@ -163,15 +161,6 @@ inline double area_of_surface(const Atlas& atlas, const std::vector<bool>& has_m
   return sum;
 }
 
-// Why a packed chart has no map in the user's numbers.
-inline Parameterization_error error_of_packing(const Packing& packing, const Rounding& round, Index first_face)
-{
-  if (!is_finite(round(Point_2(packing.side, packing.side))))
-    return { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, cause_of_overflow };
-  return { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::FACE, first_face,
-           packing.side == 0 ? "the charts have no area" : cause_of_lost_chart };
-}
-
 // Packs the charts that have a map. Those that have none afterwards, as rounding left no room for it, are told.
 inline void pack(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& options, Round_coordinate round,
                  Atlas_summary& result)
@@ -185,7 +174,7 @@ inline void pack(Atlas& atlas, std::vector<bool>& has_map, const Pack_options& o
   for (std::size_t i = 0; i < has_map.size(); ++i)
     if (had_map[i] && !has_map[i]) {
       Parameterization_error& error = result.charts[i].summary.error;
-      error = error_of_packing(packing, Rounding{ round, atlas.scale_exponent }, atlas.charts[i].front());
+      error = error_of_packing(packing, { round, atlas.scale_exponent }, atlas.charts[i].front());
       if (result.is_ok())
         result.error = error;
     }

@@ -41,7 +41,6 @@ public:
     for (std::size_t i = 0; i < atlas.charts.size(); ++i)
       if (has_map[i]) {
         Divided_part& part = m_parts.emplace_back();
-        part.chart = i;
         part.faces = atlas.charts[i];
         part.mesh = component_of(atlas.mesh, part.faces, scratch);
         part.uv = map_of(atlas, part.faces);

@@ -175,7 +175,7 @@ std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, c
   const auto parameterize = [&](Index begin, Index end, std::vector<Index>& scratch) {
     for (Index i = begin; i < end; ++i) {
       const std::vector<Index>& faces = atlas.charts[i];
-      parameterizer(Chart_part{ i, faces, component_of(atlas.mesh, faces, scratch), {} }, parts[i]);
+      parameterizer(Chart_part{ faces, component_of(atlas.mesh, faces, scratch), {} }, parts[i]);
     }
   };
   Loops::of<ConcurrencyTag>().for_each_block_with_scratch(0, Index(atlas.charts.size()), make_scratch, parameterize, 1);

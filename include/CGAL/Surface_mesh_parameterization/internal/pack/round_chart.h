@@ -18,6 +18,9 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 // Whether all triangles of a chart are positive.
 bool is_positive(const Flat_chart& chart);
 
+// Whether they all are negative.
+bool is_mirrored(const Flat_chart& chart);
+
 // Rounds the places of a chart whose shape has positive triangles so that they are positive, and returns whether it
 // could. Vertices move within their stars; if that fails, the shape is scaled up around the middle of its place, up to
 // a size; if that fails, too, flips are repaired, with the surface in space.

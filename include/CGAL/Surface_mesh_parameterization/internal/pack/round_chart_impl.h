@@ -31,6 +31,14 @@ bool is_positive(const Flat_chart& chart)
   });
 }
 
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool is_mirrored(const Flat_chart& chart)
+{
+  return std::all_of(chart.triangles.begin(), chart.triangles.end(), [&](const Index_triangle& t) {
+    return is_left_turn(chart.points[t[0]], chart.points[t[2]], chart.points[t[1]]);
+  });
+}
+
 // The next three functions are the attempts of round_chart(). If one fails, the chart stays as it was.
 inline bool round_places(Flat_chart& chart, const Rounding& round)
 {
