@@ -51,7 +51,7 @@ bool run(const Angles_and_areas_energy_2& energy, Mesh& mesh)
 {
   const auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   //! [run]
-  const Method method(energy, CGAL::parameters::triangle_weight(SMP::Triangle_weight::AREA));
+  const Method method(energy, SMP::parameters::triangle_weight(SMP::Triangle_weight::AREA));
   SMP::Hierarchical_parameterizer_3<Method> parameterizer(method);
   const SMP::Error_code status = parameterizer.parameterize(mesh, uvmap);
   //! [run]

@@ -69,7 +69,7 @@ void run(const Arguments& arguments)
   // A vertex of the seam mesh is a halfedge of the mesh.
   const Halfedge_uv_map uvmap = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:uv").first;
   throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(
-      seam_mesh, uvmap, CGAL::parameters::globally_injective(true)).error);
+      seam_mesh, uvmap, SMP::parameters::globally_injective(true)).error);
 
   const Halfedge_uv_map corners = mesh.add_property_map<Mesh::Halfedge_index, Point_2>("h:corner_uv").first;
   for (const Mesh::Halfedge_index h : mesh.halfedges())

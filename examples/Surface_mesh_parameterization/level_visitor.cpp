@@ -74,7 +74,7 @@ int main(int argc, char** argv)
   timer.start();
   const auto uvmap = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   const auto result =
-      SMP::hierarchical_parameterization(mesh, uvmap, CGAL::parameters::visitor(Progress_visitor(timer, most_seconds)));
+      SMP::hierarchical_parameterization(mesh, uvmap, SMP::parameters::visitor(Progress_visitor(timer, most_seconds)));
   if (!result.is_ok()) {
     std::cerr << SMP::error_message(result.error) << '\n';
     return 1;

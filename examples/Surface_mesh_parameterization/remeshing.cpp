@@ -48,7 +48,7 @@ void run(const Arguments& arguments)
   Mesh mesh = read_surface(arguments);
   const Vertex_uv_map uvmap = mesh.add_property_map<Mesh::Vertex_index, Point_2>("v:uv").first;
   throw_if_failed(SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(
-      mesh, uvmap, CGAL::parameters::globally_injective(true)).error);
+      mesh, uvmap, SMP::parameters::globally_injective(true)).error);
 
   const Remesher remesher(mesh, uvmap);
   const Subdivided_mesh subdivided = remesher.remesh(coarsest, subdivisions);

@@ -90,18 +90,19 @@ po::options_description atlas_options(Options& options, Words& words)
       "most faces. The default is largest with --flat, --levels, --start and --hold, which take one chart");
   add("cut", po::value(&words.cut),
       "auto (default): cut components that are closed or have handles along short seams; or none: leave them out, and "
-      "let one chart lie over itself. The default is none with --flat, --levels, --start and --hold");
+      "let one chart overlap itself. The default is none with --flat, --levels, --start and --hold. With none there "
+      "are no --distortion-bound, --overlap-bound, --sharp-angle and --least-used-part");
   add("atlas", po::bool_switch(&options.makes_atlas),
       "make an atlas of one component, too: its chart or charts in the unit square");
   add("least-used-part", po::value<double>(),
       "divide charts by short cuts until they cover this part of the unit square, from 0 to 1, or no cut helps; 0.7 is "
       "within reach of most surfaces; 0: none. The default is 0.25. Makes an atlas of one component, too");
   add("distortion-bound", po::value<double>(),
-      "cut surfaces until there are maps of them whose mean symmetric Dirichlet energy, 4 without distortion, is "
-      "within this bound, as far as 50 branches of the seam lead; inf: only what must be cut. The default is 4.5 for "
-      "surfaces that must be cut or exceed 8. Makes an atlas of one component, too");
+      "cut surfaces until symmetric Dirichlet maps of them have a mean energy, 4 without distortion, within this "
+      "bound, as far as 50 branches of the seam lead; maps of other methods may exceed it. inf: only what must be cut. "
+      "The default is 4.5 for surfaces that must be cut or exceed 8. Makes an atlas of one component, too");
   add("overlap-bound", po::value<double>(),
-      "divide charts whose map would lie over itself with more than this part of its triangles, from 0 to 1; 1: none. "
+      "divide charts in which more than this fraction of the triangles, from 0 to 1, would overlap others; 1: none. "
       "The default is 0.2. Makes an atlas of one component, too");
   add("hole-bound", po::value<double>(),
       "in an atlas, treat holes as parts of the surface whose border is no longer than this part, from 0 to 1, of the "

@@ -101,6 +101,10 @@ void print_warnings(const Input& input, const Options& options, const Run_record
   if (const std::size_t n = components_above_bound(options, run); n > 0)
     std::cerr << name << ": " << counted(n, "component")
               << " above --distortion-bound: more branches gain too little\n";
+  else if (run.atlas && options.distortion_bound && run.quality->symmetric_dirichlet > *options.distortion_bound &&
+           options.method->name != "symmetric-dirichlet")
+    std::cerr << name << ": the maps of " << options.method->name
+              << " exceed --distortion-bound; those of symmetric-dirichlet, for which the surface is cut, do so less\n";
   if (run.overlaps_of_one_chart > 0)
     std::cerr << name << ": one chart would lie over itself at " << pairs_text(run.overlaps_of_one_chart)
               << ", so this is an atlas; --globally-injective makes one chart, --cut none one with overlaps\n";
@@ -128,13 +132,21 @@ const char* advice_against_distortion(const Method& method)
              : "--atlas may cut the surface, symmetric-dirichlet may distort it less";
 }
 
+// What may help where charts overlap themselves.
+void print_advice_for_atlas(const Input& input, const Options& options, const Run_record& run)
+{
+  if (run.quality->overlaps > 0 && options.cuts && options.overlap_bound != 0.)
+    std::cerr << one_line(input.name) << ": charts overlap themselves at " << pairs_text(run.quality->overlaps)
+              << "; --overlap-bound 0 divides most of them, mips and symmetric-dirichlet keep borders apart\n";
+}
+
 // What may help where one chart is not enough.
 void print_advice(const Input& input, const Options& options, const Run_record& run)
 {
   constexpr double great_distortion = 50;
   constexpr std::size_t many_borders = 20;
   if (run.atlas)
-    return;
+    return print_advice_for_atlas(input, options, run);
   const std::string one_chart = options_of_one_chart(options),
                     without = one_chart.empty() ? "" : ", without " + one_chart + ",";
   if (run.quality->overlaps > 0 && (options.cuts || !one_chart.empty()))

@@ -147,9 +147,15 @@ std::string option_of_atlas(const std::string& components, const std::string& cu
 // Fits the options of an atlas to one whose charts stay whole.
 void forbid_cuts(Options& options)
 {
-  if (options.least_used_part.value_or(0) > 0 || options.distortion_bound || options.overlap_bound ||
-      options.sharp_angle)
-    throw Usage_error{ "--least-used-part, --distortion-bound, --overlap-bound, --sharp-angle: not with --cut none" };
+  const std::pair<const char*, bool> cutting_options[] = {
+    { "--least-used-part", options.least_used_part.value_or(0) > 0 },
+    { "--distortion-bound", options.distortion_bound.has_value() },
+    { "--overlap-bound", options.overlap_bound.has_value() },
+    { "--sharp-angle", options.sharp_angle.has_value() }
+  };
+  for (const auto& [option, is_given] : cutting_options)
+    if (is_given)
+      throw Usage_error{ option + std::string(": not with --cut none") };
   options.least_used_part = 0;
   options.distortion_bound = std::numeric_limits<double>::infinity();
   options.overlap_bound = 1;

@@ -118,7 +118,9 @@ TEST(Program_advice, is_given_until_it_is_followed)
   };
   EXPECT_NE(error_of("").find("--atlas"), std::string::npos);
   EXPECT_GT(runs.report().at("quality").at("symmetric_dirichlet"), 50);
-  for (const std::string arguments : { "--atlas", "--cut none", "--quiet", "--distortion-bound 4.6" })
+  EXPECT_NE(error_of("--distortion-bound 4.6").find("maps of mips exceed --distortion-bound"), std::string::npos);
+  for (const std::string arguments : { "--atlas", "--cut none", "--quiet",
+                                       "--distortion-bound 4.6 --method symmetric-dirichlet" })
     EXPECT_EQ(error_of(arguments), "");
   EXPECT_NE(error_of("--distortion-bound 4").find("1 component above --distortion-bound"), std::string::npos);
   runs.write_input("in.off", cells(26, 26, [](long i, long j) { return i % 5 != 2 || j % 5 != 2; }));
@@ -130,6 +132,8 @@ TEST(Program_advice, is_given_until_it_is_followed)
   const double overlaps = runs.report().at("quality").at("overlaps");
   EXPECT_EQ(error_of("--method lscm --overlap-bound 0"), "");
   EXPECT_LT(runs.report().at("quality").at("overlaps"), 0.5 * overlaps);
+  EXPECT_NE(error_of("--method lscm --atlas --overlap-bound 1").find("--overlap-bound 0"), std::string::npos);
+  EXPECT_EQ(error_of("--atlas --overlap-bound 1"), "");
   EXPECT_NE(error_of("--levels .").find("pairs of triangles; --globally-injective"), std::string::npos);
   for (const std::string arguments : { "--levels . --globally-injective", "--cut none" })
     EXPECT_EQ(error_of(arguments), "");

@@ -31,7 +31,7 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   auto result = SMP::hierarchical_parameterization(mesh, uvmap);      // MIPS
 ///   result = SMP::hierarchical_parameterization<SMP::Symmetric_Dirichlet_parameterizer_3>(mesh, uvmap);
 ///   result = SMP::hierarchical_parameterization<SMP::Mean_value_coordinates_parameterizer_3>(
-///     mesh, uvmap, CGAL::parameters::tolerance(1e-8));
+///     mesh, uvmap, SMP::parameters::tolerance(1e-8));
 ///   if (!result.is_ok())
 ///     std::cerr << SMP::error_message(result.error) << '\n';
 /// \endcode
