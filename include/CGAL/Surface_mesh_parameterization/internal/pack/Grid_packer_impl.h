@@ -73,7 +73,7 @@ Grid_packer::Result Grid_packer::pack(const Plan& plan, std::size_t most_side) c
   result.places.resize(m_masks.size());
   result.directions.resize(m_masks.size());
   Strip strip(plan.width, m_margin, levels[0]);
-  // Where charts of about a size begin to fit, about: by size and direction, for in each direction they fit elsewhere.
+  // Where charts of about a size begin to fit, about; in each direction they fit elsewhere.
   std::map<std::tuple<int, int, std::size_t>, std::size_t> first_rows;
   for (std::size_t i = 0; i < plan.order.size(); ++i) {
     const std::size_t chart = plan.order[i];
@@ -81,7 +81,8 @@ Grid_packer::Result Grid_packer::pack(const Plan& plan, std::size_t most_side) c
     best.top = most_side;
     for (std::size_t direction = 0; direction < m_masks[chart].size(); ++direction) {
       const Chart_mask& mask = m_masks[chart][direction];
-      std::size_t& first_row = first_rows[{ size_class(mask.width), size_class(mask.height), direction }];
+      std::size_t& first_row = first_rows[{ size_class(mask.width), size_class(mask.height),
+                                            plan.tries_each_direction ? direction : 0 }];
       if (const Strip::Place place = strip.find(mask, first_row, best.top); place.top < best.top) {
         best = place;
         result.directions[chart] = direction;

@@ -52,11 +52,11 @@ inline Flat_chart as_bars(const Flat_chart& chart, double cell)
 }
 
 // Orders and widths are changed at random, and kept where they make the square smaller, until that has been in vain for
-// long.
+// long. More trials find more than each direction of every chart does.
 inline std::pair<Grid_packer::Plan, Grid_packer::Result> search_plan(const Grid_packer& packer, std::size_t width,
                                                                      std::size_t margin, std::size_t number_of_trials)
 {
-  Grid_packer::Plan best_plan{ packer.order_by_size(), (std::max)(packer.least_width(), width) };
+  Grid_packer::Plan best_plan{ packer.order_by_size(), (std::max)(packer.least_width(), width), false };
   Grid_packer::Result best = packer.pack(best_plan);
   constexpr std::size_t most_vain_trials = 300;
   std::mt19937 random(1);
