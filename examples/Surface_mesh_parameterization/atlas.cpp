@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Hierarchical Parameterization authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lays any surface in the unit square, also a closed one or one of several components, and writes it as OBJ with texture
-// coordinates.
+// Lays any surface in the unit square, also a closed one or one of several components, and writes it as OBJ with
+// texture coordinates.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -27,8 +27,8 @@ inline std::string error_message(const Parameterization_error& error)
     case ERROR_NON_TRIANGULAR_MESH: message = "not all faces are triangles"; break;
     case ERROR_NO_TOPOLOGICAL_DISC:
       message = is_at_vertex ? "several fans of triangles meet at a vertex, or two edges have the same ends"
-                             : "the surface is closed or has a handle: atlas_parameterization() takes such surfaces, or "
-                               "cut it open first, by a seam along a path of edges, as cut_to_disk() does";
+                             : "the surface is closed or has a handle: atlas_parameterization() takes such surfaces; "
+                               "or cut it open first, by a seam along a path of edges, as cut_to_disk() does";
       break;
     case ERROR_NO_TOPOLOGICAL_BALL: message = "the surface is no sphere"; break;
     case ERROR_BORDER_TOO_SHORT: message = "the border has no length, or too few edges for its shape"; break;

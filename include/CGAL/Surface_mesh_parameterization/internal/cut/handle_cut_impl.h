@@ -82,11 +82,14 @@ inline std::vector<Index> system_of_loops(const Corner_mesh& mesh, const Shortes
   std::vector<Index> result;
   for (const Index edge : closing_edges(mesh, paths)) {
     result.push_back(edge);
-    for (Index end : { mesh.source(edge), mesh.target(edge) })
-      for (Index h; (h = paths.last_halfedge(paths.place(end))) != no_index && !is_taken[h]; end = mesh.source(h)) {
+    for (const Index end : { mesh.source(edge), mesh.target(edge) }) {
+      Index h = paths.last_halfedge(paths.place(end));
+      while (h != no_index && !is_taken[h]) {
         is_taken[h] = true;
         result.push_back(h);
+        h = paths.last_halfedge(paths.place(mesh.source(h)));
       }
+    }
   }
   return without_dead_ends(mesh, paths, result);
 }

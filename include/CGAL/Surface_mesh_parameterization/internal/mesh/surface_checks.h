@@ -21,8 +21,8 @@ struct Disk_check
   Index bad_vertex;
 };
 
-// `border_vertices` are those on borders of the mesh: two edges with the same ends look like one if the triangles beside
-// them fit together.
+// `border_vertices` are those on borders of the mesh: two edges with the same ends look like one if the triangles
+// beside them fit together.
 Disk_check check_disk_with_holes(const Triangulated_surface_3& surface, const std::vector<Index>& border_vertices,
                                  const Loops& loops);
 
