@@ -81,10 +81,9 @@ public:
     return result;
   }
 
-  // One whole step at the end, where energies in doubles no longer tell what a step gains. It is taken if the model
-  // promises less than `greatest_promise`, as it does on the way to a minimum, and the energy rises by no more than
-  // `rounding`. The Hessian is the true one, so that such steps converge quadratically.
-  // Precondition: no barrier acts.
+  // One whole step at the end, where energies in doubles no longer tell what a step gains, and no barrier acts. It is
+  // taken if the model promises less than `greatest_promise`, as it does on the way to a minimum, and the energy rises
+  // by no more than `rounding`. The Hessian is the true one, so that such steps converge quadratically.
   Step last_step(Level::Uv& uv, double greatest_promise, double rounding)
   {
     m_system.set_indefinite_part(1);
@@ -225,8 +224,7 @@ private:
   }
 
   // Doubles a step from `start` to `uv`, up to the length `longest`, while it lowers the energy by more than the model
-  // says. The model is too stiff where borders are close: a step that Newton's method takes there is a small part of
-  // the way.
+  // says. Where borders are close the model is too stiff, and its step a small part of the way.
   void lengthen_step(const Level::Uv& start, Level::Uv& uv, const Block_vectors& direction, double energy,
                      double longest, Step& result) const
   {
@@ -293,9 +291,7 @@ private:
   Guarded_energy m_objective;
   Newton_system m_system;
   Newton_system::Accuracy m_accuracy;
-
-  // Of the step that was tried last: its start if it was taken, else its end. Either tells a direction that the next
-  // solution may be joined with.
+  // Of the step that was tried last: its start if it was taken, else its end. Solutions are joined with that direction.
   Level::Uv m_other_end;
 };
 
