@@ -151,23 +151,26 @@ void double_edge(Surface_mesh& mesh, Surface_mesh::Edge_index e)
   CGAL::Euler::split_face(mesh.prev(opposite), mesh.opposite(first_half), mesh);
 }
 
+// Also at a vertex of high valence.
 TEST(Mesh_component, two_edges_with_the_same_ends)
 {
-  const Surface_mesh whole = make<Surface_mesh>(grid(4, 4, flat));
-  for (const auto e : whole.edges()) {
-    if (whole.is_border(e))
-      continue;
-    Surface_mesh mesh = whole;
-    const std::set<std::size_t> ends = { mesh.vertex(e, 0), mesh.vertex(e, 1) };
-    double_edge(mesh, e);
-    ASSERT_TRUE(CGAL::is_valid_polygon_mesh(mesh) && CGAL::is_triangle_mesh(mesh));
-    for (const auto h : mesh.halfedges())
-      if (mesh.is_border(h)) {
-        const Parameterization_error error = error_of(mesh, h);
-        EXPECT_EQ(error.code, ERROR_NO_TOPOLOGICAL_DISC);
-        EXPECT_EQ(error.place, Parameterization_error::VERTEX);
-        EXPECT_TRUE(ends.count(error.index));
-      }
+  for (const Flat_mesh& m : { grid(4, 4, flat), fan(50) }) {
+    const Surface_mesh whole = make<Surface_mesh>(m);
+    for (const auto e : whole.edges()) {
+      if (whole.is_border(e))
+        continue;
+      Surface_mesh mesh = whole;
+      const std::set<std::size_t> ends = { mesh.vertex(e, 0), mesh.vertex(e, 1) };
+      double_edge(mesh, e);
+      ASSERT_TRUE(CGAL::is_valid_polygon_mesh(mesh) && CGAL::is_triangle_mesh(mesh));
+      for (const auto h : mesh.halfedges())
+        if (mesh.is_border(h)) {
+          const Parameterization_error error = error_of(mesh, h);
+          EXPECT_EQ(error.code, ERROR_NO_TOPOLOGICAL_DISC);
+          EXPECT_EQ(error.place, Parameterization_error::VERTEX);
+          EXPECT_TRUE(ends.count(error.index));
+        }
+    }
   }
 }
 

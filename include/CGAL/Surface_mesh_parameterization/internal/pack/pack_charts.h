@@ -37,7 +37,7 @@ struct Packing
 
 // Moves and turns charts, so that they lie in a square with a corner at the origin, and do not meet.
 //
-// Charts are put one after the other, the largest first, each at the lowest place where it fits, in one of four
+// Charts are put one after the other, the largest first, each at about the lowest place where it fits, in one of four
 // directions, on a grid whose cells are taken if a triangle meets them. Several widths are tried. Charts that are a
 // great part of all are turned by more angles and tried in many orders, on a coarser grid.
 Packing pack_charts(std::vector<Flat_chart>& charts, const Pack_options& options);
