@@ -75,7 +75,7 @@ po::options_description method_options(Options& options, Words& words, Numbers& 
       "run the method without the hierarchy; those of CGAL as they are shipped. --tolerance and --iterations are for "
       "mips and symmetric-dirichlet then: a direct solver, or CGAL, takes neither");
   add("seed", po::value(&numbers.seed)->default_value(0),
-      "of the random choices: the same seed gives the same result");
+      "of the random choices of the hierarchy: the same seed gives the same result");
   add("threads", po::value(&options.threads)->default_value(0),
       "the most threads to use, if built with TBB; 0: as many as there are. The result is the same");
   return described;
@@ -111,6 +111,9 @@ po::options_description atlas_options(Options& options, Words& words)
       "part the surface into regions along edges at which it turns by at least this angle, from 0 to 180 degrees: 40, "
       "for instance, parts the faces of a mechanical model, most of which have maps without distortion. Each region "
       "has the distortion bound 4.5 unless another one is given. Makes an atlas of one component, too");
+  add("margin", po::value<double>(),
+      "keep at least this part of the square's side, from 0 to 0.1, between charts, and half of it around them. The "
+      "default is 1/256, less for many charts. Makes an atlas of one component, too");
   return described;
 }
 

@@ -46,7 +46,8 @@ const std::vector<Atlas_number>& numbers_of_atlas()
     { "distortion-bound", &Method_options::distortion_bound, 4, infinity, "a number of at least 4" },
     { "overlap-bound", &Method_options::overlap_bound, 0, 1, "a number from 0 to 1" },
     { "hole-bound", &Method_options::hole_bound, 0, 1, "a number from 0 to 1" },
-    { "sharp-angle", &Method_options::sharp_angle, 0, 180, "a number of degrees from 0 to 180" } };
+    { "sharp-angle", &Method_options::sharp_angle, 0, 180, "a number of degrees from 0 to 180" },
+    { "margin", &Method_options::margin, 0, 0.1, "a number from 0 to 0.1" } };
   return numbers;
 }
 
@@ -129,6 +130,8 @@ void check_effects(const po::variables_map& values, const Options& options)
   for (const std::string option : { "tolerance", "iterations" })
     if (options.flat && !is_flip_free && values.count(option))
       throw Usage_error{ "--" + option + ": not with --flat, where " + options.method->name + " does not use it" };
+  if (options.flat && !values["seed"].defaulted())
+    throw Usage_error{ "--seed: not with --flat, which makes no random choice" };
 }
 
 // The option that asks for an atlas; empty if none does.

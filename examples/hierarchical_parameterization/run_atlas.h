@@ -23,7 +23,7 @@ SMP::Atlas_summary run_atlas(const Atlas_mesh& atlas, const Method_options& opti
       atlas.mesh, atlas.corner_map,
       SMP::parameters::least_used_part(options.least_used_part).edge_is_constrained_map(atlas.seams)
           .distortion_bound(options.distortion_bound).overlap_bound(options.overlap_bound)
-          .hole_bound(options.hole_bound),
+          .hole_bound(options.hole_bound).margin(options.margin),
       np.tolerance(options.tolerance).number_of_iterations(options.iterations).fill_holes(options.fills_holes)
           .random_seed(options.seed).visitor(visitor));
 }

@@ -280,6 +280,7 @@ for value in -5 2 nan; do
 done
 
 # Options without an effect.
+expect 1 --flat --seed 1
 for method in uniform mean-value lscm arap; do
   expect 1 --method $method --weights area
   expect 1 --method $method --flat --tolerance 1e-3

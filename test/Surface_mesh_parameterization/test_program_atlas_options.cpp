@@ -3,10 +3,13 @@
 
 // The options of atlases, and the formats that hold them.
 
+#include "OBJ_lines.h"
 #include "hostile_meshes.h"
 #include "program_atlas_files.h"
 #include "program_atlas_laws.h"
 #include "program_runs.h"
+
+#include <CGAL/Bbox_2.h>
 
 #include <gtest/gtest.h>
 
@@ -54,7 +57,8 @@ TEST(Program_atlas_options, that_need_one_chart_are_refused)
          "--distortion-bound nan", "--start in.off --overlap-bound 0.1", "--cut none --overlap-bound 0.1",
          "--overlap-bound -0.1", "--overlap-bound 1.1", "--overlap-bound nan", "--flat --sharp-angle 40",
          "--cut none --sharp-angle 40", "--sharp-angle -1", "--sharp-angle 181", "--sharp-angle nan",
-         "--flat --hole-bound 0", "--hole-bound -1", "--hole-bound 2", "--hole-bound nan" }) {
+         "--flat --hole-bound 0", "--hole-bound -1", "--hole-bound 2", "--hole-bound nan",
+         "--flat --margin 0.01", "--margin -0.01", "--margin 0.11", "--margin nan" }) {
     EXPECT_EQ(runs.run("missing.off " + arguments), 1) << arguments;
     const std::string error = runs.error();
     EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
@@ -85,6 +89,21 @@ TEST(Program_atlas_options, divide_charts)
   ASSERT_EQ(runs.run("in.off --report report.json --least-used-part 0.1"), good);
   EXPECT_EQ(runs.report().at("atlas").at("divisions"), 0);
   EXPECT_LT(runs.report().at("atlas").at("used_part"), atlas.at("used_part"));
+}
+
+// Half of the margin stays empty at each side of the square; one chart fills the rest in one direction at least.
+TEST(Program_atlas_options, keep_a_margin)
+{
+  const Runs runs(patch());
+  for (const double margin : { 0., 0.02, 0.1 }) {
+    ASSERT_EQ(runs.run("in.off --margin " + std::to_string(margin) + " --output map.obj"), good);
+    CGAL::Bbox_2 box;
+    for (const Point_2& p : test_meshes::OBJ_lines(runs.content("map.obj")).uv)
+      box += p.bbox();
+    const double left = (std::min)(box.xmin(), box.ymin()), right = 1 - (std::max)(box.xmax(), box.ymax());
+    EXPECT_NEAR(left, 0.5 * margin, 1e-6);
+    EXPECT_NEAR(right, 0.5 * margin, 1e-6);
+  }
 }
 
 // A tube that is closed at one end is one chart, which is distorted far, unless it is cut.

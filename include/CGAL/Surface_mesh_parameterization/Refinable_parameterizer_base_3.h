@@ -28,7 +28,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// `parameterize()` runs the method *flat*, on a hierarchy whose only level is the input. If a flip-free method finds
 /// no first map of the input without a flip, the hierarchy gets coarser levels, as few as possible. A method derives
 /// from it: `class My_parameterizer_3 : public Refinable_parameterizer_base_3<My_parameterizer_3<Mesh>, Mesh>`. A
-/// method whose maps may have flips declares its own `is_flip_free`.
+/// method whose maps of coarse levels may have flips declares its own `is_flip_free`.
 ///
 /// \cgalModels `Parameterizer_3`
 ///
@@ -49,7 +49,7 @@ public:
   typedef typename internal::Mesh_descriptors<Triangle_mesh>::halfedge_descriptor   halfedge_descriptor;
 #endif
 
-  /// whether the maps of the method have no flips
+  /// whether the maps of the method have no flips, at least on all levels below the finest
   static constexpr bool is_flip_free = true;
 
   /// parameterizes the connected component of `mesh` that contains `bhd`.

@@ -20,6 +20,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -36,9 +37,12 @@ Pack_options pack_options_of(const NamedParameters& np)
   using parameters::choose_parameter;
   using parameters::get_parameter;
   Pack_options options;
-  options.margin = choose_parameter(get_parameter(np, internal_np::margin), options.margin);
-  if (!parameters::is_default_parameter<NamedParameters, internal_np::margin_t>::value)
+  const std::optional<double> margin =
+      choose_parameter(get_parameter(np, internal_np::margin), std::optional<double>());
+  if (margin) {
+    options.margin = *margin;
     options.margin_of_chart = Pack_options::greatest_margin_of_chart;
+  }
   options.fills_unit_square =
       choose_parameter(get_parameter(np, internal_np::unit_square), options.fills_unit_square);
   return options;
@@ -88,7 +92,8 @@ Error_code write_corners(const TriangleMesh& mesh, const Atlas& atlas, const std
 /// \param np
 /// - `margin`: the least distance between charts, and half of it to the sides of the square, as a part of the side;
 ///   from 0 to 0.1. Of n charts it is at most \f$ 1 / (4 \sqrt n) \f$: wider margins would fill the square. Default:
-///   1/256, and of n charts at most \f$ 1 / (32 \sqrt n) \f$, so that margins take about a sixteenth of the square
+///   1/256, and of n charts at most \f$ 1 / (32 \sqrt n) \f$, so that margins take about a sixteenth of the square.
+///   A `double` or a `std::optional<double>`
 /// - `unit_square`: whether the charts are scaled, so that the square is the unit square; default `true`. Otherwise
 ///   they keep their sizes, and the square begins at the origin
 ///
