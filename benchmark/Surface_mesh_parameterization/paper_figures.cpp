@@ -14,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <ostream>
 #include <set>
 
 namespace fs = std::filesystem;
@@ -28,17 +29,19 @@ struct View
   double depth(const Point_3& p) const { return p[towards]; }
 };
 
-std::ofstream open(const fs::path& file)
+template <class Write>
+void write_file(const fs::path& file, const Write& write)
 {
   std::ofstream stream(file);
+  write(stream);
+  stream.close();
   if (!stream)
     throw std::runtime_error(file.string() + ": cannot be written");
-  return stream;
 }
 
 // The painter's algorithm: the triangles from the farthest to the nearest, each in one shade of gray by its angle to
 // the line of sight.
-void draw_surface(const fs::path& file, const Mesh& mesh, const View& view)
+void draw_surface(std::ostream& stream, const Mesh& mesh, const View& view)
 {
   constexpr double size = 1000, margin = 10;
   CGAL::Bbox_2 box;
@@ -58,7 +61,6 @@ void draw_surface(const fs::path& file, const Mesh& mesh, const View& view)
   }
   std::sort(faces_by_depth.begin(), faces_by_depth.end());
 
-  std::ofstream stream = open(file);
   stream << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << scale * (box.xmax() - box.xmin()) + 2 * margin
          << ' ' << scale * (box.ymax() - box.ymin()) + 2 * margin
          << "\" stroke=\"#222\" stroke-width=\"0.4\" stroke-linejoin=\"round\">\n";
@@ -102,8 +104,7 @@ void draw_map(const fs::path& file, const Mesh& mesh, Uv_map uv, const View& vie
   const CGAL::Aff_transformation_2<Kernel> rotation = rotation_to_view(mesh, uv, view);
   for (const Mesh::Vertex_index v : mesh.vertices())
     uv[v] = rotation(uv[v]);
-  std::ofstream stream = open(file);
-  SMP::IO::write_SVG(stream, mesh, uv);
+  write_file(file, [&](std::ostream& stream) { SMP::IO::write_SVG(stream, mesh, uv); });
 }
 
 Mesh mesh_of(const SMP::Level& level)
@@ -138,7 +139,8 @@ public:
     for (const Mesh::Vertex_index v : mesh.vertices())
       uv[v] = Point_2(level_uv[v].x(), level_uv[v].y());
     const std::string name = "level_" + std::to_string(level.index());
-    draw_surface(m_directory / (name + "_surface.svg"), mesh, m_view);
+    write_file(m_directory / (name + "_surface.svg"),
+               [&](std::ostream& stream) { draw_surface(stream, mesh, m_view); });
     draw_map(m_directory / (name + "_map.svg"), mesh, uv, m_view);
     std::cout << name << ": " << summary.vertices << " vertices, " << summary.faces << " triangles, energy "
               << summary.energy_end << '\n';

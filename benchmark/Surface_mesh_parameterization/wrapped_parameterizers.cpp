@@ -38,6 +38,20 @@ struct Choice
   SMP::Flip_policy flip_policy;
 };
 
+// As long as it lives, the stream prints nothing.
+class Silence
+{
+public:
+  explicit Silence(std::ostream& stream) : m_stream(stream), m_buffer(stream.rdbuf(nullptr)) { }
+  ~Silence() { m_stream.rdbuf(m_buffer); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+private:
+  std::ostream& m_stream;
+  std::streambuf* m_buffer;
+};
+
 template <class TriangleMesh>
 struct Map
 {
@@ -55,11 +69,8 @@ struct Map
   void make(TriangleMesh& mesh, const Make_parameterizer& make_parameterizer)
   {
     const auto bhd = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
-    std::streambuf* const output = std::cout.rdbuf(nullptr);
-    std::streambuf* const errors = std::cerr.rdbuf(nullptr);
+    const Silence no_output(std::cout), no_errors(std::cerr);
     seconds.push_back(seconds_of([&] { code = SMP::parameterize(mesh, make_parameterizer(), bhd, uvmap); }));
-    std::cout.rdbuf(output);
-    std::cerr.rdbuf(errors);
   }
 };
 

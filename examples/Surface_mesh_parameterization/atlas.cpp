@@ -12,7 +12,6 @@
 #include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/error_message.h>
 
-#include <fstream>
 #include <iostream>
 
 typedef CGAL::Simple_cartesian<double>          Kernel;
@@ -42,10 +41,7 @@ int main(int argc, char** argv)
   std::cout << "charts: " << atlas.charts.size() << ", edges of seams: " << atlas.cut.seam_edges
             << ", part of the square used: " << atlas.used_part << '\n';
 
-  std::ofstream out(argv[2]);
-  SMP::IO::write_OBJ(out, mesh, uvmap);
-  out.close();
-  if (!out) {
+  if (!SMP::IO::write_OBJ(argv[2], mesh, uvmap)) {
     std::cerr << argv[2] << ": cannot be written\n";
     return 1;
   }

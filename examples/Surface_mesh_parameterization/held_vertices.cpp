@@ -14,7 +14,6 @@
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
-#include <fstream>
 #include <iostream>
 
 typedef CGAL::Simple_cartesian<double>          Kernel;
@@ -64,10 +63,7 @@ int main(int argc, char** argv)
   std::cout << "energy " << result.energy << ", vertex " << tip << " at " << uvmap[tip] << '\n';
   if (argc < 3)
     return 0;
-  std::ofstream out(argv[2]);
-  SMP::IO::write_OBJ(out, mesh, uvmap);
-  out.close();
-  if (!out) {
+  if (!SMP::IO::write_OBJ(argv[2], mesh, uvmap)) {
     std::cerr << argv[2] << ": cannot be written\n";
     return 1;
   }

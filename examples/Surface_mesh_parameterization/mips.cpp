@@ -18,7 +18,6 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <array>
-#include <fstream>
 #include <iostream>
 
 typedef CGAL::Simple_cartesian<double>          Kernel;
@@ -56,10 +55,7 @@ int main(int argc, char** argv)
   const SMP::Parameterization_quality quality = SMP::parameterization_quality(mesh, uvmap);
   std::cout << quality.flips << " flips, mean angle distortion " << quality.angle << '\n';
 
-  std::ofstream out(argv[2]);
-  SMP::IO::write_OBJ(out, mesh, uvmap);
-  out.close();
-  if (!out) {
+  if (!SMP::IO::write_OBJ(argv[2], mesh, uvmap)) {
     std::cerr << argv[2] << ": cannot be written\n";
     return 1;
   }

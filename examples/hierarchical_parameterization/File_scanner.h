@@ -39,7 +39,18 @@ public:
   void skip_blanks() { m_at = std::find_if_not(m_at, m_end, is_blank); }
   void skip_spaces() { m_at = std::find_if_not(m_at, m_end, is_space); }
   void skip_word() { m_at = std::find_if(m_at, m_end, is_space); }
+  void skip_word_before_comment()
+  {
+    m_at = std::find_if(m_at, m_end, [](char c) { return is_space(c) || c == '#'; });
+  }
   void skip_line() { m_at = std::find_if(m_at, m_end, is_line_end); }
+
+  // Whether there is nothing left on the line but blanks and a comment.
+  bool is_at_line_end() const
+  {
+    const char* const next = std::find_if_not(m_at, m_end, is_blank);
+    return next == m_end || is_line_end(*next) || *next == '#';
+  }
 
   // To the first line that has more than blanks and a comment.
   void skip_comments()

@@ -9,14 +9,51 @@
 #include "File_scanner.h"
 #include "Polygon_soup.h"
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 
-// Reads Geomview's OFF, text or binary: [ST][C][N][4]OFF. Of a vertex, texture coordinates, color and normal are
-// skipped, of a face the color. In a text, the corners of a face may go over several lines, each vertex has its own.
+// The first word of an OFF file: [ST][C][N][4]OFF. Some programs write the letters in another order, small ones, or the
+// number of vertices behind them without a blank.
+struct OFF_keyword
+{
+  std::size_t length = 0;                   // 0: that is none
+  std::size_t number_of_attributes = 0;     // numbers of a vertex beside its point
+  bool is_homogeneous = false;
+
+  explicit OFF_keyword(std::string_view word)
+  {
+    std::string_view rest = word;
+    const auto has_prefix = [&](std::string_view prefix) {
+      if (!boost::algorithm::istarts_with(rest, prefix))
+        return false;
+      rest.remove_prefix(prefix.size());
+      return true;
+    };
+    const std::pair<std::string_view, std::size_t> attributes[] = { { "ST", 2 }, { "C", 4 }, { "N", 3 } };
+    const auto is_next = [&](const auto& attribute) { return has_prefix(attribute.first); };
+    for (const auto* next = attributes; next != std::end(attributes);) {
+      next = std::find_if(std::begin(attributes), std::end(attributes), is_next);
+      if (next != std::end(attributes))
+        number_of_attributes += next->second;
+    }
+    is_homogeneous = has_prefix("4");
+    if (has_prefix("OFF") && (rest.empty() || rest[0] == '#' || is_digit(rest[0])))
+      length = word.size() - rest.size();
+  }
+
+  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+};
+
+// Reads Geomview's OFF, text or binary. Of a vertex, texture coordinates, color and normal are skipped, of a face the
+// color. In a text, the keyword may be missing, the corners of a face may go over several lines, and each vertex has a
+// line of its own.
 class OFF_reader
 {
 public:
@@ -41,26 +78,18 @@ private:
   void read_keyword()
   {
     m_file.skip_comments();
-    std::string_view keyword = m_file.word();
-    const auto has_prefix = [&](std::string_view prefix) {
-      if (keyword.substr(0, prefix.size()) != prefix)
-        return false;
-      keyword.remove_prefix(prefix.size());
-      return true;
-    };
-    if (has_prefix("ST"))
-      m_skipped_numbers += 2;
-    if (has_prefix("C"))
-      m_skipped_numbers += 4;
-    if (has_prefix("N"))
-      m_skipped_numbers += 3;
-    m_is_homogeneous = has_prefix("4");
-    if (keyword != "OFF")
+    const std::string_view word = File_scanner(m_file).word();
+    const OFF_keyword keyword(word);
+    if (keyword.length == 0 && (word.empty() || !OFF_keyword::is_digit(word[0])))
       m_file.fail("'OFF' expected");
+    m_file.skip_bytes(keyword.length);
+    m_number_of_attributes = keyword.number_of_attributes;
+    m_is_homogeneous = keyword.is_homogeneous;
     File_scanner ahead = m_file;
     m_is_binary = ahead.word() == "BINARY";
     if (m_is_binary) {
       m_file = ahead;
+      m_file.skip_blanks();
       m_file.skip_line_end();
     }
   }
@@ -97,7 +126,7 @@ private:
       return;
     File_scanner next_line = m_file;
     next_line.skip_comments();
-    if (next_line.read(edges) && next_line.word().empty())
+    if (next_line.read(edges) && next_line.is_at_line_end())
       m_file = next_line;
   }
 
@@ -110,11 +139,10 @@ private:
     for (int i = 0; i < (m_is_homogeneous ? 4 : 3); ++i)
       is_read = is_read && (m_is_binary ? read_float(coordinates[i]) : m_file.read(coordinates[i]));
     if (m_is_binary)
-      is_read = is_read && m_file.skip_bytes(4 * m_skipped_numbers);
-    else
-      m_file.skip_line();
+      is_read = is_read && m_file.skip_bytes(4 * m_number_of_attributes);
     if (!is_read)
-      throw Input_error{ "the coordinates of " + vertex_text(v) + " cannot be read" };
+      fail("the coordinates of " + vertex_text(v) + " cannot be read");
+    skip_rest_of_line();
     return { coordinates[0] / coordinates[3], coordinates[1] / coordinates[3], coordinates[2] / coordinates[3] };
   }
 
@@ -131,11 +159,23 @@ private:
       is_read =
           read_index(number_of_colors) && number_of_colors >= 0 && m_file.skip_bytes(4 * std::size_t(number_of_colors));
     }
+    if (!is_read)
+      fail("the vertices of " + face_text(f) + " cannot be read");
+    skip_rest_of_line();
+    return polygon;
+  }
+
+  void skip_rest_of_line()
+  {
     if (!m_is_binary)
       m_file.skip_line();
-    if (!is_read)
-      throw Input_error{ "the vertices of " + face_text(f) + " cannot be read" };
-    return polygon;
+  }
+
+  [[noreturn]] void fail(const std::string& message) const
+  {
+    if (m_is_binary)
+      throw Input_error{ message };
+    m_file.fail(message);
   }
 
   // The next number of a text, on this line or a later one. Returns whether there was one.
@@ -168,7 +208,7 @@ private:
 
   File_scanner& m_file;
   bool m_is_binary = false, m_is_homogeneous = false;
-  std::size_t m_skipped_numbers = 0, m_number_of_vertices = 0, m_number_of_faces = 0;
+  std::size_t m_number_of_attributes = 0, m_number_of_vertices = 0, m_number_of_faces = 0;
 };
 
 #endif // OFF_READER_H

@@ -8,6 +8,7 @@
 #include "File_place.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <sys/types.h>
@@ -143,6 +144,8 @@ protected:
       const ssize_t n = ::write(m_descriptor, at, std::size_t(pptr() - at));
       if (n >= 0)
         at += n;
+      else if (errno == EAGAIN || errno == EWOULDBLOCK)
+        wait_until_writable();
       else if (errno != EINTR)
         m_error = errno;
     }
@@ -151,6 +154,13 @@ protected:
   }
 
 private:
+  // Of a pipe that others have made non-blocking.
+  void wait_until_writable() const
+  {
+    pollfd pipe = { m_descriptor, POLLOUT, 0 };
+    ::poll(&pipe, 1, -1);
+  }
+
   int m_descriptor, m_error = 0;
   char m_bytes[1 << 16];
 };

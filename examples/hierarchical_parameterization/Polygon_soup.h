@@ -39,15 +39,22 @@ inline Polygon_soup::Point coordinates(const Kernel::Point_3& p)
 // Each of these throws an Input_error.
 void check_indices(const Polygon_soup& soup);
 void check_coordinates(const Polygon_soup& soup);
-void check_corners(const Polygon_soup& soup, bool may_have_polygons, bool may_have_collapsed_triangles);
+void check_corners(const Polygon_soup& soup, bool may_have_polygons, bool may_have_collapsed_faces);
 void check_manifold(const Polygon_soup& soup);       // precondition: the indices and corners have been checked
 
 // The mesh with these points and triangles. Precondition: the indices and corners have been checked, and there are no
 // other polygons. Throws as check_manifold().
 Mesh manifold_mesh(const Polygon_soup& soup);
 
-// Leaves out triangles that have a vertex twice; returns their number.
-std::size_t remove_collapsed_triangles(Polygon_soup& soup);
+// Of points that coincide, the first one stays; the others keep their order. Precondition: the indices and coordinates
+// have been checked.
+void merge_points(Polygon_soup& soup);
+
+// Leaves out corners that repeat the one before.
+void remove_repeated_corners(Polygon_soup& soup);
+
+// Leaves out faces of less than three corners; returns their number.
+std::size_t remove_collapsed_faces(Polygon_soup& soup);
 
 // Reads what a file of that name holds.
 Polygon_soup read_soup(const std::string& name, const std::string& content, bool has_uv = false);

@@ -12,11 +12,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 // Reads STL, text or binary. It has no other way to join triangles than by coordinates, so vertices that coincide are
 // one here.
@@ -33,7 +31,7 @@ public:
       read_text();
     // Before merging, which compares: a NaN is equal to everything.
     check_coordinates(m_soup);
-    merge_points();
+    merge_points(m_soup);
     return std::move(m_soup);
   }
 
@@ -66,9 +64,13 @@ private:
     std::uint32_t number_of_triangles;
     if (!m_file.skip_bytes(header_size) || !m_file.read_binary(number_of_triangles, !is_little_endian()))
       throw Input_error{ "is too short for an STL file, and does not begin with 'solid'" };
-    if (m_file.remaining() / triangle_size < number_of_triangles)
+    const std::size_t room = m_file.remaining() / triangle_size;
+    if (room < number_of_triangles)
       throw Input_error{ "is too short for " + std::to_string(number_of_triangles) +
                          " triangles, and does not begin with 'solid'" };
+    if (room > number_of_triangles && m_file.remaining() == room * triangle_size)
+      throw Input_error{ "has " + std::to_string(room) + " triangles, but says " +
+                         std::to_string(number_of_triangles) };
     for (std::uint32_t f = 0; f < number_of_triangles; ++f) {
       float numbers[12] = { };           // the normal, and three points
       for (float& number : numbers)
@@ -136,21 +138,6 @@ private:
   {
     const std::size_t n = m_soup.points.size();
     m_soup.polygons.push_back({ n - 3, n - 2, n - 1 });
-  }
-
-  // Of those that coincide, the first stays.
-  void merge_points()
-  {
-    std::vector<Polygon_soup::Point> merged;
-    std::map<Polygon_soup::Point, std::size_t> index_of;
-    for (Polygon_soup::Polygon& triangle : m_soup.polygons)
-      for (std::size_t& v : triangle) {
-        const auto [found, is_new] = index_of.emplace(m_soup.points[v], merged.size());
-        if (is_new)
-          merged.push_back(m_soup.points[v]);
-        v = found->second;
-      }
-    m_soup.points = std::move(merged);
   }
 
   File_scanner& m_file;

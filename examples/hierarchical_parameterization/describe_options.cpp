@@ -32,11 +32,12 @@ po::options_description input_options(Options& options)
   add("orient", po::bool_switch(&options.is_oriented),
       "turn faces so that neighbors, which share points, have one orientation. Where that cannot be, where more than "
       "two faces meet at an edge or several fans at a vertex, the surface is cut: points are there several times then, "
-      "the new ones behind those of the input. Triangles that have a vertex twice are left out");
+      "the new ones behind those of the input. Corners that repeat the one before are left out, and so are faces of less "
+      "than three vertices");
   add("stitch", po::bool_switch(&options.is_stitched),
       "join borders whose points coincide, as where every face has points of its own. Of points that are joined, the "
       "first one stays; the numbers of those behind it change, also for --hold and --start, which count those of the "
-      "output");
+      "output. With --orient, too, all points that coincide are joined before faces are turned");
   return described;
 }
 
@@ -47,7 +48,7 @@ po::options_description method_options(Options& options, Words& words, Numbers& 
   add("method", po::value(&words.method)->default_value("mips"), "one of those above");
   add("tolerance", po::value(&options.tolerance),
       "mips, symmetric-dirichlet, arap: converged when a step lowers the energy by less than this part of its excess "
-      "over the minimum (default 1e-6); others: when the relative residual is not greater (default 1e-8, of CGAL's "
+      "over the lower bound (default 1e-6); others: when the relative residual is not greater (default 1e-8, of CGAL's "
       "1e-10)");
   add("iterations", po::value(&numbers.iterations),
       "mips, symmetric-dirichlet, arap: the most steps of Newton's method on a level (default 200; 0: vertices are "

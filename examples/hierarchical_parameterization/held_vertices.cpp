@@ -3,67 +3,46 @@
 
 #include "held_vertices.h"
 
-#include "File_place.h"
+#include "File_scanner.h"
 #include "errors.h"
 #include "input.h"
 
+#include <cmath>
 #include <cstddef>
-#include <sstream>
 #include <string>
 #include <vector>
 
 namespace {
 
-struct Held_vertex
+// Holds a vertex where a line of the file says.
+void hold(File_scanner& file, const std::vector<bool>& is_in_chart, Input& input)
 {
-  std::size_t vertex;
-  double u, v;
-};
-
-// Of a line that is not empty.
-Held_vertex read_line(const std::string& line)
-{
-  constexpr std::size_t most_digits = 18;      // more than any mesh has vertices, less than a number holds
-  std::istringstream words(line);
-  std::string vertex, rest;
-  Held_vertex held;
-  if (!(words >> vertex >> held.u >> held.v) || words >> rest ||
-      vertex.find_first_not_of("0123456789") != std::string::npos || vertex.size() > most_digits)
-    throw Input_error{ "a vertex and two finite coordinates expected" };
-  held.vertex = std::stoull(vertex);
-  return held;
-}
-
-void hold(const Held_vertex& held, const std::vector<bool>& is_in_chart, Input& input)
-{
-  const std::string name = "vertex " + std::to_string(held.vertex);
-  if (held.vertex >= is_in_chart.size())
-    throw Input_error{ "there is no " + name };
-  if (!is_in_chart[held.vertex])
-    throw Input_error{ name + " is not in the component that is laid out" };
-  const Mesh::Vertex_index v = Mesh::Vertex_index(Mesh::size_type(held.vertex));
+  long long index;
+  double x, y;
+  if (!file.read(index) || !file.read(x) || !file.read(y) || !file.is_at_line_end() ||
+      !std::isfinite(x) || !std::isfinite(y))
+    file.fail("a vertex and two finite coordinates expected");
+  const std::string name = "vertex " + std::to_string(index);
+  if (index < 0 || std::size_t(index) >= is_in_chart.size())
+    file.fail("there is no " + name);
+  if (!is_in_chart[std::size_t(index)])
+    file.fail(name + " is not in the component that is laid out");
+  const Mesh::Vertex_index v = Mesh::Vertex_index(Mesh::size_type(index));
   if (input.is_held[v])
-    throw Input_error{ name + " comes twice" };
+    file.fail(name + " comes twice");
   input.is_held[v] = true;
-  input.uvmap[v] = Kernel::Point_2(held.u, held.v);
+  input.uvmap[v] = Kernel::Point_2(x, y);
 }
 
 } // namespace
 
 void read_held_vertices(const std::string& file, Input& input)
-{
+try {
   const std::vector<bool> is_in_chart = vertices_of_faces(input);
-  std::size_t number = 0;
-  try {
-    std::istringstream lines(read_content(file, true));
-    for (std::string line; std::getline(lines, line);) {
-      ++number;
-      const std::size_t first = line.find_first_not_of(" \t\r");
-      if (first != std::string::npos && line[first] != '#')
-        hold(read_line(line), is_in_chart, input);
-    }
-  } catch (const Input_error& error) {
-    const std::string place = number > 0 ? "line " + std::to_string(number) + ": " : "";
-    throw Input_error{ "--hold: '" + file + "' " + place + error.message, SMP::ERROR_WRONG_PARAMETER };
-  }
+  const std::string content = read_content(file, true);
+  File_scanner lines(content);
+  for (lines.skip_comments(); !lines.is_at_end(); lines.skip_line(), lines.skip_comments())
+    hold(lines, is_in_chart, input);
+} catch (const Input_error& error) {
+  throw Input_error{ "--hold: '" + file + "' " + error.message, SMP::ERROR_WRONG_PARAMETER };
 }

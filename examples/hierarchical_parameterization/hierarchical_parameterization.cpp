@@ -173,22 +173,23 @@ void print_summary(const Input& input, const Options& options, const Run_record&
   const std::string name = one_line(input.name);
   if (input.number_of_components > 1 && !options.takes_all_components)
     std::cerr << name << ": has " << input.number_of_components << " components; the largest is parameterized\n";
-  if (input.collapsed_triangles > 0)
+  if (input.collapsed_faces > 0)
     std::cerr << name << ": "
-              << counted(input.collapsed_triangles, "triangle that has a vertex twice was",
-                         "triangles that have a vertex twice were")
+              << counted(input.collapsed_faces, "face with less than three vertices was",
+                         "faces with less than three vertices were")
               << " left out\n";
   if (input.number_of_pieces > 0)
     std::cerr << name << ": has " << input.number_of_pieces << " components whose borders "
               << (options.is_stitched
-                      ? "still coincide with those of others: more than two at an edge, or of two orientations\n"
-                      : "coincide with those of others; --stitch joins them\n");
+                      ? "still coincide with those of others: more than two at an edge, or of two orientations"
+                      : "coincide with those of others; --stitch joins them")
+              << (options.is_stitched && !options.is_oriented ? "; --orient turns or cuts such faces\n" : "\n");
   print_warnings(input, options, run);
   print_advice(input, options, run);
   const std::string levels =
       run.summary.levels.empty() || run.atlas ? "" : counted(run.summary.levels.size(), "level") + ", ";
   std::fprintf(is_standard_output_taken(options) ? stderr : stdout,
-               "%s: %s, %s%s%s, MIPS %.6f (%.6f above its minimum), symmetric Dirichlet %.5f, %s, %s, %.3f s\n",
+               "%s: %s, %s%s%s, MIPS %.6f (%.6f above its lower bound), symmetric Dirichlet %.5f, %s, %s, %.3f s\n",
                name.c_str(), counted(input.faces.size(), "triangle").c_str(),
                (run.atlas ? atlas_text(*run.atlas) : levels).c_str(), repair_text(run.summary).c_str(),
                run.summary.converged ? "converged" : "not converged", run.quality->mips, run.quality->mips_excess,

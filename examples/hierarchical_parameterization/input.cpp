@@ -12,6 +12,7 @@
 #include "../Surface_mesh_parameterization/face_mesh.h"
 #include "Polygon_soup.h"
 #include "File_scanner.h"
+#include "OFF_reader.h"
 #include "components.h"
 #include "has_suffix.h"
 #include "stitch.h"
@@ -77,12 +78,6 @@ std::string read_content(const std::string& file, bool may_be_empty)
 
 namespace {
 
-// Whether that is how an OFF file begins: OFF behind letters that tell what its vertices have.
-bool is_OFF_keyword(const std::string& word)
-{
-  return has_suffix(word, "off") && word.find_first_not_of("STCN4stcn") == word.size() - 3;
-}
-
 // The ending that a file with that content would have.
 std::string guess_suffix(const std::string& content)
 {
@@ -91,7 +86,7 @@ std::string guess_suffix(const std::string& content)
   const std::string first_word(scanner.word());
   if (first_word == "ply")
     return ".ply";
-  if (is_OFF_keyword(first_word))
+  if (OFF_keyword(first_word).length > 0)
     return ".off";
   const bool is_text = content.find('\0') == std::string::npos;
   const bool is_solid = first_word.size() == 5 && has_suffix(first_word, "solid");      // in capitals, too
@@ -161,11 +156,16 @@ Mesh make_mesh(Polygon_soup soup, const Soup_options& options, std::size_t* left
     throw Input_error{ "has no faces", SMP::ERROR_EMPTY_MESH };
   check_indices(soup);
   check_coordinates(soup);
+  if (options.is_oriented) {
+    if (options.is_stitched)
+      merge_points(soup);      // neighbors that run against each other would stay apart
+    remove_repeated_corners(soup);
+  }
   check_corners(soup, options.is_triangulated, options.is_oriented);
   if (options.is_oriented) {
-    const std::size_t number = remove_collapsed_triangles(soup);
+    const std::size_t number = remove_collapsed_faces(soup);
     if (soup.polygons.empty())
-      throw Input_error{ "has no faces but triangles that have a vertex twice", SMP::ERROR_EMPTY_MESH };
+      throw Input_error{ "has no faces of three vertices", SMP::ERROR_EMPTY_MESH };
     if (left_out)
       *left_out += number;
   } else if (options.is_triangulated)
@@ -181,9 +181,10 @@ namespace {
 
 Polygon_soup read_polygons(const std::string& file)
 {
-  if (file != "-")
+  const bool is_standard_input = file == "-";
+  if (!is_standard_input && std::filesystem::path(file).has_extension())
     return read_soup(file, ::read_content(file));
-  const std::string content = read_content(std::cin, false, 0);
+  const std::string content = is_standard_input ? read_content(std::cin, false, 0) : ::read_content(file);
   const std::string suffix = guess_suffix(content);
   Polygon_soup soup = read_soup(suffix, content);
   if (suffix == ".obj" && soup.points.empty())      // any text may be that
@@ -275,7 +276,7 @@ void read_input(const std::string& file, const Input_options& options, Input& in
   if (file.empty())
     input.mesh = built_in_face();
   else
-    input.mesh = read_mesh(file, options, &input.collapsed_triangles);
+    input.mesh = read_mesh(file, options, &input.collapsed_faces);
   if (options.is_stitched)
     stitch(input.mesh);
   std::vector<Component> components = find_components(input.mesh);

@@ -22,11 +22,12 @@ struct Soup_options
 {
   bool is_triangulated = false;          // polygons are cut into triangles
   bool is_oriented = false;              // faces are turned, points doubled where that does not make a surface, and
-                                         // triangles left out that have a vertex twice
+                                         // corners left out that repeat the one before
+  bool is_stitched = false;              // borders that coincide are joined
 };
 
-// Makes the mesh as it is but for the options: vertices that coincide stay apart, but in STL. The number of triangles
-// that were left out, as they have a vertex twice, is added to `left_out` unless that is null.
+// Makes the mesh as it is but for the options: vertices that coincide stay apart, but in STL. The number of faces
+// that were left out, as they have less than three vertices, is added to `left_out` unless that is null.
 Mesh make_mesh(Polygon_soup soup, const Soup_options& options, std::size_t* left_out = nullptr);
 
 // The mesh of the named file, or of the standard input for "-". Throws an Input_error.
@@ -38,7 +39,6 @@ Mesh built_in_face();
 // What of a file is parameterized.
 struct Input_options : Soup_options
 {
-  bool is_stitched = false;              // borders that coincide are joined
   bool takes_all_components = false;     // or the one with the most faces
   bool cuts = false;                     // components that are closed or have handles
   bool makes_atlas = false;              // even of one component that needs no cut
@@ -58,7 +58,7 @@ struct Input
   Corner_map corner_map;                   // of an atlas; no corner of a face that has no map has a finite place
   std::size_t number_of_borders = 0;       // of the part, before it is cut
   std::size_t number_of_components = 0;    // of the mesh
-  std::size_t collapsed_triangles = 0;     // that the mesh does not have, as they have a vertex twice
+  std::size_t collapsed_faces = 0;         // that the mesh does not have, as they have less than three vertices
   std::size_t number_of_pieces = 0;        // components that is_stitched would join with others, or could not
   std::vector<Mesh::Face_index> left_out;  // a face of each component that would have to be cut, but may not be
 };

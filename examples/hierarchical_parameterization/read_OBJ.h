@@ -136,10 +136,9 @@ inline Polygon_soup read_OBJ(const std::string& content, bool has_uv = false)
         polygon.push_back(position_of(index, soup, file));
         if (has_uv && polygon.back() < soup.points.size())
           map.read_corner(file, polygon.back());
-        file.skip_word();                // the other indices of the corner
+        file.skip_word_before_comment();      // the other indices of the corner
       }
-      const std::string_view rest = file.word();
-      if (!rest.empty() && rest.front() != '#')
+      if (!file.is_at_line_end())
         file.fail("the vertices of " + face_text(soup.polygons.size()) + " cannot be read");
       soup.polygons.push_back(polygon);
     } else if (!std::isalpha(static_cast<unsigned char>(keyword.front())))

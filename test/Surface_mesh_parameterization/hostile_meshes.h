@@ -264,6 +264,20 @@ inline Mesh two_orientations()
   return m;
 }
 
+// Every face with points of its own.
+inline Mesh taken_apart(const Mesh& m)
+{
+  Mesh result;
+  for (const std::vector<long>& polygon : m.polygons) {
+    result.polygons.emplace_back();
+    for (const long v : polygon) {
+      result.points.push_back(m.points[std::size_t(v)]);
+      result.polygons.back().push_back(long(result.points.size()) - 1);
+    }
+  }
+  return result;
+}
+
 inline Mesh with_face(Mesh m, const std::vector<long>& face)
 {
   m.polygons.push_back(face);

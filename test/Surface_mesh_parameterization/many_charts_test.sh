@@ -62,13 +62,13 @@ if command -v parallel >/dev/null; then
   ln -s "$PROGRAM" 'my program/lay out'
   names=('-dash.obj' 'a.b/x.obj' "it's.obj" 'two  blanks.obj' '$HOME.obj')
   for name in "${names[@]}"; do make_tube 1 >"names/$name"; done
-  printf '%s\n' "${names[@]}" a.b/no_suffix >names/list
-  make_tube 1 >names/a.b/no_suffix
+  printf '%s\n' "${names[@]}" a.b/map.unknown >names/list
+  make_tube 1 >names/a.b/map.unknown
   PROGRAM="$PWD/my program/lay out" with_parallel names list --picture '{.} map.svg' &&
-    fail "a name without a suffix was read"
+    fail "a name with an unknown ending was read"
   [ "$(grep -c '"error":null' names/list.report)" -eq 5 ] || fail "not a map for each name: $(cat names/list.report)"
-  grep -q '"input":"a.b/no_suffix","status\|no_suffix.*"status":"unreadable"' names/list.report ||
-    fail "no report of no_suffix"
+  grep -q '"input":"a.b/map.unknown","status\|map.unknown.*"status":"unreadable"' names/list.report ||
+    fail "no report of map.unknown"
   [ -e 'names/two  blanks map.svg' ] || fail "options with blanks are torn: $(ls names)"
 
   # A program that is not there, and two meshes with one name, are told.

@@ -76,20 +76,6 @@ inline Mesh tetrahedra(long n)
   return m;
 }
 
-// Every face with points of its own.
-inline Mesh taken_apart(const Mesh& m)
-{
-  Mesh result;
-  for (const std::vector<long>& polygon : m.polygons) {
-    result.polygons.emplace_back();
-    for (const long v : polygon) {
-      result.points.push_back(m.points[std::size_t(v)]);
-      result.polygons.back().push_back(long(result.points.size()) - 1);
-    }
-  }
-  return result;
-}
-
 // ---- measures ----
 
 double area(const std::array<Point_2, 3>& t) { return 0.5 * internal::cross(t[1] - t[0], t[2] - t[0]); }

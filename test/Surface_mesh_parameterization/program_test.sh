@@ -240,7 +240,7 @@ expect 1 --cut auto --hold held.txt
 expect 1 face.obj tube.obj --hold held.txt
 expect 1 --hold held.txt --picture held.txt
 expect 2 --hold missing.txt
-for line in '1 2' '1 2 3 4' '-1 2 3' '1.5 2 3' '1 2 nan' '1 x 3' '1042 0 0' '0 1 1'; do
+for line in '1 2' '1 2 3 4' '1 2 inf' '-1 2 3' '1.5 2 3' '1 2 nan' '1 x 3' '1042 0 0' '0 1 1'; do
   (cat held.txt; echo "$line") >bad.txt
   expect 2 --hold bad.txt --output bad.obj
   grep -q -e "--hold: 'bad.txt' line 14: " stderr || fail "'$line' is told as: $(cat stderr)"
@@ -253,7 +253,7 @@ make_tetrahedron >closed.off
 expect 2 closed.off --hold turned.txt
 : >none.txt
 expect 0 --hold none.txt
-sed 's/^0 .*/0 1e9 1e9/' held.txt >far.txt
+sed 's/^0 .*/0 1e9 1e9 # far/' held.txt >far.txt
 expect 0 --hold far.txt
 
 # Wrong usage.

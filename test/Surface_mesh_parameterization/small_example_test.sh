@@ -16,7 +16,7 @@ printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n' >truncated.off
 output=()
 most=1
 case $name in
-  atlas | mips) output=(out.obj) most=2 ;;
+  atlas | mips | sharp_edges) output=(out.obj) most=2 ;;
   held_vertices | level_visitor | fair_with_multigrid) most=2 ;;
 esac
 
@@ -30,6 +30,7 @@ else
 fi
 case $name in
   mips | custom_energy) is_in_output ' 0 flips\|^0 flips' ;;
+  hierarchy) is_in_output '^5 vertices, 4 faces: mean square error 0$' ;;
 esac
 grep -qiw 'nan\|inf' stdout && fail "no number: $(cat stdout)"
 
@@ -37,6 +38,9 @@ if [ "$name" = atlas ]; then
   is_in_output '^charts: 3, '
   expect 0 closed.off "${output[@]}"
   is_in_output '^charts: 1, edges of seams: [1-9]'
+elif [ "$name" = sharp_edges ]; then
+  expect 0 closed.off "${output[@]}"
+  is_in_output '^charts: 4, symmetric Dirichlet energy: 4,'
 else
   expect 1 closed.off "${output[@]}"
   told '^closed.off: the surface has no border'
@@ -55,11 +59,11 @@ if [ "$name" = mips ] || [ "$name" = held_vertices ]; then
   [ "$(grep -c '^v ' out.obj)/$(grep -c '^vt ' out.obj)/$(grep -c '^f ' out.obj)" = 5/5/4 ] ||
     fail "not the square alone: $(cat out.obj)"
 fi
-if [ "$name" = atlas ]; then
+if [ "$name" = atlas ] || [ "$name" = sharp_edges ]; then
   expect 0 several.off out.obj
   [ "$(grep -c '^v ' out.obj)/$(grep -c '^f .*/.*/' out.obj)" = 13/9 ] || fail "not all faces: $(cat out.obj)"
 fi
-if [ "$name" = atlas ] || [ "$name" = mips ] || [ "$name" = held_vertices ]; then
+if [ "$name" = atlas ] || [ "$name" = sharp_edges ] || [ "$name" = mips ] || [ "$name" = held_vertices ]; then
   expect 1 several.off no/such/folder/out.obj
   told 'cannot be written'
   [ ! -w /dev/full ] || { expect 1 several.off /dev/full && told 'cannot be written'; }
@@ -69,6 +73,17 @@ if [ "$name" = held_vertices ]; then
   printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >triangle.off
   expect 1 triangle.off
   told 'all vertices are on borders'
+fi
+if [ "$name" = hierarchy ]; then
+  # The coarser a level is, the less it knows of the function.
+  expect 0
+  is_in_output '^1042 vertices, 1999 faces: mean square error 0$'
+  sed 's/.* //' stdout | sort -gr | cmp -s - <(sed 's/.* //' stdout) || fail "errors do not fall: $(cat stdout)"
+fi
+if [ "$name" = square_border ]; then
+  # Closer to an isometry, whose energy is 4.
+  expect 0
+  awk '/^symmetric/ { sub(",", "", $5); exit !(4 < $5 && $5 < $3) }' stdout || fail "no better map: $(cat stdout)"
 fi
 
 [ "$failures" -eq 0 ] && echo "all passed"

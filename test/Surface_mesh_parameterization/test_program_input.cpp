@@ -90,9 +90,10 @@ const Row off_files[] = {
     "the coordinates of vertex" },
   { "truncated_faces.off", [] { return cut_at(OFF(patch()), 0.8); }, bad_input, unreadable, "face" },
   { "word_for_coordinate.off", as_is("OFF\n3 1 0\n0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n"), bad_input, unreadable,
-    "vertex 1" },
+    "line 4: the coordinates of vertex 1" },
   { "two_coordinates.off", as_is("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n"), bad_input, unreadable, "vertex 1" },
-  { "word_for_index.off", as_is("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 one 2\n"), bad_input, unreadable, "face 0" },
+  { "word_for_index.off", as_is("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 one 2\n"), bad_input, unreadable,
+    "line 6: the vertices of face 0" },
   { "nan.off", [] { return OFF(with_coordinate(patch(), 11, NaN)); }, bad_input, no_number, "vertex 11" },
   { "infinite.off", [] { return OFF(with_coordinate(patch(), 11, -infinity)); }, bad_input, no_number, "vertex 11" },
   { "old_nan.off", as_is("OFF\n3 1 0\n0 0 0\n1 0 1.#QNAN\n0 1 0\n3 0 1 2\n"), bad_input, unreadable, "vertex 1" },
@@ -111,7 +112,15 @@ const Row off_files[] = {
   { "homogeneous.off", [] { return OFF(patch(), "4OFF", "2"); }, good, ok },
   { "normals.off", [] { return OFF(patch(), "NOFF", "0 0 1"); }, good, ok },
   { "colors.off", [] { return OFF(patch(), "COFF", "255 0 0 255"); }, good, ok },
+  { "letters_in_another_order.off", [] { return OFF(patch(), "NCSTOFF", "0 0 1 255 0 0 255 0 0"); }, good, ok },
+  { "small_letters.off", [] { return OFF(patch(), "cnoff", "255 0 0 255 0 0 1"); }, good, ok },
+  { "counts_at_the_keyword.off", as_is("OFF3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), good, ok },
+  { "no_keyword.off", as_is("3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), good, ok },
+  { "comment_at_the_edges.off", as_is("OFF\n3 1\n0 # edges\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), good, ok },
+  { "word_at_the_keyword.off", as_is("OFFSET\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), bad_input, unreadable,
+    "line 1: 'OFF' expected" },
   { "binary.off", [] { return binary_OFF(patch()); }, good, ok },
+  { "blank_behind_binary.off", [] { return replaced(binary_OFF(patch()), "BINARY", "BINARY "); }, good, ok },
   { "truncated_binary.off", [] { return cut_at(binary_OFF(patch()), 0.7); }, bad_input, unreadable, "face" },
   { "nan_binary.off", [] { return binary_OFF(with_coordinate(patch(), 11, NaN)); }, bad_input, no_number, "vertex 11" },
   { "huge_count_binary.off",
@@ -126,7 +135,8 @@ const Row off_files[] = {
   { "corner_missing.off", as_is("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"), bad_input, unreadable, "face 0" },
   { "byte_order_mark.off", [] { return "\xef\xbb\xbf" + OFF(patch()); }, good, ok },
   { "wrong_ending.obj", [] { return OFF(patch()); }, bad_input, unreadable, "line 2" },
-  { "unknown_ending.txt", [] { return OFF(patch()); }, bad_input, unreadable, "is not named" }
+  { "unknown_ending.txt", [] { return OFF(patch()); }, bad_input, unreadable, "is not named" },
+  { "no_ending", [] { return OFF(patch()); }, good, ok }
 };
 
 const Row obj_files[] = {
@@ -157,6 +167,8 @@ const Row obj_files[] = {
   { "textured.obj",
     as_is("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nusemtl a\nf 1/1/1 2//1 3/1 # comment\nl 1 2\n"),
     good, ok },
+  { "numbers_in_a_comment.obj", as_is("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2 3# 2\nf 1 2/1 3/1#2 1\n"), bad_input,
+    no_disk, "face 1 has the same vertices as face 0" },
   { "tabs.obj", as_is("v\t0\t0\t0\nv\t1\t0\t0\nv\t0\t1\t0\nf\t1\t2\t3\n"), good, ok },
   { "carriage_returns.obj", [] { return with_line_ends(OBJ(patch()), "\r\n"); }, good, ok },
   { "continued_lines.obj", as_is("v 0 0 \\\n0\nv 1 0 0\nv 0 1 0\nl 1 2 \\\r\n 3\nf 1 \\\n 2 \\\n3\n"), good, ok },
@@ -278,6 +290,8 @@ const Row stl_files[] = {
   { "truncated.stl", [] { return cut_at(STL(patch()), 0.5); }, bad_input, unreadable, "face" },
   { "truncated_binary.stl", [] { return cut_at(binary_STL(patch()), 0.5); }, bad_input, unreadable,
     "too short for 72 triangles, and does not begin with 'solid'" },
+  { "small_count.stl", [] { return replaced(binary_STL(patch()), bytes(std::uint32_t(72), false), bytes(71u, false)); },
+    bad_input, unreadable, "has 72 triangles, but says 71" },
   { "huge_count.stl", [] { return replaced(binary_STL(patch()), bytes(std::uint32_t(72), false), "\xff\xff\xff\xff"); },
     bad_input, unreadable, "too short for 4294967295" },
   { "nan.stl", [] { return STL(with_coordinate(patch(), 0, NaN)); }, bad_input, no_number, "vertex 0" },
@@ -326,14 +340,19 @@ const Row no_surfaces[] = {
     [] {
       return OFF(with_face(patch(), { 3, 4, 3 }));
     },
-    bad_input, no_disk, "face 72 has vertex 3 twice; --orient leaves such triangles out" },
+    bad_input, no_disk, "face 72 has vertex 3 twice; --orient leaves such corners out" },
+  { "vertex_twice_in_a_bow.off",
+    [] {
+      return OFF(with_face(patch(), { 3, 4, 3, 5 }));
+    },
+    bad_input, no_disk, "face 72 has vertex 3 twice", "--triangulate --orient" },
   { "nothing_but_a_vertex_twice.off",
     [] {
       Mesh m = triangle();
       m.polygons = { { 0, 1, 0 } };
       return OFF(m);
     },
-    bad_input, no_faces, "has no faces but triangles", "--orient" },
+    bad_input, no_faces, "has no faces of three vertices", "--orient" },
   { "quads.off", [] { return OFF(quads()); }, bad_input, no_triangle,
     "face 0 has 4 corners instead of three; --triangulate" },
   { "one_quad.obj", [] { return OBJ(joined(patch(), quads())); }, bad_input, no_triangle, "face 72 has 4 corners" },
@@ -434,7 +453,11 @@ const Row surfaces[] = {
     [] {
       return OFF(with_face(with_face(patch(), { 3, 4, 3 }), { 5, 5, 6 }));
     },
-    good, any, "2 triangles that have a vertex twice were left out", "--orient" },
+    good, any, "2 faces with less than three vertices were left out", "--orient" },
+  { "corners_that_repeat.obj", as_is("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 2 3 1\nf 1 3 4\nf 1 2\n"), good, any,
+    "1 face with less than three vertices was left out", "--triangulate --orient" },
+  { "taken_apart_and_turned.off", [] { return OFF(taken_apart(two_orientations())); }, good, ok, "",
+    "--stitch --orient" },
   { "quads_that_are_turned.off", [] { return OFF(joined(quads(), quads())); }, good, any, "",
     "--orient --triangulate --quiet" },
   { "quiet_three_pieces.off", [] { return OFF(joined(patch(), joined(patch(), patch()))); }, good, any, "",

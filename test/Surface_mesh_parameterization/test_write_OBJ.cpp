@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
+#include <CGAL/Surface_mesh_parameterization/IO/write_SVG.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 
 #include <CGAL/Exact_rational.h>
@@ -27,9 +28,13 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdio>
+#include <fstream>
 #include <ios>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -38,6 +43,12 @@ namespace test_write_OBJ {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
+
+std::string content_of(const std::string& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
 
 typedef OBJ_lines::Corner   Corner;
 
@@ -88,6 +99,33 @@ TEST(Write_OBJ, has_a_place_for_every_vertex_unless_it_is_told_which_have_one)
                      CGAL::Constant_property_map<Surface_mesh::Vertex_index, bool>(true));
   EXPECT_EQ(file.str(), other_file.str());
   EXPECT_EQ(OBJ_lines(file.str()).uv.size(), mapped.mesh.number_of_vertices());
+}
+
+TEST(Write_OBJ, writes_files_and_tells_whether_it_could)
+{
+  Mapped_mesh mapped(grid(4, 3, wavy));
+  for (const auto v : vertices(mapped.mesh))
+    mapped.uvmap[v] = Kernel::Point_2(mapped.mesh.point(v).x(), mapped.mesh.point(v).y());
+  const CGAL::Constant_property_map<Surface_mesh::Vertex_index, bool> all(true);
+  const std::string name = testing::TempDir() + "write_OBJ_test_" + std::to_string(std::random_device()());
+  std::ostringstream stream, drawing;
+  EXPECT_TRUE(SMP::IO::write_OBJ(stream, mapped.mesh, mapped.uvmap));
+  EXPECT_TRUE(SMP::IO::write_OBJ(name, mapped.mesh, mapped.uvmap));
+  EXPECT_EQ(content_of(name), stream.str());
+  EXPECT_TRUE(SMP::IO::write_OBJ(name, mapped.mesh, mapped.uvmap, all));
+  EXPECT_EQ(content_of(name), stream.str());
+  EXPECT_TRUE(SMP::IO::write_SVG(drawing, mapped.mesh, mapped.uvmap));
+  EXPECT_TRUE(SMP::IO::write_SVG(name, mapped.mesh, mapped.mesh.faces(), mapped.uvmap));
+  EXPECT_EQ(content_of(name), drawing.str());
+  std::remove(name.c_str());
+
+  EXPECT_FALSE(SMP::IO::write_OBJ(name + "/no/such/folder", mapped.mesh, mapped.uvmap));
+  EXPECT_FALSE(SMP::IO::write_SVG(name + "/no/such/folder", mapped.mesh, mapped.uvmap));
+  if (std::ofstream("/dev/full")) {
+    EXPECT_FALSE(SMP::IO::write_OBJ("/dev/full", mapped.mesh, mapped.uvmap));
+  }
+  stream.setstate(std::ios::badbit);
+  EXPECT_FALSE(SMP::IO::write_OBJ(stream, mapped.mesh, mapped.uvmap, all));
 }
 
 // Whatever numbers the kernel has, and however the stream writes them otherwise.

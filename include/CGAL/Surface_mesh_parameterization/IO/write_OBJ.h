@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Text_writer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/write_file.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Corner_places.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -20,6 +21,7 @@
 
 #include <cstddef>
 #include <ostream>
+#include <string>
 #include <type_traits>
 
 namespace CGAL::Surface_mesh_parameterization {
@@ -131,13 +133,14 @@ namespace IO {
 /// order of that mesh. Only the texture coordinates are cut: there is a `vt` line for each vertex of the seam mesh, so
 /// a point on the seam has several.
 ///
-/// \param os the stream; its state tells whether writing succeeded
+/// \param os the stream
 /// \param mesh a model of `FaceListGraph` with an internal vertex point map
 /// \param uvmap a readable property map from vertices to points of the plane
 /// \param vpmap a readable property map from vertices to `bool`: which vertices have a place in the plane. A face with
 ///        another vertex is written without texture coordinates
+/// \return whether writing succeeded, which the state of the stream tells as well
 template <class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
-void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, VertexParameterizedMap vpmap)
+bool write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, VertexParameterizedMap vpmap)
 {
   typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
                            internal::Readable_uv_map_check<VertexUVMap, TriangleMesh>,
@@ -146,6 +149,7 @@ void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, Ve
     internal::write_OBJ(os, mesh, uvmap, vpmap);
   else
     Check::tell();
+  return bool(os);
 }
 
 /// \ingroup PkgHierarchicalParameterizationIO
@@ -154,13 +158,14 @@ void write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, Ve
 /// faces in the order of `vertices(mesh)` and `faces(mesh)`. Only the texture coordinates are cut: corners of a vertex
 /// that have the same place share a `vt` line, and a vertex on a seam has several.
 ///
-/// \param os the stream; its state tells whether writing succeeded
+/// \param os the stream
 /// \param mesh a model of `FaceListGraph` with an internal vertex point map
 /// \param uvmap a readable property map from halfedges to points of the plane: the place of the corner to which a
 ///        halfedge leads in its face. A face with a corner whose place is not finite is written without texture
 ///        coordinates. Or one from vertices: then all of them have a place
+/// \return whether writing succeeded, which the state of the stream tells as well
 template <class TriangleMesh, class UVMap>
-void write_OBJ(std::ostream& os, const TriangleMesh& mesh, UVMap uvmap)
+bool write_OBJ(std::ostream& os, const TriangleMesh& mesh, UVMap uvmap)
 {
   typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
                            internal::Readable_halfedge_uv_map_check<UVMap, TriangleMesh>>   Check;
@@ -171,6 +176,21 @@ void write_OBJ(std::ostream& os, const TriangleMesh& mesh, UVMap uvmap)
     internal::write_OBJ(os, mesh, uvmap);
   else
     Check::tell();
+  return bool(os);
+}
+
+/// \ingroup PkgHierarchicalParameterizationIO
+///
+/// does the same to a file, which is replaced if there is one of this name.
+///
+/// \param file_name the name of the file
+/// \param mesh as above
+/// \param maps `uvmap`, or `uvmap` and `vpmap`, as above
+/// \return whether the file could be opened and written
+template <class TriangleMesh, class... Maps>
+bool write_OBJ(const std::string& file_name, const TriangleMesh& mesh, const Maps&... maps)
+{
+  return internal::write_file(file_name, [&](std::ostream& os) { write_OBJ(os, mesh, maps...); });
 }
 
 } // namespace IO

@@ -9,6 +9,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/Text_writer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/write_file.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
 
 #include <CGAL/Bbox_2.h>
@@ -149,14 +150,15 @@ namespace IO {
 /// draws a parameterization as SVG: the triangles in the plane, colored by their distortion of angles
 /// `(s1/s2 + s2/s1) / 2`, from nearly white (1) over orange to dark red (2 and more), with a color bar.
 ///
-/// \param os the stream; its state tells whether writing succeeded
+/// \param os the stream
 /// \param mesh a triangle mesh, a model of `FaceListGraph` with an internal vertex point map
 /// \param face_range the faces to draw. A triangle that is mirrored has the color of its mirror image. What is no
 ///        triangle, or has a place that is not finite, is left out
 /// \param uvmap a readable property map from vertices to points of the plane, or from halfedges: then it has the place
 ///        of the corner to which a halfedge leads in its face, as `atlas_parameterization()` makes it
+/// \return whether writing succeeded, which the state of the stream tells as well
 template <class TriangleMesh, class FaceRange, class UVMap>
-void write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face_range, UVMap uvmap)
+bool write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face_range, UVMap uvmap)
 {
   typedef std::conjunction<internal::Mesh_check<TriangleMesh>,
                            std::disjunction<internal::Readable_halfedge_uv_map_check<UVMap, TriangleMesh>,
@@ -173,19 +175,35 @@ void write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face
     writer.flush();
   } else
     Check::tell();
+  return bool(os);
 }
 
 /// \ingroup PkgHierarchicalParameterizationIO
 ///
 /// draws all faces of a mesh whose places are finite.
 ///
-/// \param os the stream; its state tells whether writing succeeded
+/// \param os the stream
 /// \param mesh a triangle mesh, a model of `FaceListGraph` with an internal vertex point map
 /// \param uvmap as above
+/// \return as above
 template <class TriangleMesh, class UVMap>
-void write_SVG(std::ostream& os, const TriangleMesh& mesh, UVMap uvmap)
+bool write_SVG(std::ostream& os, const TriangleMesh& mesh, UVMap uvmap)
 {
-  write_SVG(os, mesh, faces(mesh), uvmap);
+  return write_SVG(os, mesh, faces(mesh), uvmap);
+}
+
+/// \ingroup PkgHierarchicalParameterizationIO
+///
+/// draws to a file, which is replaced if there is one of this name.
+///
+/// \param file_name the name of the file
+/// \param mesh as above
+/// \param faces_and_map `uvmap`, or `face_range` and `uvmap`, as above
+/// \return whether the file could be opened and written
+template <class TriangleMesh, class... FacesAndMap>
+bool write_SVG(const std::string& file_name, const TriangleMesh& mesh, const FacesAndMap&... faces_and_map)
+{
+  return internal::write_file(file_name, [&](std::ostream& os) { write_SVG(os, mesh, faces_and_map...); });
 }
 
 } // namespace IO
