@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_SPARSE_MATRIX_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_CORE_SPARSE_MATRIX_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Function_ref.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Sparse_rows.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/header_only.h>
@@ -138,11 +139,19 @@ private:
     return true;
   }
 
-  // Merges each row with what waits for it. That is done in place, from the last row on, since no row becomes shorter:
-  // a copy would double the memory.
+  // Merges each row with what waits for it.
   void merge() const;
 
-  // Writes `row`, in any order. Of the columns that it has met, `place` tells where they are; of others, anything.
+  // The same, if there are no entries yet, and if there are: then in place, from the last row on, since no row becomes
+  // shorter; a copy would double the memory.
+  void make_rows() const;
+  void insert_in_rows() const;
+
+  // Calls f(i, row) for the rows from the first on: merged with what waits for it, or empty if nothing does.
+  void for_each_merged_row(Function_ref<void(Index, const Sparse_row&)> f) const;
+
+  // Adds the merged row to `row`, which is empty, its columns ascending. `place` is for the function's own use, a number
+  // for each column.
   void merge_row(Index i, boost::iterator_range<const Index*> waiting, std::vector<Index>& place,
                  Sparse_row& row) const;
 

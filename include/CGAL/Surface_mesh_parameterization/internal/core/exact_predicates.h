@@ -11,7 +11,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-// The same as exact_orientation(), always by exact numbers. Three points of which one is not finite count as collinear.
+// The same as exact_orientation(), for points that doubles do not tell. Three points of which one is not finite count as collinear.
 Orientation unfiltered_orientation(const Point_2& a, const Point_2& b, const Point_2& c);
 
 // The side of c, seen from a in the direction of b, exactly.

@@ -16,7 +16,8 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Orientation unfiltered_orientation(const Point_2& a, const Point_2& b, const Point_2& c)
 {
-  if (!is_finite(a) || !is_finite(b) || !is_finite(c))
+  const bool do_coincide = a == b || b == c || c == a;      // as where triangles have a vertex in common
+  if (do_coincide || !is_finite(a) || !is_finite(b) || !is_finite(c))
     return COLLINEAR;
   const MP_Float ax(a.x()), ay(a.y());
   return CGAL::compare((MP_Float(b.x()) - ax) * (MP_Float(c.y()) - ay),
