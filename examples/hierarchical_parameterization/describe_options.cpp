@@ -32,8 +32,8 @@ po::options_description input_options(Options& options)
   add("orient", po::bool_switch(&options.is_oriented),
       "turn faces so that neighbors, which share points, have one orientation. Where that cannot be, where more than "
       "two faces meet at an edge or several fans at a vertex, the surface is cut: points are there several times then, "
-      "the new ones behind those of the input. Corners that repeat the one before are left out, and so are faces of less "
-      "than three vertices");
+      "the new ones behind those of the input. Corners that repeat the one before are left out, and so are faces of "
+      "less than three vertices");
   add("stitch", po::bool_switch(&options.is_stitched),
       "join borders whose points coincide, as where every face has points of its own. Of points that are joined, the "
       "first one stays; the numbers of those behind it change, also for --hold and --start, which count those of the "
