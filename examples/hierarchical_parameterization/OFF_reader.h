@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,11 +36,13 @@ struct OFF_keyword
       return true;
     };
     const std::pair<std::string_view, std::size_t> attributes[] = { { "ST", 2 }, { "C", 4 }, { "N", 3 } };
-    const auto is_next = [&](const auto& attribute) { return has_prefix(attribute.first); };
-    for (const auto* next = attributes; next != std::end(attributes);) {
-      next = std::find_if(std::begin(attributes), std::end(attributes), is_next);
-      if (next != std::end(attributes))
-        number_of_attributes += next->second;
+    for (bool goes_on = true; goes_on;) {
+      goes_on = false;
+      for (const auto& [letters, numbers] : attributes)
+        if (has_prefix(letters)) {
+          number_of_attributes += numbers;
+          goes_on = true;
+        }
     }
     is_homogeneous = has_prefix("4");
     if (has_prefix("OFF") && (rest.empty() || rest[0] == '#' || is_digit(rest[0])))
