@@ -38,8 +38,8 @@ struct Method_options
   std::string levels;       // a folder, or empty
   std::string start;        // a file with a map to start from, or empty
   std::string hold;         // a file with places of vertices, or empty
-  std::optional<double> least_used_part, distortion_bound, overlap_bound, hole_bound, margin;   // of an atlas; none:
-                                                                                                // defaults
+  // Of an atlas; none: the default.
+  std::optional<double> least_used_part, distortion_bound, overlap_bound, hole_bound, margin;
   std::optional<double> sharp_angle;                          // in degrees; none: no edge is a seam as it is sharp
   bool flat = false, quiet = false, is_globally_injective = false, fills_holes = false;
   bool avoids_overlaps = false;     // one chart is globally injective, too, or becomes an atlas if that distorts it
