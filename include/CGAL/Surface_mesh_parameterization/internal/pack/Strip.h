@@ -43,11 +43,15 @@ private:
   // Where a square of a mask meets taken cells, for the mask at 64 places of row y, the first of them 64 * word.
   Bitmap::Word taken(const Chart_mask::Square& s, std::size_t word, std::size_t y) const;
 
+  // Before this word of row y there is no place for the mask, as its square meets taken cells.
+  std::size_t first_word(const Chart_mask::Square& s, std::size_t y);
+
   void raise(std::size_t height);
   void update_next_level(std::size_t level, std::size_t left, std::size_t right, std::size_t bottom,
                          std::size_t top);
 
   std::vector<Bitmap> m_taken;          // by level
+  std::vector<std::vector<Index>> m_first_words;        // by level and row: words before are full
   std::size_t m_width, m_margin, m_right = 0, m_top = 0;
 };
 

@@ -12,7 +12,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Strip::Strip(std::size_t width, std::size_t margin, std::size_t number_of_levels)
-  : m_taken(number_of_levels, Bitmap(width)), m_width(width), m_margin(margin)
+  : m_taken(number_of_levels, Bitmap(width)), m_first_words(number_of_levels), m_width(width), m_margin(margin)
 { }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -24,7 +24,7 @@ Strip::Place Strip::find(const Chart_mask& mask, std::size_t& y, std::size_t mos
   raise((std::max)(y, m_top + m_margin) + mask.height);         // there is a place above all others
   Chart_mask::Square obstacle = mask.squares[0];        // met at the last places: likely to be met at the next
   for (; y + mask.height < most_top; ++y)
-    for (std::size_t i = 0; 64 * i < end; ++i) {
+    for (std::size_t i = first_word(mask.squares[0], y); 64 * i < end; ++i) {
       const Bitmap::Word inside =
           64 * (i + 1) > end ? ~Bitmap::Word(0) >> (63 - (end - 1) % 64) : ~Bitmap::Word(0);
       Bitmap::Word empty = inside & ~taken(obstacle, i, y);
@@ -41,6 +41,16 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Bitmap::Word Strip::taken(const Chart_mask::Square& s, std::size_t word, std::size_t y) const
 {
   return Bitmap::shifted(m_taken[s.level].row(y + s.y) + s.x / 64 + word, s.x % 64);
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+std::size_t Strip::first_word(const Chart_mask::Square& s, std::size_t y)
+{
+  const Bitmap::Word* const row = m_taken[s.level].row(y + s.y);
+  Index& first = m_first_words[s.level][y + s.y];
+  while (row[first] == ~Bitmap::Word(0))                // the last word of a row is empty
+    ++first;
+  return 64 * first > s.x ? (64 * first - s.x) / 64 : 0;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
@@ -86,8 +96,10 @@ void Strip::raise(std::size_t height)
 {
   const std::size_t needed = height + (std::size_t(2) << m_taken.size());
   if (needed > m_taken[0].height())
-    for (Bitmap& bitmap : m_taken)
-      bitmap.raise(needed + needed / 2);
+    for (std::size_t level = 0; level < m_taken.size(); ++level) {
+      m_taken[level].raise(needed + needed / 2);
+      m_first_words[level].resize(m_taken[level].height(), 0);
+    }
 }
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -43,19 +43,35 @@ inline double guessed_side(const std::vector<Flat_chart>& charts, const std::vec
 
 // Packs strips of several widths, each the mean of width and height of the one before, or a little less; the best is
 // the one of the smallest square.
-inline Grid_packer::Result pack_best(const Grid_packer& packer, Grid_packer::Plan plan, std::size_t number_of_widths)
+class Width_search
 {
-  Grid_packer::Result best;
-  double next_width = double(plan.width);
-  for (std::size_t i = 0; i < number_of_widths; ++i) {
-    plan.width = (std::max)(packer.least_width(), std::size_t(next_width));
-    Grid_packer::Result other = packer.pack(plan);
-    next_width = i % 2 == 0 ? std::sqrt(double(plan.width) * double(other.top)) : 0.98 * double(plan.width);
-    if (other.side < best.side)
-      best = std::move(other);
+public:
+  Width_search(const Grid_packer& packer, Grid_packer::Plan plan)
+    : m_packer(packer), m_plan(std::move(plan)), m_next_width(double(m_plan.width))
+  { }
+
+  const Grid_packer::Result& best() const { return m_best; }
+
+  // Goes on until that many have been tried.
+  void try_widths(std::size_t most_widths)
+  {
+    for (; m_number_of_widths < most_widths; ++m_number_of_widths) {
+      m_plan.width = (std::max)(m_packer.least_width(), std::size_t(m_next_width));
+      Grid_packer::Result other = m_packer.pack(m_plan);
+      m_next_width = m_number_of_widths % 2 == 0 ? std::sqrt(double(m_plan.width) * double(other.top))
+                                                 : 0.98 * double(m_plan.width);
+      if (other.side < m_best.side)
+        m_best = std::move(other);
+    }
   }
-  return best;
-}
+
+private:
+  const Grid_packer& m_packer;
+  Grid_packer::Plan m_plan;
+  Grid_packer::Result m_best;
+  double m_next_width;
+  std::size_t m_number_of_widths = 0;
+};
 
 // The large charts as they were found, then the others by size.
 inline Grid_packer::Plan make_plan(const Grid_packer& packer, const Large_charts& large, std::size_t width)
@@ -97,15 +113,19 @@ inline Grid_packing pack_on_grid(std::vector<Flat_chart>& charts, const std::vec
     directions[large.order[i]] = { large.directions[i] };
 
   // The margin is known when the side is: until it is wide enough, cells become larger.
+  constexpr std::size_t widths_that_show_the_side = 2;
   for (side = (std::max)(side, large.side);;) {
     const double cell = side / cells;
     const Grid_packer packer(charts, directions, cell, margin_cells);
-    const Grid_packer::Plan plan = make_plan(packer, large, std::size_t(large.width > 0 ? large.width / cell : cells));
-    const Grid_packer::Result result = pack_best(packer, plan, number_of_widths);
+    Width_search search(packer,
+                        make_plan(packer, large, std::size_t(large.width > 0 ? large.width / cell : cells)));
+    search.try_widths(widths_that_show_the_side);
+    const Grid_packer::Result& result = search.best();
     if (double(margin_cells) < margin * double(result.side)) {
       side *= 1.002 * margin * double(result.side) / double(margin_cells);
       continue;
     }
+    search.try_widths(number_of_widths);
     for (std::size_t i = 0; i < charts.size(); ++i)
       turn_and_move(charts[i].points, directions[i][result.directions[i]],
                     cell * Vector_2(double(result.places[i].x) + 0.5 * double(margin_cells),
