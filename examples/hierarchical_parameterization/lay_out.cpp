@@ -128,7 +128,7 @@ SMP::Parameterization_summary summary_of(const SMP::Atlas_summary& atlas)
 {
   SMP::Parameterization_summary result;
   std::size_t most_faces = 0;
-  double seconds_hierarchy = 0, seconds_parameterize = 0;
+  double seconds_hierarchy = 0;
   std::size_t flips = 0, moved_vertices = 0;
   bool converged = true, is_replaced = false;
   for (const SMP::Atlas_summary::Chart& chart : atlas.charts) {
@@ -140,14 +140,13 @@ SMP::Parameterization_summary summary_of(const SMP::Atlas_summary& atlas)
       result = chart.summary;
     }
     seconds_hierarchy += chart.summary.seconds_hierarchy;
-    seconds_parameterize += chart.summary.seconds_parameterize;
     flips += chart.summary.flips;
     moved_vertices += chart.summary.moved_vertices;
     converged = converged && chart.summary.converged;
     is_replaced = is_replaced || chart.summary.is_replaced;
   }
   result.seconds_hierarchy = seconds_hierarchy;
-  result.seconds_parameterize = seconds_parameterize;
+  result.seconds_parameterize = atlas.seconds_parameterize;
   result.flips = flips;
   result.moved_vertices = moved_vertices;
   result.converged = converged;
