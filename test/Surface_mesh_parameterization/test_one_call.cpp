@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -73,6 +74,34 @@ TEST(One_call, gives_the_map_of_the_class)
 
 template <class Mesh>
 using Barycentric_uniform = Barycentric_mapping_parameterizer_3<Mesh, Circular_border_uniform_parameterizer_3<Mesh>>;
+
+TEST(One_call, takes_an_outer_border)
+{
+  Mapped_mesh by_call(annulus(12)), by_class(annulus(12));
+  EXPECT_EQ(hierarchical_parameterization(by_call.mesh, Surface_mesh::null_halfedge(), by_call.uvmap).error.code,
+            ERROR_NO_TOPOLOGICAL_DISC);
+  EXPECT_EQ(hierarchical_parameterization(by_call.mesh, opposite(longest_border(by_call.mesh), by_call.mesh),
+                                          by_call.uvmap)
+                .error.code,
+            ERROR_WRONG_PARAMETER);
+  EXPECT_TRUE(by_call.is_untouched());
+
+  const auto halfedges_of_mesh = halfedges(by_call.mesh);
+  const auto inner = std::find_if(halfedges_of_mesh.begin(), halfedges_of_mesh.end(), [&](const auto h) {
+    return is_border(h, by_call.mesh) && target(h, by_call.mesh) % 2 == 1;
+  });
+  ASSERT_NE(inner, halfedges_of_mesh.end());
+  const Hierarchical_parameterizer_3<Barycentric_uniform<Surface_mesh>> parameterizer(parameters::tolerance(1e-8));
+  ASSERT_EQ(parameterize(by_class.mesh, parameterizer, *inner, by_class.uvmap), OK);
+  Parameterization_summary summary;
+  EXPECT_TRUE(hierarchical_parameterization<Barycentric_uniform>(
+                  by_call.mesh, *inner, by_call.uvmap, parameters::tolerance(1e-8).summary(std::ref(summary)))
+                  .is_ok());
+  EXPECT_TRUE(summary.is_ok());
+  EXPECT_EQ(by_call.uv(), by_class.uv());
+  EXPECT_EQ(hierarchical_parameterization<Barycentric_uniform>(by_class.mesh, by_class.uvmap).error.code, OK);
+  EXPECT_NE(by_call.uv(), by_class.uv());
+}
 
 // Where squares of lengths would over- or underflow too.
 TEST(One_call, the_longest_border_is_the_outer_one_at_any_scale)

@@ -24,6 +24,39 @@
 
 namespace CGAL::Surface_mesh_parameterization {
 
+namespace internal {
+
+template <class T, class Mesh>
+constexpr bool is_halfedge_v = std::conjunction_v<Mesh_check<Mesh>, Halfedge_check<T, Mesh>>;
+
+// The run for an outer border; if `choose_border()` returns a null halfedge, the surface is closed.
+template <template <class...> class Method, class ConcurrencyTag, class TriangleMesh, class ChooseBorder,
+          class VertexUVMap, class NamedParameters>
+Parameterization_summary run_method(TriangleMesh& mesh, const ChooseBorder& choose_border, VertexUVMap uvmap,
+                                    const NamedParameters& np)
+{
+  typedef std::remove_const_t<TriangleMesh>   Mesh;
+  Parameterization_summary result;
+  typedef std::conjunction<Mesh_check<Mesh>, Uv_map_check<VertexUVMap, Mesh>>   Check;
+  if constexpr (Check::value) {
+    const Named_parameters<std::reference_wrapper<Parameterization_summary>, internal_np::summary_t, NamedParameters>
+        with_summary(std::ref(result), np);
+    const auto border = choose_border();
+    if (faces(mesh).first == faces(mesh).second)
+      result.error.code = ERROR_EMPTY_MESH;
+    else if (border == boost::graph_traits<Mesh>::null_halfedge())
+      result.error.code = ERROR_NO_TOPOLOGICAL_DISC;
+    else
+      parameterize(mesh, Hierarchical_parameterizer_3<Method<Mesh>, ConcurrencyTag>(with_summary), border, uvmap);
+    if (Parameterization_summary* const users_summary = summary_of(np))
+      *users_summary = result;
+  } else
+    Check::tell();
+  return result;
+}
+
+} // namespace internal
+
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
 /// parameterizes a surface coarse to fine, in one call:
@@ -53,29 +86,33 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \return what the run did: the error if there was one, whether the map converged, its energy, the levels, seconds.
 ///         The error of a closed surface is `ERROR_NO_TOPOLOGICAL_DISC`
 template <template <class...> class Method = MIPS_parameterizer_3, class ConcurrencyTag = Sequential_tag,
-          class TriangleMesh, class VertexUVMap, class NamedParameters = parameters::Default_named_parameters>
+          class TriangleMesh, class VertexUVMap, class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!internal::is_halfedge_v<VertexUVMap, std::remove_const_t<TriangleMesh>>, int> = 0>
 Parameterization_summary hierarchical_parameterization(TriangleMesh& mesh, VertexUVMap uvmap,
                                                        const NamedParameters& np = parameters::default_values())
 {
-  typedef std::remove_const_t<TriangleMesh>   Mesh;
-  Parameterization_summary result;
-  typedef std::conjunction<internal::Mesh_check<Mesh>, internal::Uv_map_check<VertexUVMap, Mesh>>   Check;
-  if constexpr (Check::value) {
-    const internal::Named_parameters<std::reference_wrapper<Parameterization_summary>, internal_np::summary_t,
-                                     NamedParameters>
-        with_summary(std::ref(result), np);
-    const auto border = internal::longest_border(mesh, [](const auto&) { return true; }).halfedge;
-    if (faces(mesh).first == faces(mesh).second)
-      result.error.code = ERROR_EMPTY_MESH;
-    else if (border == boost::graph_traits<Mesh>::null_halfedge())
-      result.error.code = ERROR_NO_TOPOLOGICAL_DISC;
-    else
-      parameterize(mesh, Hierarchical_parameterizer_3<Method<Mesh>, ConcurrencyTag>(with_summary), border, uvmap);
-    if (Parameterization_summary* const users_summary = internal::summary_of(np))
-      *users_summary = result;
-  } else
-    Check::tell();
-  return result;
+  const auto longest = [&] { return internal::longest_border(mesh, [](const auto&) { return true; }).halfedge; };
+  return internal::run_method<Method, ConcurrencyTag>(mesh, longest, uvmap, np);
+}
+
+/// \ingroup PkgHierarchicalParameterizationRef
+///
+/// does the same for an outer border of the caller's choice.
+///
+/// \param mesh, uvmap, np as above
+/// \param bhd a halfedge on the outer border, of the component that is parameterized
+///
+/// \return as above; `ERROR_NO_TOPOLOGICAL_DISC` also if `bhd` is a null halfedge
+template <template <class...> class Method = MIPS_parameterizer_3, class ConcurrencyTag = Sequential_tag,
+          class TriangleMesh, class Halfedge, class VertexUVMap,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<internal::is_halfedge_v<Halfedge, std::remove_const_t<TriangleMesh>>, int> = 0>
+Parameterization_summary hierarchical_parameterization(TriangleMesh& mesh, Halfedge bhd, VertexUVMap uvmap,
+                                                       const NamedParameters& np = parameters::default_values())
+{
+  typedef typename boost::graph_traits<std::remove_const_t<TriangleMesh>>::halfedge_descriptor   halfedge_descriptor;
+  return internal::run_method<Method, ConcurrencyTag>(
+      mesh, [&] { return halfedge_descriptor(bhd); }, uvmap, np);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization
