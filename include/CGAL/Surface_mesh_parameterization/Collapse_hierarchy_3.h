@@ -63,15 +63,33 @@ public:
   ///
   /// \param surface the surface; move it in to save memory. Precondition: all its indices are less than
   ///        `surface.points.size()`
-  /// \param np
-  /// - `random_seed`: the seed of the random choice of vertices; default 0
-  /// - `coarsest_size`: collapse groups are made until a level has at most that many vertices, or until no vertex can
-  ///   be collapsed; default 100
-  /// - `unit_edges`: whether the quality of coarse triangles is measured as if all edges of the surface were equally
-  ///   long; default `false`: it is measured in space. The value `true` suits methods whose weights do not depend on
-  ///   lengths, such as barycentric mapping
-  /// - `vertex_is_constrained_map`: a readable property map from an index of `surface.points`, a `std::size_t`, to
-  ///   `bool`: vertices that stay on every level; default: none
+  /// \param np an optional sequence of \ref hp_named_parameters "named parameters" among these:
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{random_seed}
+  ///     \cgalParamDescription{the seed of the random choice of vertices}
+  ///     \cgalParamType{`unsigned int`}
+  ///     \cgalParamDefault{0}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{coarsest_size}
+  ///     \cgalParamDescription{collapse groups are made until a level has at most that many vertices, or until no
+  ///       vertex can be collapsed}
+  ///     \cgalParamType{an integer or floating-point number, at least 0, may be infinite}
+  ///     \cgalParamDefault{100}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{unit_edges}
+  ///     \cgalParamDescription{whether the quality of coarse triangles is measured as if all edges of the surface were
+  ///       equally long. That suits methods whose weights do not depend on lengths, such as barycentric mapping}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`: it is measured in space}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{vertex_is_constrained_map}
+  ///     \cgalParamDescription{vertices that stay on every level}
+  ///     \cgalParamType{a readable property map from an index of `surface.points`, a `std::size_t`, to `bool`}
+  ///     \cgalParamDefault{no vertex}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
   /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the
   ///         hierarchy is the same with all of them
   template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>

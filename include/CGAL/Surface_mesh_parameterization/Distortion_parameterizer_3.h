@@ -89,11 +89,10 @@ public:
                                  internal::Place_constraint_names>   Option_names;
   /// \endcond
 
-  /// \param np
-  /// - the named parameters of `Refinement_options`
-  /// - `initial_map`, `fill_holes`, `vertex_is_constrained_map`, `position_weight_map`, `overlap_bound`, `flip_policy`:
-  ///   of a flat run, and of one by an adaptor that is not told otherwise, see `Nested_iteration_parameterizer_3`
-  /// - `summary`: of the same, a `std::reference_wrapper<Parameterization_summary>` that receives what a run did
+  /// \param np the \ref hp_named_parameters "named parameters" of `Refinement_options`; and of a flat run, and of one
+  ///        by an adaptor that is not given others, see `Nested_iteration_parameterizer_3`: `initial_map`,
+  ///        `fill_holes`, `vertex_is_constrained_map`, `position_weight_map`, `overlap_bound`, `flip_policy`, and
+  ///        `summary`, a `std::reference_wrapper<Parameterization_summary>` that receives what the run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Distortion_parameterizer_3(const NamedParameters& np = parameters::default_values())
     : Distortion_parameterizer_3(Refinement_options(), np)

@@ -111,11 +111,11 @@ public:
 
   /// runs `method` on every level.
   ///
-  /// \param method the method. What it was told of its flat runs holds for these, too, unless `np` says otherwise
-  /// \param np
-  /// - `coarsest_size`, `random_seed`, `unit_edges`, `visitor`, `fill_holes`, `flip_policy`, `overlap_bound`,
-  ///   `initial_map`, `vertex_is_constrained_map`, `position_weight_map`, `summary`: see
-  ///   `Nested_iteration_parameterizer_3`
+  /// \param method the method. What its constructor was given for flat runs is used for these runs, too, unless `np`
+  ///        has it
+  /// \param np the \ref hp_named_parameters "named parameters" `coarsest_size`, `random_seed`, `unit_edges`, `visitor`,
+  ///        `fill_holes`, `flip_policy`, `overlap_bound`, `initial_map`, `vertex_is_constrained_map`,
+  ///        `position_weight_map`, `summary`: see `Nested_iteration_parameterizer_3`
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Hierarchical_parameterizer_3(const Parameterizer& method = Parameterizer(),
                                         const NamedParameters& np = parameters::default_values());
@@ -134,26 +134,11 @@ public:
   /// last argument.
   ///
   /// \param arguments copies of these arguments are passed to the constructor of `Parameterizer` on every run
-  /// \param np
-  /// - `tolerance`: greatest relative residual of the linear system, rows scaled to unit diagonal; default 1e-10. With
-  ///   authalic weights iterations go on to 1e-2 times that, with iterative authalic ones to 1e-5 times, if they can
-  /// - `number_of_iterations`: the most iterations before the solver of `Parameterizer` takes over, or for LSCM a
-  ///   factorization of its complex matrix; default 300. If the residual is above the tolerance then, a sparse LU
-  ///   factorization takes over
-  /// - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see `Collapse_hierarchy_3`. For
-  ///   `Barycentric_mapping_parameterizer_3`, whose weights do not depend on lengths, `unit_edges` is `true` by default
-  /// - `flip_policy`: not for an orbifold; a `Flip_policy`: the treatment of flips; default `REPAIR`, or `FAIL` for
-  ///   barycentric and mean value coordinates with a border on a circle, whose maps have flips only by rounding, at
-  ///   border points that coincide, and in triangles with two edges on a hole, which are degenerate. If the repair of
-  ///   an LSCM map fails or has to move more than a tenth of the vertices, the map of `MIPS_parameterizer_3` takes its
-  ///   place, with the same two pins
-  /// - `fill_holes`: not for an orbifold; whether every border except the outer one is closed by a virtual vertex in
-  ///   its middle; default `false`: the borders of holes are free. It works on a `Surface_mesh`, and,
-  ///   if there are no `arguments`, on any model of `MutableFaceGraph` that can be copied; otherwise the result is
-  ///   `ERROR_WRONG_PARAMETER`
-  /// - `visitor`: a model of `HierarchyVisitor_3`, of which `hierarchy_built()` and `progressed()` are called
-  /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did. It must live as
-  ///   long as the parameterizer runs
+  /// \param np the \ref hp_named_parameters "named parameters" `tolerance`, `number_of_iterations`: of the linear
+  ///        solver, see \ref hp_parameters_linear "their details"; `coarsest_size`, `random_seed`, `unit_edges`: of the
+  ///        hierarchy, see `Collapse_hierarchy_3`; `visitor`, of which `hierarchy_built()` and `progressed()` are
+  ///        called; `summary`; and, not for an orbifold, `flip_policy` and `fill_holes`. Defaults depend on
+  ///        `Parameterizer`
   template <class... Arguments, class NamedParameters = parameters::Default_named_parameters>
   explicit Hierarchical_parameterizer_3(const Arguments&... arguments,
                                         const NamedParameters& np = parameters::default_values());

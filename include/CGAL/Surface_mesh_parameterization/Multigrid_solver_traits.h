@@ -114,13 +114,34 @@ public:
   ///        With k unknowns at each vertex, the vertex with the i-th smallest index, from 0, has the unknowns from k i
   ///        to k i + k - 1. A vertex with a negative index is not in the system: of a system for some of the vertices,
   ///        such as those that `Polygon_mesh_processing::fair()` moves, all others need one
-  /// \param np
-  /// - `tolerance`: greatest relative residual, rows scaled to unit diagonal; default 1e-10. Less than
-  ///   1e-15 counts as that
-  /// - `number_of_iterations`: the most iterations before the direct solver takes over; default 300
-  /// - `coarsest_size`, `random_seed`: of the hierarchy, see `Collapse_hierarchy_3`
-  /// - `unit_edges`: of the hierarchy. For a matrix of uniform weights, as in `Barycentric_mapping_parameterizer_3`,
-  ///   `true` saves iterations on stretched triangles
+  /// \param np an optional sequence of \ref hp_named_parameters "named parameters" among these:
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{tolerance}
+  ///     \cgalParamDescription{the maximum relative residual, rows scaled to unit diagonal}
+  ///     \cgalParamType{`double`, at least 0}
+  ///     \cgalParamDefault{1e-10}
+  ///     \cgalParamExtra{A value below 1e-15 counts as 1e-15.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_iterations}
+  ///     \cgalParamDescription{the maximum number of iterations before the direct solver takes over}
+  ///     \cgalParamType{an integer or floating-point number, at least 0, may be infinite}
+  ///     \cgalParamDefault{300}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{coarsest_size, random_seed}
+  ///     \cgalParamDescription{options of the hierarchy}
+  ///     \cgalParamType{those of `Collapse_hierarchy_3`}
+  ///     \cgalParamDefault{100 and 0}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{unit_edges}
+  ///     \cgalParamDescription{whether the hierarchy measures coarse triangles as if all edges of the mesh were equally
+  ///       long}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///     \cgalParamExtra{For a matrix of uniform weights, as in `Barycentric_mapping_parameterizer_3`, `true` saves
+  ///       iterations on stretched triangles.}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   ///
   /// If the mesh or an option is rejected, `error()` says why, and the object cannot solve anything.
   template <class TriangleMesh, class Halfedge, class VertexIndexMap,

@@ -88,10 +88,33 @@ protected:
       Flat_option_names;
   /// \endcond
 
-  /// \param np the named parameters of a flat run, which hold in an adaptor, too, that is not told otherwise:
-  ///        `flip_policy`, `fill_holes` and `summary`, a `std::reference_wrapper<Parameterization_summary>` that must
-  ///        live as long as either runs; and, where the method has what they need, `initial_map`, `overlap_bound`,
-  ///        `vertex_is_constrained_map` and `position_weight_map`, see `Nested_iteration_parameterizer_3`
+  /// \param np the \ref hp_named_parameters "named parameters" of a flat run, which an adaptor uses, too, unless its
+  ///        own constructor is given others. `initial_map`, `overlap_bound`, `vertex_is_constrained_map` and
+  ///        `position_weight_map` have an effect where the method has what they need:
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{flip_policy}
+  ///     \cgalParamDescription{the treatment of flips}
+  ///     \cgalParamType{`Flip_policy`}
+  ///     \cgalParamDefault{`REPAIR`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{fill_holes}
+  ///     \cgalParamDescription{whether holes are treated as parts of the surface}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{summary}
+  ///     \cgalParamDescription{the object that receives what a run did}
+  ///     \cgalParamType{`std::reference_wrapper<Parameterization_summary>`}
+  ///     \cgalParamDefault{no summary is filled}
+  ///     \cgalParamExtra{It must live as long as flat runs and those of an adaptor.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{initial_map, overlap_bound, vertex_is_constrained_map, position_weight_map}
+  ///     \cgalParamDescription{see `Nested_iteration_parameterizer_3`}
+  ///     \cgalParamType{as there}
+  ///     \cgalParamDefault{as there}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   template <class NamedParameters>
   explicit Refinable_parameterizer_base_3(const NamedParameters& np)
     : m_setup(internal::run_setup_of<Method, Triangle_mesh>(np))

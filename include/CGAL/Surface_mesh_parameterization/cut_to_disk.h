@@ -130,13 +130,23 @@ Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_
 /// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; it is only read
 /// \param seams a readable and writable property map from the edges of `mesh` to `bool`. What is `true` before is a
 ///        seam already, and stays one
-/// \param np
-/// - `distortion_bound`: the mean symmetric Dirichlet energy, weighted by area, up to which the seam gets branches; 4
-///   is that of an isometry. It is measured on a coarse level of about 2000 vertices, and the seam has at most 50
-///   branches in each component. A `double` or a `std::optional<double>`. Default: 4.5 for components that have to be
-///   cut or exceed 8. Infinity: nothing is cut but what has to be
-/// - `join_borders`: whether the components become disks without holes; default `false`: every border that needs no cut
-///   stays as it is
+/// \param np an optional sequence of \ref hp_named_parameters "named parameters" among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{distortion_bound}
+///     \cgalParamDescription{the mean symmetric Dirichlet energy, weighted by area, up to which the seam gets branches.
+///       With infinity, only what has to be cut is cut}
+///     \cgalParamType{`double` or `std::optional<double>`, at least 4, the energy of an isometry}
+///     \cgalParamDefault{4.5 for components that have to be cut or exceed 8}
+///     \cgalParamExtra{The energy is measured on a coarse level of about 2000 vertices. The seam has at most 50
+///       branches in each component.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{join_borders}
+///     \cgalParamDescription{whether cuts join the borders of a component, so that it becomes a disk without holes}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`: every border that needs no cut stays as it is}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \return what was done. Its error is `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, or `ERROR_WRONG_PARAMETER` if a
 ///         coordinate is not finite, or `distortion_bound` is less than 4 or no number; then no edge became a seam

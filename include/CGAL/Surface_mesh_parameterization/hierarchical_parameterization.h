@@ -47,8 +47,18 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \param mesh a triangulated surface with a border and without handles, which may be `const`; it is only read
 /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error. For LSCM and the
 ///        other methods of CGAL that solve linear systems it must be readable, too
-/// \param np the named parameters of `Method<TriangleMesh>` and of `Hierarchical_parameterizer_3`. A `summary` receives
-///        what is returned
+/// \param np an optional sequence of \ref hp_named_parameters "named parameters": those of `Method<TriangleMesh>` and
+///        those of `Hierarchical_parameterizer_3<Method<TriangleMesh>>`, for most methods `tolerance`,
+///        `number_of_iterations`, `coarsest_size`, `random_seed`, `unit_edges`, `flip_policy`, `fill_holes`, `visitor`,
+///        and
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{summary}
+///     \cgalParamDescription{the object that receives what is returned}
+///     \cgalParamType{`std::reference_wrapper<Parameterization_summary>`}
+///     \cgalParamDefault{no summary is filled}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \return what the run did: the error if there was one, whether the map converged, its energy, the levels, seconds.
 ///         The error of a closed surface is `ERROR_NO_TOPOLOGICAL_DISC`

@@ -89,13 +89,24 @@ Error_code write_corners(const TriangleMesh& mesh, const Atlas& atlas, const std
 ///        which a halfedge leads in its face, as `atlas_parameterization()` writes it; a map of a `Seam_mesh` has to be
 ///        copied to all corners, see `cut_to_disk()`. Untouched on an error. A chart without flips, which may be
 ///        mirrored, gets none by rounding
-/// \param np
-/// - `margin`: the least distance between charts, and half of it to the sides of the square, as a part of the side;
-///   from 0 to 0.1. Of n charts it is at most \f$ 1 / (4 \sqrt n) \f$: wider margins would fill the square. Default:
-///   1/256, and of n charts at most \f$ 1 / (32 \sqrt n) \f$, so that margins take about a sixteenth of the square.
-///   A `double` or a `std::optional<double>`
-/// - `unit_square`: whether the charts are scaled, so that the square is the unit square; default `true`. Otherwise
-///   they keep their sizes, and the square begins at the origin
+/// \param np an optional sequence of \ref hp_named_parameters "named parameters" among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{margin}
+///     \cgalParamDescription{the minimum distance between charts, and half of it to the sides of the square, as a
+///       fraction of the side}
+///     \cgalParamType{`double` or `std::optional<double>`, from 0 to 0.1}
+///     \cgalParamDefault{1/256, and of n charts at most \f$ 1 / (32 \sqrt n) \f$, so that margins take about a
+///       sixteenth of the square}
+///     \cgalParamExtra{Of n charts the margin is at most \f$ 1 / (4 \sqrt n) \f$: wider margins would fill the square.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{unit_square}
+///     \cgalParamDescription{whether the charts are scaled, so that the square is the unit square. Otherwise they keep
+///       their sizes, and the square begins at the origin}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NO_1_TO_1_MAPPING` if the charts have no area
 ///         or flips by rounding could not be repaired, or `ERROR_WRONG_PARAMETER` if a coordinate is not finite, or

@@ -68,9 +68,16 @@ void settle_flips_of_component(Mesh_component<TriangleMesh>& component, VertexUV
 /// \param uvmap a read-write property map from vertices to points of the plane, of which doubles are judged; only
 /// vertices that are moved are written, and none on an error
 /// \param policy the treatment of flips
-/// \param np
-/// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives the error, the number of flips and
-///   that of the vertices that were moved
+/// \param np an optional sequence of \ref hp_named_parameters "named parameters" among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{summary}
+///     \cgalParamDescription{the object that receives the error, the number of flips and that of the vertices that were
+///       moved}
+///     \cgalParamType{`std::reference_wrapper<Parameterization_summary>`}
+///     \cgalParamDefault{no summary is filled}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \return `OK`; an error of `Mesh_component`; `ERROR_NO_1_TO_1_MAPPING` if there are flips and the policy is `FAIL`,
 /// or if they could not be repaired
