@@ -37,7 +37,7 @@
 class RebindableParameterizer_3
 {
 public:
-  /// the mesh type, a model of `FaceListGraph` with an internal vertex point map
+  /// the mesh type, see \ref hp_mesh "the requirements"
   typedef unspecified_type Triangle_mesh;
 
   /// takes the arguments of the user's `Hierarchical_parameterizer_3`, except the named parameters. It is called for

@@ -21,7 +21,7 @@
 class RefinableParameterizer_3
 {
 public:
-  /// the mesh type, a model of `FaceListGraph` with an internal vertex point map
+  /// the mesh type, see \ref hp_mesh "the requirements"
   typedef unspecified_type Triangle_mesh;
 
   /// `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`: whether several threads build

@@ -49,7 +49,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `Parameterizer_3`
 /// \cgalModels `RefinableParameterizer_3`
 ///
-/// \tparam TriangleMesh_ a model of `FaceListGraph` with an internal vertex point map
+/// \tparam TriangleMesh_ a mesh, see \ref hp_mesh "the requirements"
 /// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result
 /// is the same for every number of threads
 template <class TriangleMesh_, class ConcurrencyTag = Sequential_tag>

@@ -46,9 +46,12 @@ namespace CGAL::Surface_mesh_parameterization {
 /// Without the adaptor the method starts from Tutte's map onto a circle, or from the unfolded surface if that is a map
 /// of less energy. If neither is a map in doubles, it starts from the result on a level that is coarse enough. With
 /// `Hierarchical_parameterizer_3` it starts from the result of a coarse level, which is much faster on large meshes.
-/// Where that ends at more than twice the minimum, or finds no map, the method also starts as without the adaptor, and
-/// from the same map at the scale of least energy; the best result counts. On more than 5,000 vertices it does so only
-/// above four times the minimum, and only if the start has the lower energy.
+/// If a run with the adaptor has a bad result on the finest level, it starts there once more as without the adaptor. If
+/// the energy is still high, and depends on scale, a run with or without the adaptor starts from the same map at the
+/// scale of least energy. The best result counts. A *high* energy is above twice the lower bound, or four times with
+/// more than 5,000 vertices. A result is *bad* if its energy is high, or if there is none; with up to 5,000 vertices
+/// also if it has not converged and is above 1.01 times the bound, unless a `number_of_iterations` below 100 ended it.
+/// With more, another start needs less energy than the result. With constrained vertices there is one start.
 ///
 /// If an energy of one's own is not finite where a level starts, symmetric Dirichlet energy is minimized first.
 ///
@@ -63,7 +66,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `Parameterizer_3`
 /// \cgalModels `RefinableParameterizer_3`
 ///
-/// \tparam TriangleMesh_ a model of `FaceListGraph` with an internal vertex point map
+/// \tparam TriangleMesh_ a mesh, see \ref hp_mesh "the requirements"
 /// \tparam Energy_ a model of `DistortionEnergy_2` that keeps triangles positive
 /// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result
 /// is the same for every number of threads

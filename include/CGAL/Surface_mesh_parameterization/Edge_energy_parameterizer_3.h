@@ -45,7 +45,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `Parameterizer_3`
 /// \cgalModels `RefinableParameterizer_3`
 ///
-/// \tparam TriangleMesh_ a model of `FaceListGraph` with an internal vertex point map
+/// \tparam TriangleMesh_ a mesh, see \ref hp_mesh "the requirements"
 /// \tparam EdgeWeights a model of `EdgeWeights_3`
 /// \tparam BorderParameterizer one of CGAL's border parameterizers, a model of `Parameterizer_3` that places the border
 /// only
@@ -167,7 +167,9 @@ public:
                                         uv, summary);
   }
 
-  /// the energy of a map of a level
+  /// the energy of a map of a level: half of the sum over its edges of weight times squared length in the plane, in
+  /// squared units of the mesh. An edge with two different weights counts with their mean; then the energy is not what
+  /// the map minimizes
   double energy(const Level& level, const Level::Uv& uv) const
   {
     return internal::Edge_system(level, m_weights).energy(uv);

@@ -31,8 +31,8 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   residual above the tolerance.
 /// - In place of CGAL's `ARAP_parameterizer_3`, `As_rigid_as_possible_parameterizer_3` runs level by level. It
 ///   minimizes the same energy.
-/// - CGAL's `Orbifold_Tutte_parameterizer_3` runs with the multigrid solver. It has a `parameterize()` of its own and
-///   keeps its flips.
+/// - CGAL's `Orbifold_Tutte_parameterizer_3` runs with the multigrid solver and keeps its flips. Its `parameterize()`
+///   takes a map of cones, so its adaptor is no model of `Parameterizer_3`.
 ///
 /// Any other type is rejected at compile time. On an error the user's property maps are untouched.
 ///
@@ -160,8 +160,11 @@ public:
   ///
   /// \param border_parameterizer not used: the border is free
   /// \param lambda the cost of a change of scale
-  /// \param iterations the named parameter `number_of_iterations`; 200 if left out
-  /// \param tolerance the named parameter `tolerance`; 1e-6 if left out
+  /// \param iterations the named parameter `number_of_iterations`, which counts Newton steps; 200 if left out. CGAL's
+  ///        class counts local/global iterations, 50 if left out
+  /// \param tolerance the named parameter `tolerance`, relative to the excess of the energy over its lower bound; 1e-6
+  ///        if left out. A negative one is `ERROR_WRONG_PARAMETER`: where CGAL's class is given 0 or less, to run all
+  ///        iterations, give 0
   /// \param np as above
   template <class BorderParameterizer, class NamedParameters = parameters::Default_named_parameters>
   explicit Hierarchical_parameterizer_3(const BorderParameterizer& border_parameterizer, double lambda,
@@ -186,9 +189,12 @@ public:
   /// \param others what `Parameterizer::parameterize()` takes besides, as the number of iterations of
   ///        `Iterative_authalic_parameterizer_3`; none for a model of `RefinableParameterizer_3`
   ///
-  /// \return `OK`; an error of `Mesh_component` or of the parameterizer; `ERROR_NO_1_TO_1_MAPPING` if there are flips
-  ///         and the `Flip_policy` is `FAIL`, or if no map without flips was found; `ERROR_STOPPED` if a visitor
-  ///         stopped the run
+  /// \return `OK`; an error of `Mesh_component::error()`; `ERROR_WRONG_PARAMETER`, also for an option that is out of
+  ///         range, a `uvmap` that cannot be read but must be, or coordinates that are not finite in the number type of
+  ///         `uvmap`; `ERROR_NO_1_TO_1_MAPPING` if there are flips and the `Flip_policy` is `FAIL`, or if no map
+  ///         without flips was found; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; `ERROR_BORDER_TOO_SHORT` or
+  ///         `ERROR_NON_CONVEX_BORDER` if the border cannot be placed; `ERROR_STOPPED` if a visitor stopped the run.
+  ///         \ref hp_rejected_inputs "Rejected inputs" has all causes
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap vimap,
                           VertexParameterizedMap vpmap, Others&&... others);
@@ -202,8 +208,9 @@ public:
   template <class VertexUVMap>
   Error_code parameterize(const Triangle_mesh& mesh, VertexUVMap uvmap);
 
-  /// does the same with a number of iterations. Exists for a parameterizer that takes one, such as
-  /// `Iterative_authalic_parameterizer_3`.
+  /// does the same with a number of iterations, at least 1: 0 is `ERROR_WRONG_PARAMETER`. Exists for a parameterizer
+  /// that takes one, such as `Iterative_authalic_parameterizer_3`, which does 15 authalic iterations with the calls
+  /// above. The named parameter `number_of_iterations` limits the linear solver, not these
   template <class VertexUVMap>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap,
                           unsigned int iterations);

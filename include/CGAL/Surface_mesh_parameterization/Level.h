@@ -41,8 +41,8 @@ static_assert(ERROR_WRONG_PARAMETER < GIVEN_UP, "the value of GIVEN_UP is a code
 /// A level owns its triangles and one-rings, and refers to the hierarchy, which must outlive it. It can become another
 /// level of the same hierarchy by `go_to()`.
 ///
-/// The point types are those of `CGAL::Simple_cartesian<double>`, whose predicates are not exact. A method that decides
-/// by orientations converts the points to a kernel with exact predicates.
+/// The point types are those of `CGAL::Simple_cartesian<double>`, whose predicates are not exact. `is_positive()` is
+/// exact all the same. For other predicates a method converts the points to a kernel with exact predicates.
 class Level
 {
 public:

@@ -33,17 +33,20 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// Solves sparse linear systems whose unknowns belong to the vertices of a mesh, by a multigrid method on the hierarchy
 /// of the mesh. It replaces CGAL's solver traits wherever CGAL assembles such a system: as the third template argument
-/// of its parameterizers, or as the solver of functions of `Polygon_mesh_processing`. The solution is the same, and
-/// time and memory grow in proportion to the mesh.
+/// of its parameterizers, or as the solver of functions of `Polygon_mesh_processing`. The solution is the same. Where
+/// multigrid converges, time and memory grow in proportion to the mesh; a factorization takes more.
 ///
 /// The solver uses conjugate gradients if the matrix is symmetric, else BiCGSTAB if it is diagonally dominant, and
-/// GMRES if it is not. The preconditioner is a V-cycle with an incomplete factorization as smoother, and full multigrid
-/// gives the first guess. A row with only a diagonal entry holds a given value, and its unknown is eliminated. If the
-/// residual does not become small enough, or if the matrix does not couple neighbors in the mesh, so that its unknowns
-/// must have another order, a sparse LU factorization takes over. Of nearly singular matrices, rounding may leave a
-/// residual above the tolerance, which `summary()` tells. If that is above 1e-3, relatively, or if there is no
-/// factorization, the functions return `false` and leave the solution unchanged. They do the same with a matrix that
-/// has not the same number of rows for each vertex in the system.
+/// GMRES if it is not. The preconditioner is a V-cycle with an incomplete factorization as smoother. For a symmetric
+/// matrix and one right-hand side, K-cycles take over after 100 iterations, or after 30 that did not halve the
+/// residual. Full multigrid gives the initial guess. A row with only a diagonal entry gives a value, and its unknown is
+/// eliminated. If the residual does not become small enough, or if the matrix does not couple neighbors in the mesh, so
+/// that its unknowns must have another order, a sparse LU factorization takes over. Of nearly singular matrices,
+/// rounding may leave a residual above the tolerance, which `summary()` reports. If that is above 1e-3, relatively, or
+/// if there is no factorization, the functions return `false` and leave the solution unchanged. They do the same with a
+/// matrix that has not the same number of rows for each vertex in the system.
+///
+/// An object runs in one thread. The solver of a `Hierarchical_parameterizer_3` with `CGAL::Parallel_tag` uses several.
 ///
 /// An object knows the hierarchy and the vertex of each unknown:
 /// \code
@@ -107,6 +110,11 @@ public:
   }
 
   /// builds the hierarchy of the connected component of `mesh` that contains `bhd`.
+  ///
+  /// \tparam TriangleMesh a mesh, see \ref hp_mesh "the requirements"
+  /// \tparam Halfedge a type that converts to the mesh's `halfedge_descriptor`
+  /// \tparam VertexIndexMap a `ReadablePropertyMap` from the mesh's `vertex_descriptor` to an integer type
+  /// \tparam NamedParameters a sequence of named parameters
   ///
   /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
   /// \param bhd a halfedge on the outer border of `mesh`

@@ -174,12 +174,15 @@ public:
   /// \param vpmap a writable property map from vertices to `bool`: set for each vertex that got a place; untouched on
   /// an error
   ///
-  /// \return `OK`; an error of `Mesh_component` or of the method; `ERROR_WRONG_PARAMETER` if the method fixed a vertex
-  ///         at a place that is not finite, if `uvmap` cannot be read but must be, if the place of a constrained vertex
-  ///         is not finite, or if a weight is negative or not finite; `ERROR_NO_1_TO_1_MAPPING` if a vertex could not
-  ///         be inserted without a flip, because its neighbors lie too close together for doubles, if a constrained
-  ///         vertex could not be brought to its place without a flip, or if there are flips and the `Flip_policy` is
-  ///         `FAIL`; `ERROR_STOPPED` if the visitor stopped the run. The `summary` names a constrained vertex that is
+  /// \return `OK`; an error of `Mesh_component::error()`; the error of the method; `ERROR_WRONG_PARAMETER`, also if an
+  ///         option is out of range, if the method fixed a vertex at coordinates that are not finite, if `uvmap` cannot
+  ///         be read but must be, if the uv coordinates of a constrained vertex are not finite, if a weight is negative
+  ///         or not finite, or if the result is not finite in the number type of `uvmap`; `ERROR_NO_1_TO_1_MAPPING` if
+  ///         a vertex could not be inserted without a flip, because its neighbors lie too close together for doubles,
+  ///         if a constrained vertex could not be brought to its uv coordinates without a flip, or if there are flips
+  ///         and the `Flip_policy` is `FAIL`; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; `ERROR_BORDER_TOO_SHORT` or
+  ///         `ERROR_NON_CONVEX_BORDER` if the border cannot be placed; `ERROR_STOPPED` if a visitor stopped the run.
+  ///         \ref hp_rejected_inputs "Rejected inputs" has all causes. The `summary` names a constrained vertex that is
   ///         the cause, or the triangle whose corners contradict each other
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,

@@ -33,7 +33,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `Parameterizer_3`
 ///
 /// \tparam Method the derived class, a model of `RefinableParameterizer_3`
-/// \tparam TriangleMesh_ a model of `FaceListGraph` with an internal vertex point map
+/// \tparam TriangleMesh_ a mesh, see \ref hp_mesh "the requirements"
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 template <class Method, class TriangleMesh_, class ConcurrencyTag = Sequential_tag>
 class Refinable_parameterizer_base_3
@@ -60,7 +60,12 @@ public:
   /// \param vpmap a writable property map from vertices to `bool`: set for each vertex that got a place; untouched on
   /// an error
   ///
-  /// \return `OK`, or an error of `Mesh_component` or of the method
+  /// \return `OK`; an error of `Mesh_component::error()`; the error of the method; `ERROR_WRONG_PARAMETER`, also for an
+  ///         option that is out of range, a `uvmap` that cannot be read but must be, or coordinates that are not finite
+  ///         in the number type of `uvmap`; `ERROR_NO_1_TO_1_MAPPING` if no map without flips was found, or there are
+  ///         flips and the `Flip_policy` is `FAIL`; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; `ERROR_BORDER_TOO_SHORT` or
+  ///         `ERROR_NON_CONVEX_BORDER` if the border cannot be placed. \ref hp_rejected_inputs "Rejected inputs" has
+  ///         all causes
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
                           VertexParameterizedMap vpmap)

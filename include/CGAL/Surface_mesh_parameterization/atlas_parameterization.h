@@ -96,7 +96,7 @@ Atlas read_atlas(const TriangleMesh& mesh, EdgeSeamMap seams, const Atlas_option
 /// \tparam ConcurrencyTag `CGAL::Parallel_tag` cuts several components side by side, then lays out several charts, each
 ///         with the threads that are left, and needs `CGAL::TBB_support`; the result is the same
 ///
-/// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; it is only read
+/// \param mesh a triangulated surface, see \ref hp_mesh "the requirements"; it is only read
 /// \param uvmap a writable property map from halfedges to points of the plane. Untouched on an error, except that of a
 ///        chart: the corners of that chart are untouched, the others have their places. To tell them apart, fill the
 ///        map with coordinates that are not finite before, which is also what `IO::write_OBJ()` looks for, or, where

@@ -26,7 +26,8 @@ class Multigrid_solver_traits;
 /// \addtogroup PkgHierarchicalParameterizationTraits
 /// @{
 
-/// whether `Mesh` is a mesh that this package reads: a model of `FaceListGraph` with an internal vertex point map
+/// whether `Mesh` is a mesh that this package reads, see \ref hp_mesh "the requirements". The lists of vertices and
+/// faces, the descriptors, the traversal and the points are checked, dynamic properties are not
 template <class Mesh>
 constexpr bool is_triangle_mesh_v = internal::Mesh_check<Mesh>::value;
 

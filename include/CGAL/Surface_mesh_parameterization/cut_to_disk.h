@@ -127,7 +127,7 @@ Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_
 /// Sources: Erickson, Whittlesey, *Greedy optimal homotopy and homology generators*, 2005, for the handles, and Gu,
 /// Gortler, Hoppe, *Geometry images*, 2002, for the branches.
 ///
-/// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; it is only read
+/// \param mesh a triangulated surface, see \ref hp_mesh "the requirements"; it is only read
 /// \param seams a readable and writable property map from the edges of `mesh` to `bool`. What is `true` before is a
 ///        seam already, and stays one
 /// \param np an optional sequence of \ref hp_named_parameters "named parameters" among these:

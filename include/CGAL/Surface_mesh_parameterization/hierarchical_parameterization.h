@@ -34,17 +34,18 @@ namespace CGAL::Surface_mesh_parameterization {
 ///     mesh, uvmap, SMP::parameters::tolerance(1e-8));
 ///   if (!result.is_ok())
 ///     std::cerr << SMP::error_message(result.error) << '\n';
-/// \endcode
-/// The header of a method other than MIPS must be included.
-/// The outer border is the longest border of `mesh`, by the lengths of its edges. Of several components, the one with
-/// the outer border is parameterized.
+/// \endcode The header of a method other than MIPS must be included. `Iterative_authalic_parameterizer_3` always does
+/// 15 authalic iterations here; the named parameter `number_of_iterations` limits its linear solver. The outer border
+/// is the longest border of `mesh`, by the lengths of its edges. Of several components, the one with the outer border
+/// is parameterized.
 ///
 /// \tparam Method a class template of parameterizers. Its first argument is the mesh, and the others have defaults.
 ///         `Hierarchical_parameterizer_3` must take `Method<TriangleMesh>`. For other arguments write an alias:
 ///         `template <class M> using Mine = SMP::Edge_energy_parameterizer_3<M, My_weights>;`
 /// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, see `Hierarchical_parameterizer_3`
 ///
-/// \param mesh a triangulated surface with a border and without handles, which may be `const`; it is only read
+/// \param mesh a triangulated surface with a border and without handles, see \ref hp_mesh "the requirements"; it is
+///        only read, and may be `const`
 /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error. For LSCM and the
 ///        other methods of CGAL that solve linear systems it must be readable, too
 /// \param np an optional sequence of \ref hp_named_parameters "named parameters": those of `Method<TriangleMesh>` and
@@ -60,8 +61,13 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return what the run did: the error if there was one, whether the map converged, its energy, the levels, seconds.
-///         The error of a closed surface is `ERROR_NO_TOPOLOGICAL_DISC`
+/// \return what the run did: whether the map converged, its energy, the levels, seconds, and the error. Its code is
+///         `OK`; an error of `Mesh_component::error()`, that of a closed surface is `ERROR_NO_TOPOLOGICAL_DISC`;
+///         `ERROR_WRONG_PARAMETER`, also for an option that is out of range, a `uvmap` that cannot be read but must be,
+///         or coordinates that are not finite in the number type of `uvmap`; `ERROR_NO_1_TO_1_MAPPING` if no map
+///         without flips was found, or flips are an error; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; `ERROR_BORDER_TOO_SHORT`
+///         or `ERROR_NON_CONVEX_BORDER` if the border cannot be placed; `ERROR_STOPPED` if a visitor stopped the run.
+///         \ref hp_rejected_inputs "Rejected inputs" has all causes
 template <template <class...> class Method = MIPS_parameterizer_3, class ConcurrencyTag = Sequential_tag,
           class TriangleMesh, class VertexUVMap, class NamedParameters = parameters::Default_named_parameters>
 Parameterization_summary hierarchical_parameterization(TriangleMesh& mesh, VertexUVMap uvmap,

@@ -35,8 +35,9 @@ namespace CGAL::Surface_mesh_parameterization {
 /// 1e-6 of its longest edge is measured as if it had that height, as the methods take it.
 struct Parameterization_quality
 {
-  /// triangles that are not turned as most are, by exact predicates: flipped, degenerate, or with a coordinate that is
-  /// not finite
+  /// triangles whose orientation is not that of the majority, by exact predicates: flipped, degenerate, or with a
+  /// coordinate that is not finite. Unlike `Parameterization_summary::flips` it does not count vertices around which
+  /// positive triangles wind more than once: these show in `overlaps`
   std::size_t flips = 0;
   std::size_t degenerate = 0;   ///< those of them whose corners lie on a line
   std::size_t overlaps = 0;     ///< pairs of triangles whose interiors meet, by exact predicates; if more than 100
@@ -208,10 +209,15 @@ bool is_map_one_to_one(const TriangleMesh& mesh, const FaceRange& face_range, Ve
 ///
 /// measures the map of some faces.
 ///
-/// \param mesh a triangle mesh, a model of `FaceListGraph` with an internal vertex point map
-/// \param face_range the faces to measure, at least one; of a mesh with several components, for instance those of
-///        `Mesh_component::faces_of_component()`. A face that is no triangle counts as a flip
+/// \tparam TriangleMesh a mesh, see \ref hp_mesh "the requirements"
+///
+/// \param mesh the mesh
+/// \param face_range the faces to measure, each once, in a range that can be run through several times; of a mesh with
+///        several components, for instance those of `Mesh_component::faces_of_component()`. A face that is no triangle
+///        counts as a flip
 /// \param uvmap a readable property map from vertices to points of the plane
+///
+/// \return the measures; all are 0 if the range is empty
 template <class TriangleMesh, class FaceRange, class VertexUVMap>
 Parameterization_quality parameterization_quality(const TriangleMesh& mesh, const FaceRange& face_range,
                                                   VertexUVMap uvmap)
@@ -236,6 +242,11 @@ Parameterization_quality parameterization_quality(const TriangleMesh& mesh, cons
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
 /// measures the map of all faces of a mesh.
+///
+/// \param mesh the mesh, as above
+/// \param uvmap a readable property map from vertices to points of the plane
+///
+/// \return the measures
 template <class TriangleMesh, class VertexUVMap>
 Parameterization_quality parameterization_quality(const TriangleMesh& mesh, VertexUVMap uvmap)
 {

@@ -134,7 +134,7 @@ namespace IO {
 /// a point on the seam has several.
 ///
 /// \param os the stream
-/// \param mesh a model of `FaceListGraph` with an internal vertex point map
+/// \param mesh a mesh, see \ref hp_mesh "the requirements"
 /// \param uvmap a readable property map from vertices to points of the plane
 /// \param vpmap a readable property map from vertices to `bool`: which vertices have a place in the plane. A face with
 ///        another vertex is written without texture coordinates
@@ -159,7 +159,7 @@ bool write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, Ve
 /// that have the same place share a `vt` line, and a vertex on a seam has several.
 ///
 /// \param os the stream
-/// \param mesh a model of `FaceListGraph` with an internal vertex point map
+/// \param mesh a mesh, see \ref hp_mesh "the requirements"
 /// \param uvmap a readable property map from halfedges to points of the plane: the place of the corner to which a
 ///        halfedge leads in its face. A face with a corner whose place is not finite is written without texture
 ///        coordinates. Or one from vertices: then all of them have a place
