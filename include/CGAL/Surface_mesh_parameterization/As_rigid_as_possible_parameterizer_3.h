@@ -69,7 +69,7 @@ public:
       internal::Place_constraint_names, typename Base::Flat_option_names>   Option_names;
   /// \endcond
 
-  /// whether vertices may be held at given places. A repair of flips that would have to move one gives way to a map
+  /// whether vertices may be constrained. A repair of flips that would have to move one gives way to a map
   /// without flips, see `refine_without_flips()`
   static constexpr bool holds_vertices = true;
 
@@ -164,8 +164,8 @@ public:
 
   /// improves a flip-free map of a level and keeps it flip-free. On the finest level, minimizes the energy, and flips
   /// are possible.
-  /// \return `OK`; `ERROR_NO_1_TO_1_MAPPING` if on the finest level a vertex could not be brought to the place that is
-  /// given; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if an option is negative or no number
+  /// \return `OK`; `ERROR_NO_1_TO_1_MAPPING` if on the finest level a vertex could not be brought to its uv
+  /// coordinates; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if an option is negative or no number
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     if (fault_of_options())
@@ -185,7 +185,7 @@ public:
 
   /// improves a flip-free map of the finest level and keeps it flip-free: for the sum of the energy and a hundredth of
   /// the symmetric Dirichlet energy; or, if lambda is 0, for the latter. This is the result where a repair of flips
-  /// would fail or move a vertex that is held; or leave little of the map, or raise the energy by more than a
+  /// would fail or move a constrained vertex; or leave little of the map, or raise the energy by more than a
   /// hundredth, and end at a higher energy. If the map had less energy before, it is the result as it was.
   /// \return `OK`; `ERROR_NO_1_TO_1_MAPPING` as refine(); `ERROR_STOPPED`
   Error_code refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) const

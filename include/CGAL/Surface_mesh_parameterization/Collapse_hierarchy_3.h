@@ -59,7 +59,7 @@ public:
 
   /// builds the hierarchy of a surface.
   ///
-  /// A vertex whose place in the plane is given stays on every level, unless it lies on the border between two others.
+  /// A vertex whose uv coordinates are given stays on every level, unless it lies on the border between two others.
   ///
   /// \param surface the surface; move it in to save memory. Precondition: all its indices are less than
   ///        `surface.points.size()`
@@ -164,18 +164,18 @@ public:
   }
   /// \endcond
 
-  /// whether a vertex stays on every level: because it is constrained, or because its place in the plane is given and
-  /// the coarse levels need it
+  /// whether a vertex stays on every level: because it is constrained, or because its uv coordinates are given and the
+  /// coarse levels need it
   bool is_pinned(Index v) const { return m_is_pinned[v]; }
 
-  /// whether the place of a vertex in the plane is given
+  /// whether the uv coordinates of a vertex are given
   bool is_fixed(Index v) const { return m_is_fixed[v]; }
 
-  /// the given place of a vertex, in the units of `point()`; found in logarithmic time.
+  /// the given uv coordinates of a vertex, in the units of `point()`; found in logarithmic time.
   /// \pre `is_fixed(v)`
   const Point_2& fixed_place(Index v) const;
 
-  /// the springs that pull vertices to places, with ranks as vertices, in ascending order
+  /// the springs that pull vertices to uv coordinates, with ranks as vertices, in ascending order
   const std::vector<Triangulated_surface_3::Spring>& springs() const { return m_springs; }
 
   /// \cond SKIP_IN_MANUAL
@@ -205,7 +205,7 @@ public:
   Index kept_vertex(Index v) const { return split(v).parent[0]; }
 
   /// the parent triangle (W0, Wi, Wi+1) of `v`, a triangle of the level without `v`. An ear, which is a border vertex
-  /// with one triangle, has no parent triangle: then the result holds its two neighbors, and the last two corners are
+  /// with one triangle, has no parent triangle: then the result has its two neighbors, and the last two corners are
   /// equal
   const Triangle& parent_triangle(Index v) const { return split(v).parent; }
 

@@ -53,10 +53,10 @@ namespace CGAL::Surface_mesh_parameterization {
 /// also if it has not converged and is above 1.01 times the bound, unless a `number_of_iterations` below 100 ended it.
 /// With more, another start needs less energy than the result. With constrained vertices there is one start.
 ///
-/// If an energy of one's own is not finite where a level starts, symmetric Dirichlet energy is minimized first.
+/// If a custom energy is not finite where a level starts, symmetric Dirichlet energy is minimized first.
 ///
-/// The minimum may need scales that differ by more than doubles can hold, so that no hierarchy leads to the finest
-/// level. Then a small part of the symmetric Dirichlet energy is added, and the result counts as not converged.
+/// The minimizer may need scales that differ by more than doubles can represent, so that no hierarchy leads to the
+/// finest level. Then a small part of the symmetric Dirichlet energy is added, and the result counts as not converged.
 ///
 /// A triangle whose height is less than 1e-6 of its longest edge is treated as if it had that height. An edge without
 /// length counts as 1e-4 of the other two, and a triangle whose corners coincide as an equilateral one, of edges about
@@ -82,7 +82,7 @@ public:
   /// whether the results have no flips
   static constexpr bool is_result_flip_free = true;
 
-  /// whether vertices may be held at given places
+  /// whether vertices may be constrained
   static constexpr bool holds_vertices = true;
 
   /// \cond SKIP_IN_MANUAL
@@ -119,9 +119,9 @@ public:
   { }
 
   /// the map of less energy among Tutte's, scaled to the surface's area, and the unfolded level, if that is a map. In
-  /// a flat run whose outer border is held, Tutte's map with that at its places, if it has no flip.
+  /// a flat run whose outer border is constrained, Tutte's map with that border, if it has no flip.
   /// \return `OK`, or if the unfolded level is no map: `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING`
-  /// if Tutte's map, computed in doubles, has a flip; `ERROR_WRONG_PARAMETER` if an option makes no sense
+  /// if Tutte's map, computed in doubles, has a flip; `ERROR_WRONG_PARAMETER` if an option is out of range
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
     if (!m_options.are_valid())
@@ -132,8 +132,8 @@ public:
 
   /// improves a flip-free map of a level and keeps it flip-free.
   /// \return `OK`, or `ERROR_NO_1_TO_1_MAPPING` if `globally_injective` is true and the borders could not be
-  ///         separated, or if on the finest level the energy is not finite or a vertex could not be brought to the
-  ///         place that is given; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if an option makes no sense
+  ///         separated, or if on the finest level the energy is not finite or a vertex could not be brought to its
+  ///         uv coordinates; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if an option is out of range
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     if (!m_options.are_valid())
@@ -156,7 +156,7 @@ public:
     return energy(uv) / energy.unit();
   }
 
-  /// bounds the scale of the map from now on. The energy of the result is then slightly above the minimum.
+  /// bounds the scale of the map from now on. The energy of the result is then slightly above the least energy.
   /// \return whether the scale was not bounded before
   bool leave_room() { return Energy::is_scale_invariant && !std::exchange(m_bounds_scale, true); }
 

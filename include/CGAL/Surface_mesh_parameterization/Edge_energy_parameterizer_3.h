@@ -32,7 +32,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// symmetric, there is no such energy, and the weighted means define the map.
 ///
 /// If no weight is negative and the border is convex, the converged map is one-to-one (Tutte, Floater), within the
-/// precision of doubles. `parameterization_quality()` tells whether it is. Holes become convex, because their borders
+/// precision of doubles. `parameterization_quality()` reports whether it is. Holes become convex, because their borders
 /// are free. An ear, a vertex with one triangle, on the border of a hole then lies on the line between its neighbors.
 /// The same can happen to an ear on a straight side of the outer border.
 ///

@@ -27,7 +27,7 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   fine, level by level, see `Nested_iteration_parameterizer_3`.
 /// - A model of `RebindableParameterizer_3` solves linear systems, as most of CGAL's parameterizers do. It runs once,
 ///   on the finest level, and `Multigrid_solver_traits` replaces its solver, where that is faster. The map is the same
-///   as without this class, but for the repair of flips, and where the solver of `Parameterizer` tells success with a
+///   as without this class, but for the repair of flips, and where the solver of `Parameterizer` reports success with a
 ///   residual above the tolerance.
 /// - In place of CGAL's `ARAP_parameterizer_3`, `As_rigid_as_possible_parameterizer_3` runs level by level. It
 ///   minimizes the same energy.
@@ -103,7 +103,7 @@ public:
   /// `ARAP_parameterizer_3`
   typedef typename Parameterizer::Border_parameterizer   Border_parameterizer;
 
-  /// the solver that takes the place of that of `Parameterizer`; only where there is one
+  /// the solver that replaces that of `Parameterizer`; only where there is one
   typedef Multigrid_solver_traits   Solver_traits;
 
   /// \name Constructors for a model of RefinableParameterizer_3
@@ -182,10 +182,10 @@ public:
   ///        parameterizer whose own `parameterize()` takes a mesh that is not `const`, too
   /// \param bhd a halfedge on the outer border of `mesh`
   /// \param uvmap a writable property map from vertices to points of the plane. A model of `RebindableParameterizer_3`
-  ///        also reads the places of the vertices for which `vpmap` is `true`. Untouched on an error
+  ///        also reads the uv coordinates of the vertices for which `vpmap` is `true`. Untouched on an error
   /// \param vimap not used: vertices get indices of the package's own
-  /// \param vpmap a readable and writable property map from vertices to `bool`: set for each vertex that got a place.
-  ///        Untouched on an error
+  /// \param vpmap a readable and writable property map from vertices to `bool`: set for each vertex that got uv
+  ///        coordinates. Untouched on an error
   /// \param others what `Parameterizer::parameterize()` takes besides, as the number of iterations of
   ///        `Iterative_authalic_parameterizer_3`; none for a model of `RefinableParameterizer_3`
   ///
@@ -233,10 +233,10 @@ public:
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap,
                           VertexUVMap uvmap, VertexIndexMap vimap) const;
 
-  /// tells by exact predicates whether the map of a component is one-to-one: whether its triangles are turned the same
-  /// way, all to the left or all to the right, no two of them overlap, and its borders meet neither themselves nor each
-  /// other. No map is one-to-one if it has a triangle without area or a place that is not finite, or if
-  /// `Mesh_component` rejects the surface.
+  /// decides by exact predicates whether the map of a component is one-to-one: whether its triangles are all positive
+  /// or all negative, no two of them overlap, and its borders meet neither themselves nor each other. No map is
+  /// one-to-one if it has a triangle without area or coordinates that are not finite, or if `Mesh_component` rejects
+  /// the surface.
   ///
   /// \param mesh the surface; only read
   /// \param bhd a halfedge on a border of the component
@@ -244,7 +244,7 @@ public:
   template <class VertexUVMap>
   bool is_one_to_one_mapping(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap) const;
 
-  /// tells the same of the map of some faces.
+  /// decides the same for the map of some faces.
   ///
   /// \param face_range the faces, each once, in a range that can be run through several times; one that is no triangle
   ///        has no one-to-one map

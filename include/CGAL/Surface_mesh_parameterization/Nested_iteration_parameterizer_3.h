@@ -31,9 +31,10 @@ namespace CGAL::Surface_mesh_parameterization {
 /// and lets a method parameterize the coarsest level. For each finer level it inserts the new vertices, and the method
 /// refines the map from there.
 ///
-/// If the method is flip-free, insertion creates no flips: a vertex goes to its stored barycentric place or into the
-/// kernel of its star polygon, tested by exact predicates. If not, a vertex goes to its stored place, as in the paper,
-/// or to the place at which the method has fixed it. The same input, options and seed give the same result.
+/// If the method is flip-free, insertion creates no flips: a vertex goes to its stored barycentric coordinates or into
+/// the kernel of its star polygon, tested by exact predicates. If not, a vertex goes to its stored coordinates, as in
+/// the paper, or to the uv coordinates at which the method has fixed it. The same input, options and seed give the same
+/// result.
 ///
 /// \cgalModels `Parameterizer_3`
 ///
@@ -171,8 +172,8 @@ public:
   /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
   /// \param bhd a halfedge on the outer border of `mesh`
   /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
-  /// \param vpmap a writable property map from vertices to `bool`: set for each vertex that got a place; untouched on
-  /// an error
+  /// \param vpmap a writable property map from vertices to `bool`: set for each vertex that got uv coordinates;
+  /// untouched on an error
   ///
   /// \return `OK`; an error of `Mesh_component::error()`; the error of the method; `ERROR_WRONG_PARAMETER`, also if an
   ///         option is out of range, if the method fixed a vertex at coordinates that are not finite, if `uvmap` cannot

@@ -61,7 +61,7 @@ public:
     return m_fan_faces[v - coarsest_vertices];
   }
 
-  /// undoes one collapse: brings back the missing vertex with the least rank.
+  /// undoes one collapse: brings back the missing vertex with the minimum rank.
   /// \pre `number_of_vertices() < hierarchy().number_of_vertices()`
   void split_vertex()
   {
@@ -73,7 +73,7 @@ public:
       m_triangles.push_back(m_hierarchy->last_triangle(f));
   }
 
-  /// collapses the vertex with the greatest rank.
+  /// collapses the vertex with the maximum rank.
   /// \pre `number_of_vertices() > hierarchy().number_of_vertices(0)`
   void collapse_vertex()
   {

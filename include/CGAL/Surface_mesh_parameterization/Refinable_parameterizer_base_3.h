@@ -24,7 +24,7 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// A base class that turns a model of `RefinableParameterizer_3` into a model of `Parameterizer_3`. Its
+/// A base class that makes a model of `RefinableParameterizer_3` a model of `Parameterizer_3`. Its
 /// `parameterize()` runs the method *flat*, on a hierarchy whose only level is the input. If a flip-free method finds
 /// no first map of the input without a flip, the hierarchy gets coarser levels, as few as possible. A method derives
 /// from it: `class My_parameterizer_3 : public Refinable_parameterizer_base_3<My_parameterizer_3<Mesh>, Mesh>`. A
@@ -57,8 +57,8 @@ public:
   /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
   /// \param bhd a halfedge on the outer border of `mesh`
   /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
-  /// \param vpmap a writable property map from vertices to `bool`: set for each vertex that got a place; untouched on
-  /// an error
+  /// \param vpmap a writable property map from vertices to `bool`: set for each vertex that got uv coordinates;
+  /// untouched on an error
   ///
   /// \return `OK`; an error of `Mesh_component::error()`; the error of the method; `ERROR_WRONG_PARAMETER`, also for an
   ///         option that is out of range, a `uvmap` that cannot be read but must be, or coordinates that are not finite

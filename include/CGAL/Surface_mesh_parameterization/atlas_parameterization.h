@@ -75,32 +75,33 @@ Atlas read_atlas(const TriangleMesh& mesh, EdgeSeamMap seams, const Atlas_option
 
 /// \ingroup PkgHierarchicalParameterizationAtlas
 ///
-/// lays a whole surface in the plane: any number of components, closed or not, with any number of handles. Cuts what
+/// maps a whole surface to the plane: any number of components, closed or not, with any number of handles. Cuts what
 /// must be cut (`cut_to_disk()`), parameterizes every chart (`hierarchical_parameterization()`), scales it to its area
 /// in space, and packs all charts (`pack_charts()`).
 /// \code
 ///   auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
 ///   auto result = SMP::atlas_parameterization(mesh, uv);
 /// \endcode
-/// The place of a corner belongs to the halfedge that leads to it in its face, so that the mesh need not be cut. The
-/// corners at a vertex have several places if the vertex lies on a seam. Halfedges on a border get none.
+/// The uv coordinates of a corner belong to the halfedge that leads to it in its face, so that the mesh need
+/// not be cut. The corners at a vertex have several uv coordinates if the vertex lies on a seam. Halfedges on a border
+/// get none.
 ///
 /// A method that knows the named parameter `globally_injective` gets the value `true` unless the caller gives another
-/// one: then no two triangles of the atlas overlap. A chart that would lie over itself far, or whose borders could not
-/// be kept apart, is divided, and its parts are laid out instead, with any method whose map of it has no flips.
+/// one: then no two triangles of the atlas overlap. A chart that would overlap itself far, or whose borders could not
+/// be kept apart, is divided, and its parts are parameterized instead, with any method whose map of it has no flips.
 ///
 /// Source of the cut that divides a chart: Boykov, Kolmogorov, *An experimental comparison of min-cut/max-flow
 /// algorithms for energy minimization in vision*, 2004.
 ///
 /// \tparam Method a class template of parameterizers, as of `hierarchical_parameterization()`
-/// \tparam ConcurrencyTag `CGAL::Parallel_tag` cuts several components side by side, then lays out several charts, each
-///         with the threads that are left, and needs `CGAL::TBB_support`; the result is the same
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` cuts several components side by side, then parameterizes several charts,
+///         each with the threads that are left, and needs `CGAL::TBB_support`; the result is the same
 ///
 /// \param mesh a triangulated surface, see \ref hp_mesh "the requirements"; it is only read
 /// \param uvmap a writable property map from halfedges to points of the plane. Untouched on an error, except that of a
-///        chart: the corners of that chart are untouched, the others have their places. To tell them apart, fill the
-///        map with coordinates that are not finite before, which is also what `IO::write_OBJ()` looks for, or, where
-///        coordinates cannot be so, as exact ones, ask `chart_of_face`
+///        chart: the corners of that chart are untouched, the others have their uv coordinates. To distinguish them,
+///        fill the map with coordinates that are not finite before, which is also what `IO::write_OBJ()` looks for, or,
+///        where coordinates cannot be so, as exact ones, ask `chart_of_face`
 /// \param np an optional sequence of \ref hp_named_parameters "named parameters": those of `cut_to_disk()` and of
 ///        `pack_charts()`, and
 ///

@@ -13,7 +13,7 @@
 #include <type_traits>
 
 /// \file concepts.h
-/// Tells at compile time whether a type meets the requirements of a concept. The classes and functions of the package
+/// Decides at compile time whether a type meets the requirements of a concept. The classes and functions of the package
 /// assert this by themselves. With C++20 there is also a concept of the name of each requirement:
 /// `template <DistortionEnergy_2 Energy>`.
 

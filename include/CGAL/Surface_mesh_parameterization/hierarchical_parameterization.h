@@ -34,7 +34,8 @@ namespace CGAL::Surface_mesh_parameterization {
 ///     mesh, uvmap, SMP::parameters::tolerance(1e-8));
 ///   if (!result.is_ok())
 ///     std::cerr << SMP::error_message(result.error) << '\n';
-/// \endcode The header of a method other than MIPS must be included. `Iterative_authalic_parameterizer_3` always does
+/// \endcode
+/// The header of a method other than MIPS must be included. `Iterative_authalic_parameterizer_3` always does
 /// 15 authalic iterations here; the named parameter `number_of_iterations` limits its linear solver. The outer border
 /// is the longest border of `mesh`, by the lengths of its edges. Of several components, the one with the outer border
 /// is parameterized.

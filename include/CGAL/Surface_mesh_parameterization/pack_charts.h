@@ -79,16 +79,17 @@ Error_code write_corners(const TriangleMesh& mesh, const Atlas& atlas, const std
 
 /// \ingroup PkgHierarchicalParameterizationAtlas
 ///
-/// moves, turns and scales the charts of a map, all by the same factor, so that they lie in the unit square without
-/// touching. A chart is a piece of the surface whose triangles have the same places at the edges that they share.
-/// Charts are placed by their shapes, not by boxes around them; smaller ones go into the gaps that larger ones leave.
+/// moves, rotates and scales the charts of a map, all by the same factor, so that they lie in the unit square without
+/// touching. A chart is a piece of the surface whose triangles have the same uv coordinates at the edges that they
+/// share. Charts are packed by their shapes, not by boxes around them; smaller ones go into the gaps that larger ones
+/// leave.
 ///
 /// \param mesh a triangulated surface, see \ref hp_mesh "the requirements"; it is only read. Of a `Seam_mesh`, the mesh
 ///        that it cuts
-/// \param uvmap a readable and writable property map from halfedges to points of the plane: the place of the corner to
-///        which a halfedge leads in its face, as `atlas_parameterization()` writes it; a map of a `Seam_mesh` has to be
-///        copied to all corners, see `cut_to_disk()`. Untouched on an error. A chart without flips, which may be
-///        mirrored, gets none by rounding
+/// \param uvmap a readable and writable property map from halfedges to points of the plane: the uv coordinates of the
+///        corner to which a halfedge leads in its face, as `atlas_parameterization()` writes it; a map of a `Seam_mesh`
+///        has to be copied to all corners, see `cut_to_disk()`. Untouched on an error. A chart without flips, which may
+///        be mirrored, gets none by rounding
 /// \param np an optional sequence of \ref hp_named_parameters "named parameters" among these:
 ///
 /// \cgalNamedParamsBegin

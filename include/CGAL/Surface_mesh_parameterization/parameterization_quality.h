@@ -44,12 +44,12 @@ struct Parameterization_quality
                                 ///< million pairs are near each other, those among the first 100 million
   bool is_mirrored = false;     ///< whether most triangles are negative, that is, clockwise
   double mips = 0;              ///< sum over the triangles of `s1/s2 + s2/s1`
-  double mips_excess = 0;       ///< `mips` less its minimum, which is 2 per triangle
+  double mips_excess = 0;       ///< `mips` less its lower bound, which is 2 per triangle
   /// mean over the surface's area of `s1^2 + s2^2 + 1/s1^2 + 1/s2^2`, after the best uniform scaling; at least 4
   double symmetric_dirichlet = 0;
   double l2_stretch = 0;        ///< root mean square stretch (Sander et al. 2001), after scaling to equal areas; at
                                 ///< least 1
-  double linf_stretch = 0;      ///< greatest stretch (Sander et al. 2001), after scaling to equal areas; at least 1
+  double linf_stretch = 0;      ///< maximum stretch (Sander et al. 2001), after scaling to equal areas; at least 1
   double angle = 0;             ///< mean over the area of `(s1/s2 + s2/s1) / 2`; at least 1, for a conformal map
   double area = 0;              ///< mean over the area of `(r + 1/r) / 2`, with `r = s1 s2` after scaling to equal
                                 ///< areas; at least 1

@@ -59,9 +59,9 @@ void settle_flips_of_component(Mesh_component<TriangleMesh>& component, VertexUV
 /// finds the flips of a map from any parameterizer, by exact predicates, and treats them as `policy` says. A map that
 /// is mirrored as a whole has none.
 ///
-/// A repair gives new places to the vertices of small patches around the flips. Where that is not enough, it goes to
-/// the finest level of a hierarchy on which the map has no flip, and inserts the vertices again from there, each at its
-/// old place if its triangles are positive then, and otherwise near it.
+/// A repair gives new uv coordinates to the vertices of small patches around the flips. Where that is not enough, it
+/// goes to the finest level of a hierarchy on which the map has no flip, and inserts the vertices again from there,
+/// each at its old uv coordinates if its triangles are positive then, and otherwise near it.
 ///
 /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
 /// \param bhd a halfedge on the outer border of the component that has the map

@@ -153,10 +153,10 @@ namespace IO {
 /// \param os the stream
 /// \param mesh a mesh of triangles, see \ref hp_mesh "the requirements"
 /// \param face_range the faces to draw. A triangle that is mirrored has the color of its mirror image. What is no
-///        triangle, or has a place that is not finite, is left out
-/// \param uvmap a readable property map from vertices to points of the plane, or from halfedges: then it has the place
-///        of the corner to which a halfedge leads in its face, as `atlas_parameterization()` makes it
-/// \return whether writing succeeded, which the state of the stream tells as well
+///        triangle, or has coordinates that are not finite, is left out
+/// \param uvmap a readable property map from vertices to points of the plane, or from halfedges: then it has the uv
+///        coordinates of the corner to which a halfedge leads in its face, as `atlas_parameterization()` makes it
+/// \return whether writing succeeded, which the state of the stream shows as well
 template <class TriangleMesh, class FaceRange, class UVMap>
 bool write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face_range, UVMap uvmap)
 {
@@ -180,7 +180,7 @@ bool write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face
 
 /// \ingroup PkgHierarchicalParameterizationIO
 ///
-/// draws all faces of a mesh whose places are finite.
+/// draws all faces of a mesh whose uv coordinates are finite.
 ///
 /// \param os the stream
 /// \param mesh a mesh of triangles, see \ref hp_mesh "the requirements"
