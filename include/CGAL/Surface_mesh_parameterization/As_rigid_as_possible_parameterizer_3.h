@@ -99,9 +99,9 @@ public:
   ///     \cgalParamDefault{200}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{optimizer, number_of_local_steps, random_seed}
-  ///     \cgalParamDescription{see `Refinement_options`}
-  ///     \cgalParamType{those of the members}
-  ///     \cgalParamDefault{those of the members}
+  ///     \cgalParamDescription{see the members of `Refinement_options`}
+  ///     \cgalParamType{`Optimizer`; an integer or floating-point number, at least 0, may be infinite; `unsigned int`}
+  ///     \cgalParamDefault{`Optimizer::NEWTON`; 0; 0}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{flip_policy}
   ///     \cgalParamDescription{the treatment of flips in a flat run}

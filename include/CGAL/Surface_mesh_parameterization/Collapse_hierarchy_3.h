@@ -118,10 +118,12 @@ public:
   /// number of levels, at least 1; level 0 is the coarsest, the last one is the input
   std::size_t number_of_levels() const { return m_vertices.level_vertices.size(); }
 
-  /// number of vertices of a level: their ranks are the numbers below it
+  /// number of vertices of a level: their ranks are the numbers below it.
+  /// \pre `level < number_of_levels()`
   std::size_t number_of_vertices(std::size_t level) const { return m_vertices.level_vertices[level]; }
 
-  /// number of triangles of a level: their ranks are the numbers below it
+  /// number of triangles of a level: their ranks are the numbers below it.
+  /// \pre `level < number_of_levels()`
   std::size_t number_of_faces(std::size_t level) const
   {
     return m_faces.first_face[number_of_vertices(level) - number_of_vertices(0) + 1];
@@ -140,7 +142,8 @@ public:
   /// \name Vertices and faces, by rank
   /// @{
 
-  /// the point of a vertex, as it was given in `surface`; the same on every level
+  /// the point of a vertex, as it was given in `surface`; the same on every level.
+  /// \pre `v < number_of_vertices()`
   const Point_3& point(Index v) const { return m_points[v]; }
 
   /// \cond SKIP_IN_MANUAL
@@ -165,14 +168,16 @@ public:
   /// \endcond
 
   /// whether a vertex stays on every level: because it is constrained, or because its uv coordinates are given and the
-  /// coarse levels need it
+  /// coarse levels need it.
+  /// \pre `v < number_of_vertices()`
   bool is_pinned(Index v) const { return m_is_pinned[v]; }
 
-  /// whether the uv coordinates of a vertex are given
+  /// whether the uv coordinates of a vertex are given.
+  /// \pre `v < number_of_vertices()`
   bool is_fixed(Index v) const { return m_is_fixed[v]; }
 
   /// the given uv coordinates of a vertex, in the units of `point()`; found in logarithmic time.
-  /// \pre `is_fixed(v)`
+  /// \pre `v < number_of_vertices() && is_fixed(v)`
   const Point_2& fixed_place(Index v) const;
 
   /// the springs that pull vertices to uv coordinates, with ranks as vertices, in ascending order
@@ -183,17 +188,22 @@ public:
   const std::vector<std::pair<Index, Point_2>>& fixed_places() const { return m_fixed_places; }
   /// \endcond
 
-  /// whether a vertex lies on the outer border. Any other border vertex lies on the border of a hole
+  /// whether a vertex lies on the outer border. Any other border vertex lies on the border of a hole.
+  /// \pre `v < number_of_vertices()`
   bool is_on_outer_border(Index v) const { return m_is_on_outer_border[v]; }
 
-  /// index of a vertex in the array of points that the hierarchy was built from
+  /// index of a vertex in the array of points that the hierarchy was built from.
+  /// \pre `v < number_of_vertices()`
   Index input_vertex(Index v) const { return m_vertices.input_vertex[v]; }
 
-  /// index of a face in the array of triangles that the hierarchy was built from
+  /// index of a face in the array of triangles that the hierarchy was built from.
+  /// \pre `f < number_of_faces()`
   Index input_face(Index f) const { return m_faces.input_face[f]; }
 
   /// the corners of a face just before a collapse removes it, counter-clockwise from any one; for a face of level 0,
-  /// its corners on that level. Found by following its corners down the hierarchy
+  /// its corners on that level. The time grows with the logarithm of the number of vertices, and with the number of
+  /// levels down which the corners are followed.
+  /// \pre `f < number_of_faces()`
   Triangle last_triangle(Index f) const;
 
   /// @}
@@ -201,22 +211,26 @@ public:
   /// The following take the rank of a vertex that is not on level 0.
   /// @{
 
-  /// the vertex that `v` collapsed onto
+  /// the vertex that `v` collapsed onto, in constant time like those below.
+  /// \pre `number_of_vertices(0) <= v && v < number_of_vertices()`
   Index kept_vertex(Index v) const { return split(v).parent[0]; }
 
   /// the parent triangle (W0, Wi, Wi+1) of `v`, a triangle of the level without `v`. An ear, which is a border vertex
   /// with one triangle, has no parent triangle: then the result has its two neighbors, and the last two corners are
-  /// equal
+  /// equal.
+  /// \pre `number_of_vertices(0) <= v && v < number_of_vertices()`
   const Triangle& parent_triangle(Index v) const { return split(v).parent; }
 
-  /// the barycentric coordinates of `v` in its parent triangle; not negative, their sum is 1
+  /// the barycentric coordinates of `v` in its parent triangle; not negative, their sum is 1.
+  /// \pre `number_of_vertices(0) <= v && v < number_of_vertices()`
   std::array<double, 3> barycentric_coordinates(Index v) const
   {
     const std::array<double, 2>& c = split(v).coordinates;
     return { (std::max)(0., 1 - c[0] - c[1]), c[0], c[1] };
   }
 
-  /// the faces that vanish with `v`, as a range of ranks [first, second): two, or one if `v` lies on the border
+  /// the faces that vanish with `v`, as a range of ranks [first, second): two, or one if `v` lies on the border.
+  /// \pre `number_of_vertices(0) <= v && v < number_of_vertices()`
   std::pair<Index, Index> removed_faces(Index v) const
   {
     return { m_faces.first_face[split_index(v) + 1], m_faces.first_face[split_index(v) + 2] };
@@ -228,8 +242,8 @@ public:
 
   /// the prolongation from a coarse to a fine level: a sparse matrix with `number_of_vertices(fine)` rows and
   /// `number_of_vertices(coarse)` columns. Its rows are barycentric coordinates: they are not negative and sum to 1.
-  /// The rows of the vertices of the coarse level are those of the identity. The transpose is the restriction. Include
-  /// `<Eigen/SparseCore>` before calling it.
+  /// The rows of the vertices of the coarse level are those of the identity. The transpose is the restriction. Time
+  /// and memory grow with the number of entries. Include `<Eigen/SparseCore>` before calling it.
   ///
   /// \pre `coarse <= fine < number_of_levels()`
   Prolongation prolongation(std::size_t coarse, std::size_t fine) const;

@@ -47,11 +47,12 @@ namespace CGAL::Surface_mesh_parameterization {
 /// of less energy. If neither is a map in doubles, it starts from the result on a level that is coarse enough. With
 /// `Hierarchical_parameterizer_3` it starts from the result of a coarse level, which is much faster on large meshes.
 /// If a run with the adaptor has a bad result on the finest level, it starts there once more as without the adaptor. If
-/// the energy is still high, and depends on scale, a run with or without the adaptor starts from the same map at the
-/// scale of least energy. The best result counts. A *high* energy is above twice the lower bound, or four times with
-/// more than 5,000 vertices. A result is *bad* if its energy is high, or if there is none; with up to 5,000 vertices
-/// also if it has not converged and is above 1.01 times the bound, unless a `number_of_iterations` below 100 ended it.
-/// With more, another start needs less energy than the result. With constrained vertices there is one start.
+/// there is still no map, or the energy is high, and depends on scale, a run with or without the adaptor starts from
+/// the same map at the scale of least energy. The best result counts. A *high* energy is above twice the lower bound,
+/// or four times with more than 5,000 vertices. A result is *bad* if there is no map, or, without
+/// `number_of_local_steps`, if its energy is high; with up to 5,000 vertices also if it has not converged and is above
+/// 1.01 times the bound, unless a `number_of_iterations` below 100 ended it. With more, another start needs less energy
+/// than the result. With constrained vertices there is one start.
 ///
 /// If a custom energy is not finite where a level starts, symmetric Dirichlet energy is minimized first.
 ///
@@ -60,16 +61,14 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// A triangle whose height is less than 1e-6 of its longest edge is treated as if it had that height. An edge without
 /// length counts as 1e-4 of the other two, and a triangle whose corners coincide as an equilateral one, of edges about
-/// 1e-4 of the surface's size: a part of the surface may be a point. Pinned vertices of a hierarchy may move in the
-/// plane.
+/// 1e-4 of the surface's size: a part of the surface may be a point. Pinned vertices may move in the plane.
 ///
 /// \cgalModels `Parameterizer_3`
 /// \cgalModels `RefinableParameterizer_3`
 ///
 /// \tparam TriangleMesh_ a mesh, see \ref hp_mesh "the requirements"
 /// \tparam Energy_ a model of `DistortionEnergy_2` that keeps triangles positive
-/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result
-/// is the same for every number of threads
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads of TBB (`CGAL::TBB_support`); the result is the same
 template <class TriangleMesh_, class Energy_, class ConcurrencyTag = Sequential_tag>
 class Distortion_parameterizer_3
   : public Refinable_parameterizer_base_3<Distortion_parameterizer_3<TriangleMesh_, Energy_, ConcurrencyTag>,

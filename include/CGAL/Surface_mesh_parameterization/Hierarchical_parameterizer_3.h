@@ -164,7 +164,7 @@ public:
   ///        class counts local/global iterations, 50 if left out
   /// \param tolerance the named parameter `tolerance`, relative to the excess of the energy over its lower bound; 1e-6
   ///        if left out. A negative one is `ERROR_WRONG_PARAMETER`: where CGAL's class is given 0 or less, to run all
-  ///        iterations, give 0
+  ///        iterations, give 0, with which a run goes on to the accuracy of doubles
   /// \param np as above
   template <class BorderParameterizer, class NamedParameters = parameters::Default_named_parameters>
   explicit Hierarchical_parameterizer_3(const BorderParameterizer& border_parameterizer, double lambda,
@@ -209,8 +209,8 @@ public:
   Error_code parameterize(const Triangle_mesh& mesh, VertexUVMap uvmap);
 
   /// does the same with a number of iterations, at least 1: 0 is `ERROR_WRONG_PARAMETER`. Exists for a parameterizer
-  /// that takes one, such as `Iterative_authalic_parameterizer_3`, which does 15 authalic iterations with the calls
-  /// above. The named parameter `number_of_iterations` limits the linear solver, not these
+  /// that takes one, such as `Iterative_authalic_parameterizer_3`, which does at most 15 authalic iterations with
+  /// the calls above. The named parameter `number_of_iterations` limits the linear solver, not these
   template <class VertexUVMap>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap,
                           unsigned int iterations);

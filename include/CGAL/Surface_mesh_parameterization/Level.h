@@ -79,7 +79,8 @@ public:
   }
   /// \endcond
 
-  /// becomes another level of the hierarchy.
+  /// becomes another level of the hierarchy, in a time that grows with the number of triangles of that level, times the
+  /// number of levels above it, since the corners of each triangle are followed down from the finest one.
   /// \pre `index < hierarchy().number_of_levels()`
   void go_to(std::size_t index);
 

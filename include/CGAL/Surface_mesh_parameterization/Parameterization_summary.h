@@ -34,7 +34,8 @@ struct Parameterization_error
   Error_code code = OK;       ///< `OK` if nothing went wrong
   Place place = NOWHERE;      ///< whether the error lies at a vertex, at a face, or at no particular place
   std::size_t index = 0;      ///< the position of that vertex or face in `vertices(mesh)` or `faces(mesh)`, from 0
-  const char* cause = nullptr;      ///< what is wrong, in words, where the code can mean many things; else null
+  const char* cause = nullptr;      ///< what is wrong, in words, where the code can mean many things; else null. A
+                                    ///< string literal: it stays valid, and nobody frees it
 };
 
 /// \ingroup PkgHierarchicalParameterizationRef

@@ -35,10 +35,10 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   if (!result.is_ok())
 ///     std::cerr << SMP::error_message(result.error) << '\n';
 /// \endcode
-/// The header of a method other than MIPS must be included. `Iterative_authalic_parameterizer_3` always does
-/// 15 authalic iterations here; the named parameter `number_of_iterations` limits its linear solver. The outer border
-/// is the longest border of `mesh`, by the lengths of its edges. Of several components, the one with the outer border
-/// is parameterized.
+/// The header of a method other than MIPS must be included. `Iterative_authalic_parameterizer_3` does at most 15
+/// authalic iterations here; the named parameter `number_of_iterations` limits its linear solver. The outer border is
+/// the longest border of `mesh`, by the lengths of its edges. Of several components, the one with the outer border is
+/// parameterized.
 ///
 /// \tparam Method a class template of parameterizers. Its first argument is the mesh, and the others have defaults.
 ///         `Hierarchical_parameterizer_3` must take `Method<TriangleMesh>`. For other arguments write an alias:

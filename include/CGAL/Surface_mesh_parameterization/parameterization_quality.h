@@ -47,9 +47,10 @@ struct Parameterization_quality
   double mips_excess = 0;       ///< `mips` less its lower bound, which is 2 per triangle
   /// mean over the surface's area of `s1^2 + s2^2 + 1/s1^2 + 1/s2^2`, after the best uniform scaling; at least 4
   double symmetric_dirichlet = 0;
-  double l2_stretch = 0;        ///< root mean square stretch (Sander et al. 2001), after scaling to equal areas; at
-                                ///< least 1
-  double linf_stretch = 0;      ///< maximum stretch (Sander et al. 2001), after scaling to equal areas; at least 1
+  /// root mean square stretch of Sander et al. 2001, after scaling to equal areas; at least 1. It is not what CGAL's
+  /// `compute_L2_stretch()` computes, which compares areas around vertices
+  double l2_stretch = 0;
+  double linf_stretch = 0;      ///< maximum stretch of Sander et al., after scaling to equal areas; at least 1
   double angle = 0;             ///< mean over the area of `(s1/s2 + s2/s1) / 2`; at least 1, for a conformal map
   double area = 0;              ///< mean over the area of `(r + 1/r) / 2`, with `r = s1 s2` after scaling to equal
                                 ///< areas; at least 1
@@ -217,7 +218,9 @@ bool is_map_one_to_one(const TriangleMesh& mesh, const FaceRange& face_range, Ve
 ///        counts as a flip
 /// \param uvmap a readable property map from vertices to points of the plane
 ///
-/// \return the measures; all are 0 if the range is empty
+/// \return the measures; all are 0 if the range is empty. The time for n faces is \f$ O(n \log^2 n + k) \f$, where k is
+///         the number of pairs of triangles whose boxes meet; it is less if there are no flips and the borders show
+///         that nothing overlaps
 template <class TriangleMesh, class FaceRange, class VertexUVMap>
 Parameterization_quality parameterization_quality(const TriangleMesh& mesh, const FaceRange& face_range,
                                                   VertexUVMap uvmap)

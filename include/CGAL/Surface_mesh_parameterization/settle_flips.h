@@ -79,8 +79,9 @@ void settle_flips_of_component(Mesh_component<TriangleMesh>& component, VertexUV
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `OK`; an error of `Mesh_component`; `ERROR_NO_1_TO_1_MAPPING` if there are flips and the policy is `FAIL`,
-/// or if they could not be repaired
+/// \return `OK`, also if the policy is `KEEP`; an error of `Mesh_component::error()`; `ERROR_NO_1_TO_1_MAPPING` if
+///         there are flips and the policy is `FAIL`, or if they could not be repaired in doubles or in the number type
+///         of `uvmap`; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if a map that the repair starts from could not be computed
 template <class TriangleMesh, class Halfedge, class VertexUVMap,
           class NamedParameters = parameters::Default_named_parameters>
 Error_code settle_flips(const TriangleMesh& mesh, Halfedge bhd, VertexUVMap uvmap, Flip_policy policy,
