@@ -12,13 +12,13 @@
 /// `As_rigid_as_possible_parameterizer_3` has one of its own.
 ///
 /// Models are classes, not `final`, that are `DefaultConstructible`, `CopyConstructible` and `Assignable`. An energy
-/// with parameters of its own is passed to the constructor of `Distortion_parameterizer_3` as an object; the functions
+/// that has parameters is passed to the constructor of `Distortion_parameterizer_3` as an object; the functions
 /// of one without may be `static`. Several threads may call the functions of one object or of its copies at the same
 /// time.
 ///
-/// For a triangle of area 1, a run compares the first derivatives at a few places with differences of values, and a
+/// For a triangle of area 1, a run compares the first derivatives at a few points with differences of values, and a
 /// scale-invariant energy at two scales. Where they are not the same it ends with `ERROR_WRONG_PARAMETER`, and the
-/// error tells which is wrong. Second derivatives are not checked: wrong ones make a run slow.
+/// error says which is wrong. Second derivatives are not checked: wrong ones make a run slow.
 ///
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::As_rigid_as_possible_energy_2`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::MIPS_energy_2`
@@ -26,7 +26,7 @@
 class DistortionEnergy_2
 {
 public:
-  /// the least value, that of an isometry
+  /// the lower bound, which is the energy of an isometry
   static constexpr double minimum;
 
   /// whether `value(c * c * f, c * c * d)` equals `value(f, d)` for every `c > 0`

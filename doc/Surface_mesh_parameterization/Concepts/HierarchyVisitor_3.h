@@ -10,7 +10,7 @@
 ///
 /// A run that is stopped leaves the user's property maps untouched, calls the visitor no more, and returns
 /// `ERROR_STOPPED`. In an atlas with `CGAL::Parallel_tag` this is so for the chart whose visitor has stopped it: others
-/// that are laid out at that time are finished, and their visitors are called.
+/// that are parameterized at that time are finished, and their visitors are called.
 ///
 /// With `fill_holes` the levels have virtual vertices, too: their `input_vertex()` is not less than the number of
 /// vertices of the component.
@@ -37,14 +37,14 @@ public:
                            const CGAL::Surface_mesh_parameterization::Level::Uv& uv,
                            const CGAL::Surface_mesh_parameterization::Level_summary& summary);
 
-  /// called when a part of the run is done: after each collapse group while the hierarchy is built, before and after
+  /// called when a step of the run is done: after each collapse group while the hierarchy is built, before and after
   /// each iteration on each level, and after each iteration of a linear solver; at last when the map is finished and
-  /// about to be written. A method of one's own decides how often it calls this on a level, see
+  /// about to be written. A custom method decides how often it calls this on a level, see
   /// `RefinableParameterizer_3::refine()`. Direct solvers, the input checks and the treatment of flips do not call it.
   ///
   /// It is called in the thread of the run, and the run waits for it.
   ///
-  /// \param progress where the run is, and an estimate of the part that is done
+  /// \param progress where the run is, and an estimate of the fraction that is done
   ///
   /// \return whether the run may go on
   bool progressed(const CGAL::Surface_mesh_parameterization::Parameterization_progress& progress);

@@ -37,7 +37,7 @@
 class RebindableParameterizer_3
 {
 public:
-  /// the mesh type, a model of `FaceListGraph` with an internal vertex point map
+  /// the mesh type, see \ref hp_mesh "the requirements"
   typedef unspecified_type Triangle_mesh;
 
   /// takes the arguments of the user's `Hierarchical_parameterizer_3`, except the named parameters. It is called for
@@ -51,8 +51,8 @@ public:
   /// \param mesh the user's mesh, which may be `const` there: it must only be read
   /// \param bhd the user's halfedge on the outer border
   /// \param uvmap a readable and writable property map from the component's vertices to points. At the call it has the
-  ///        user's places where the user's `vpmap` is `true`; it receives the map. A run in which a vertex gets no
-  ///        place ends with `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
+  ///        user's uv coordinates where the user's `vpmap` is `true`; it receives the map. A run in which a vertex gets
+  ///        none ends with `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`
   /// \param vimap the indices of the component's vertices, from 0 without gaps; they are not the user's
   /// \param vpmap a readable and writable property map from the component's vertices to `bool`. At the call it has the
   ///        user's values

@@ -7,8 +7,8 @@
 /// A parameterization method that improves a given map. `Nested_iteration_parameterizer_3` runs it level by level. A
 /// method sees a `Level` and not a mesh: points, triangles and one-rings by rank.
 ///
-/// A *flip-free* map has only positive triangles, by exact predicates. The angles at an interior vertex sum to one
-/// turn, and at a border vertex to less. The points of a level are of `CGAL::Simple_cartesian<double>`, whose
+/// A *flip-free* map has only positive triangles, by exact predicates. The angles at an interior vertex sum to 360
+/// degrees, and at a border vertex to less. The points of a level are of `CGAL::Simple_cartesian<double>`, whose
 /// predicates are not exact. So a flip-free method tests triangles by `Level::is_positive()`.
 ///
 /// Methods are copied. All functions of a run are called on the same copy.
@@ -21,7 +21,7 @@
 class RefinableParameterizer_3
 {
 public:
-  /// the mesh type, a model of `FaceListGraph` with an internal vertex point map
+  /// the mesh type, see \ref hp_mesh "the requirements"
   typedef unspecified_type Triangle_mesh;
 
   /// `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`: whether several threads build
@@ -37,10 +37,11 @@ public:
   /// the repair that `Flip_policy::REPAIR` asks for is not compiled
   static constexpr bool is_result_flip_free;
 
-  /// optional: whether `refine()` brings the vertices for which `level.is_fixed(v)` to `level.fixed_place(v)` and holds
+  /// optional: whether `refine()` brings the vertices for which `level.is_fixed(v)` to `level.fixed_place(v)` and keeps
   /// them there, and takes the springs of `level.hierarchy().springs()` into account. If so, the named parameters
-  /// `vertex_is_constrained_map` and `position_weight_map` are accepted. A vertex that has no room at its place on a
-  /// coarse level may be left elsewhere until a finer one. A result in which one is not at its place is an error
+  /// `vertex_is_constrained_map` and `position_weight_map` are accepted. A vertex that has no room at its given uv
+  /// coordinates on a coarse level may be left elsewhere until a finer one. A result in which one is not there is an
+  /// error
   static constexpr bool holds_vertices;
 
   /// optional, for a method that is not flip-free: fixes vertices in the plane before the levels are built, for example
@@ -50,7 +51,7 @@ public:
   ///
   /// \param mesh the user's mesh
   /// \param bhd the user's halfedge on the outer border
-  /// \param uvmap receives the places, in the user's units. The result has exactly these places, unless a coordinate
+  /// \param uvmap receives the uv coordinates, in the user's units. The result has exactly these, unless a coordinate
   ///        under- or overflows in units of the level, or the repair of flips moves one, see `Flip_policy`
   /// \param vimap the indices of the component's vertices, from 0 without gaps
   /// \param vpmap receives `true` for every vertex that is fixed
@@ -83,9 +84,9 @@ public:
 
   /// optional, with `energy()`: improves a flip-free map of the finest level and keeps it flip-free. It is called with
   /// the map that `refine()` started from, if that has no flips and a repair of the result failed, moved a vertex whose
-  /// place is given, moved more than a tenth of the vertices, or raised the energy by more than a hundredth. It gives
-  /// the result if the repair failed, or if its map has less energy or more vertices at their given places; or before
-  /// a repair moves most vertices, if its energy is at most twice that of the map with flips.
+  /// uv coordinates are given, moved more than a tenth of the vertices, or raised the energy by more than a hundredth.
+  /// It gives the result if the repair failed, or if its map has less energy or more vertices at their given uv
+  /// coordinates; or before a repair moves most vertices, if its energy is at most twice that of the map with flips.
   ///
   /// \return `OK` or an error
   CGAL::Surface_mesh_parameterization::Error_code
@@ -96,7 +97,7 @@ public:
   /// makes the first map, that of the coarsest level.
   ///
   /// \param level the coarsest level, with about a hundred vertices, or the whole input in a flat run
-  /// \param uv receives a place for every vertex of the level, by rank; another number of places is an error
+  /// \param uv receives uv coordinates for every vertex of the level, by rank; another size is an error
   ///
   /// \return `OK` and a map, flip-free if the method is, or an error. After `ERROR_NO_1_TO_1_MAPPING` of a flip-free
   ///         method, nested iteration tries again with a coarser coarsest level
@@ -108,11 +109,11 @@ public:
   /// user's, it is called for the finest level only, and `parameterize_coarsest()` is not.
   ///
   /// After each iteration, the method may call `level.progressed(summary, part)` with what `summary` holds so far and
-  /// an estimate of the part of its work on this level that is done. If the result is `false`, a visitor has stopped
-  /// the run, and the method returns: the map and what it returns no longer matter. `parameterize_coarsest()` may do
-  /// so, too. A method that does not call it is stopped after the level.
+  /// an estimate of the fraction of its work on this level that is done. If the result is `false`, a visitor has
+  /// stopped the run, and the method returns: the map and what it returns no longer matter. `parameterize_coarsest()`
+  /// may do so, too. A method that does not call it is stopped after the level.
   ///
-  /// \param level the level. The vertices from `level.first_new_vertex()` on are new, and `level.is_finest()` tells
+  /// \param level the level. The vertices from `level.first_new_vertex()` on are new, and `level.is_finest()` says
   ///        whether this is the last call
   /// \param uv a map of the level, whose size must stay. If the method is flip-free, the map is flip-free and must
   ///        stay so

@@ -17,11 +17,12 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \ingroup PkgHierarchicalParameterizationEnergies
 ///
 /// The squared distance of a triangle's map from the nearest similarity, plus a penalty for that similarity's scale
-/// `s`: the least value, over `s >= 0`, of `(s1 - s)^2 + (s2 - s)^2 + k (s^2 - 1)^2` with the singular values
-/// `s1 >= |s2|` of the map, of which the second is negative if the triangle is flipped. It is 0 for an isometry. The
-/// stiffness `k` is \f$ \lambda / (2A) \f$ for a triangle of area `A`.
+/// `s`: the minimum, over `s >= 0`, of `(s1 - s)^2 + (s2 - s)^2 + k (s^2 - 1)^2` with the singular values `s1 >= |s2|`
+/// of the map, of which the second is negative if the triangle is flipped. It is 0 for an isometry, and has no unit.
+/// The stiffness `k` is \f$ \lambda / (2A) \f$ for a triangle of area `A`; \f$ \lambda \f$ and `A` are in squared units
+/// of the mesh.
 ///
-/// Weighted by the areas, the sum over the triangles is the energy that
+/// Weighted by the areas, the sum over the triangles, in squared units of the mesh, is the energy that
 /// `CGAL::Surface_mesh_parameterization::ARAP_parameterizer_3` minimizes, half of
 /// \f[ \sum_t \Bigl( \sum_{i} \cot\theta_i \, | u_{i+1} - u_{i+2} - L_t ( x_{i+1} - x_{i+2} ) |^2
 ///     + \lambda ( a_t^2 + b_t^2 - 1 )^2 \Bigr), \qquad
@@ -35,7 +36,7 @@ namespace CGAL::Surface_mesh_parameterization {
 class As_rigid_as_possible_energy_2
 {
 public:
-  /// the least value, that of an isometry
+  /// the lower bound, which is the energy of an isometry
   static constexpr double minimum = 0;
 
   /// whether the energy stays the same when the plane is scaled
@@ -44,7 +45,9 @@ public:
   /// whether the energy keeps triangles positive
   static constexpr bool is_flip_free = false;
 
-  /// \pre `lambda >= 0`; if it is infinite, the scale is 1
+  /// \param lambda the cost of a change of scale, in squared units of the mesh; if it is infinite, the scale is 1
+  /// \param area the area of the triangle in space, in the same units
+  /// \pre `lambda >= 0`
   explicit As_rigid_as_possible_energy_2(double lambda = (std::numeric_limits<double>::infinity)(), double area = 1)
     : m_lambda(lambda), m_stiffness(lambda / (2 * area)) { }
 

@@ -49,7 +49,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `Parameterizer_3`
 /// \cgalModels `RefinableParameterizer_3`
 ///
-/// \tparam TriangleMesh_ a model of `FaceListGraph` with an internal vertex point map
+/// \tparam TriangleMesh_ a mesh, see \ref hp_mesh "the requirements"
 /// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result
 /// is the same for every number of threads
 template <class TriangleMesh_, class ConcurrencyTag = Sequential_tag>
@@ -69,7 +69,7 @@ public:
       internal::Place_constraint_names, typename Base::Flat_option_names>   Option_names;
   /// \endcond
 
-  /// whether vertices may be held at given places. A repair of flips that would have to move one gives way to a map
+  /// whether vertices may be constrained. A repair of flips that would have to move one gives way to a map
   /// without flips, see `refine_without_flips()`
   static constexpr bool holds_vertices = true;
 
@@ -77,16 +77,67 @@ public:
   static constexpr std::size_t places_at_no_cost = 1;
   /// \endcond
 
-  /// \param np
-  /// - `lambda`: the cost of a change of scale, at least 0, may be infinite; default 1000, as in CGAL
-  /// - `tolerance`, `number_of_iterations` and the other named parameters of `Refinement_options`, except
-  ///   `triangle_weight` and `globally_injective`
-  /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `REPAIR`
-  /// - `fill_holes`: whether a flat run treats holes as parts of the surface, see `Nested_iteration_parameterizer_3`;
-  ///   default `false`
-  /// - `initial_map`: whether a flat run starts from the map that `uvmap` holds; default `false`
-  /// - `vertex_is_constrained_map`, `position_weight_map`: of a flat run, see `Nested_iteration_parameterizer_3`
-  /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
+  /// \param np an optional sequence of \ref hp_named_parameters "named parameters" among these:
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{lambda}
+  ///     \cgalParamDescription{the cost of a change of scale}
+  ///     \cgalParamType{`double`, at least 0, may be infinite}
+  ///     \cgalParamDefault{1000, as in CGAL}
+  ///     \cgalParamExtra{It is measured in squared units of the mesh.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{tolerance}
+  ///     \cgalParamDescription{a level has converged when a step lowers the energy by less than this fraction of its
+  ///       excess over the lower bound, see `Refinement_options::tolerance`}
+  ///     \cgalParamType{`double`, at least 0}
+  ///     \cgalParamDefault{1e-6}
+  ///     \cgalParamExtra{Levels below the finest end at 5e-3.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_iterations}
+  ///     \cgalParamDescription{the maximum number of Newton steps or sweeps on a level, from each start}
+  ///     \cgalParamType{an integer or floating-point number, at least 0, may be infinite}
+  ///     \cgalParamDefault{200}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{optimizer, number_of_local_steps, random_seed}
+  ///     \cgalParamDescription{see the members of `Refinement_options`}
+  ///     \cgalParamType{`Optimizer`; an integer or floating-point number, at least 0, may be infinite; `unsigned int`}
+  ///     \cgalParamDefault{`Optimizer::NEWTON`; 0; 0}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{flip_policy}
+  ///     \cgalParamDescription{the treatment of flips in a flat run}
+  ///     \cgalParamType{`Flip_policy`}
+  ///     \cgalParamDefault{`REPAIR`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{fill_holes}
+  ///     \cgalParamDescription{whether a flat run treats holes as parts of the surface, see
+  ///       `Nested_iteration_parameterizer_3`}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{initial_map}
+  ///     \cgalParamDescription{whether a flat run starts from the map in `uvmap`, which must be readable then}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{vertex_is_constrained_map}
+  ///     \cgalParamDescription{the vertices that keep the uv coordinates in `uvmap` in a flat run, see
+  ///       `Nested_iteration_parameterizer_3`}
+  ///     \cgalParamType{a readable property map from vertices to `bool`}
+  ///     \cgalParamDefault{no vertex}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{position_weight_map}
+  ///     \cgalParamDescription{the weights of springs to the uv coordinates in `uvmap` in a flat run, see
+  ///       `Nested_iteration_parameterizer_3`}
+  ///     \cgalParamType{a readable property map from vertices to numbers that are not negative}
+  ///     \cgalParamDefault{0 for all vertices}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{summary}
+  ///     \cgalParamDescription{the object that receives what a flat run did}
+  ///     \cgalParamType{`std::reference_wrapper<Parameterization_summary>`}
+  ///     \cgalParamDefault{no summary is filled}
+  ///     \cgalParamExtra{The object must live as long as the parameterizer runs.}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit As_rigid_as_possible_parameterizer_3(const NamedParameters& np = parameters::default_values())
     : Base(np)
@@ -113,8 +164,8 @@ public:
 
   /// improves a flip-free map of a level and keeps it flip-free. On the finest level, minimizes the energy, and flips
   /// are possible.
-  /// \return `OK`; `ERROR_NO_1_TO_1_MAPPING` if on the finest level a vertex could not be brought to the place that is
-  /// given; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if an option is negative or no number
+  /// \return `OK`; `ERROR_NO_1_TO_1_MAPPING` if on the finest level a vertex could not be brought to its uv
+  /// coordinates; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if an option is negative or no number
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     if (fault_of_options())
@@ -134,7 +185,7 @@ public:
 
   /// improves a flip-free map of the finest level and keeps it flip-free: for the sum of the energy and a hundredth of
   /// the symmetric Dirichlet energy; or, if lambda is 0, for the latter. This is the result where a repair of flips
-  /// would fail or move a vertex that is held; or leave little of the map, or raise the energy by more than a
+  /// would fail or move a constrained vertex; or leave little of the map, or raise the energy by more than a
   /// hundredth, and end at a higher energy. If the map had less energy before, it is the result as it was.
   /// \return `OK`; `ERROR_NO_1_TO_1_MAPPING` as refine(); `ERROR_STOPPED`
   Error_code refine_without_flips(const Level& level, Level::Uv& uv, Level_summary& summary) const

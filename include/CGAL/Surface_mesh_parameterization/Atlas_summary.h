@@ -25,7 +25,7 @@ struct Atlas_summary
     std::size_t faces = 0;                  ///< number of triangles
     /// of its map. The index of an error is that of a face of the mesh, the chart's first one unless the error lies at
     /// another. The parts of a chart that was divided to fill the square have the summary of the whole chart, each with
-    /// a share of its seconds, and the first one with the flips and moved vertices; those of a chart that lay over
+    /// a share of its seconds, and the first one with the flips and moved vertices; those of a chart that overlapped
     /// itself have their own
     Parameterization_summary summary;
   };
@@ -36,12 +36,12 @@ struct Atlas_summary
   std::vector<Chart> charts;            ///< in the order of their first faces
   std::vector<std::size_t> chart_of_face;         ///< number of each face's chart, in the order of `faces(mesh)`
   std::size_t divisions = 0;            ///< by how many the number of charts grew as charts were divided
-  double used_part = 0;                 ///< of the area of the square
+  double used_part = 0;                 ///< fraction of the area of the square that charts cover
   double seconds_cut = 0;               ///< wall-clock time of reading and cutting
   double seconds_parameterize = 0;      ///< wall-clock time of the charts' maps
   double seconds_pack = 0;              ///< wall-clock time of dividing, packing and writing
 
-  /// whether every corner has a place
+  /// whether every corner has uv coordinates
   bool is_ok() const { return error.code == OK; }
 };
 

@@ -59,19 +59,37 @@ public:
 
   /// builds the hierarchy of a surface.
   ///
-  /// A vertex whose place in the plane is given stays on every level, unless it lies on the border between two others.
+  /// A vertex whose uv coordinates are given stays on every level, unless it lies on the border between two others.
   ///
   /// \param surface the surface; move it in to save memory. Precondition: all its indices are less than
   ///        `surface.points.size()`
-  /// \param np
-  /// - `random_seed`: the seed of the random choice of vertices; default 0
-  /// - `coarsest_size`: collapse groups are made until a level has at most that many vertices, or until no vertex can
-  ///   be collapsed; default 100
-  /// - `unit_edges`: whether the quality of coarse triangles is measured as if all edges of the surface were equally
-  ///   long; default `false`: it is measured in space. The value `true` suits methods whose weights do not depend on
-  ///   lengths, such as barycentric mapping
-  /// - `vertex_is_constrained_map`: a readable property map from an index of `surface.points`, a `std::size_t`, to
-  ///   `bool`: vertices that stay on every level; default: none
+  /// \param np an optional sequence of \ref hp_named_parameters "named parameters" among these:
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{random_seed}
+  ///     \cgalParamDescription{the seed of the random choice of vertices}
+  ///     \cgalParamType{`unsigned int`}
+  ///     \cgalParamDefault{0}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{coarsest_size}
+  ///     \cgalParamDescription{collapse groups are made until a level has at most that many vertices, or until no
+  ///       vertex can be collapsed}
+  ///     \cgalParamType{an integer or floating-point number, at least 0, may be infinite}
+  ///     \cgalParamDefault{100}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{unit_edges}
+  ///     \cgalParamDescription{whether the quality of coarse triangles is measured as if all edges of the surface were
+  ///       equally long. That suits methods whose weights do not depend on lengths, such as barycentric mapping}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`: it is measured in space}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{vertex_is_constrained_map}
+  ///     \cgalParamDescription{vertices that stay on every level}
+  ///     \cgalParamType{a readable property map from an index of `surface.points`, a `std::size_t`, to `bool`}
+  ///     \cgalParamDefault{no vertex}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
   /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`; the
   ///         hierarchy is the same with all of them
   template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
@@ -100,10 +118,12 @@ public:
   /// number of levels, at least 1; level 0 is the coarsest, the last one is the input
   std::size_t number_of_levels() const { return m_vertices.level_vertices.size(); }
 
-  /// number of vertices of a level: their ranks are the numbers below it
+  /// number of vertices of a level: their ranks are the numbers below it.
+  /// \pre `level < number_of_levels()`
   std::size_t number_of_vertices(std::size_t level) const { return m_vertices.level_vertices[level]; }
 
-  /// number of triangles of a level: their ranks are the numbers below it
+  /// number of triangles of a level: their ranks are the numbers below it.
+  /// \pre `level < number_of_levels()`
   std::size_t number_of_faces(std::size_t level) const
   {
     return m_faces.first_face[number_of_vertices(level) - number_of_vertices(0) + 1];
@@ -122,7 +142,8 @@ public:
   /// \name Vertices and faces, by rank
   /// @{
 
-  /// the point of a vertex, as it was given in `surface`; the same on every level
+  /// the point of a vertex, as it was given in `surface`; the same on every level.
+  /// \pre `v < number_of_vertices()`
   const Point_3& point(Index v) const { return m_points[v]; }
 
   /// \cond SKIP_IN_MANUAL
@@ -146,18 +167,20 @@ public:
   }
   /// \endcond
 
-  /// whether a vertex stays on every level: because it is constrained, or because its place in the plane is given and
-  /// the coarse levels need it
+  /// whether a vertex stays on every level: because it is constrained, or because its uv coordinates are given and the
+  /// coarse levels need it.
+  /// \pre `v < number_of_vertices()`
   bool is_pinned(Index v) const { return m_is_pinned[v]; }
 
-  /// whether the place of a vertex in the plane is given
+  /// whether the uv coordinates of a vertex are given.
+  /// \pre `v < number_of_vertices()`
   bool is_fixed(Index v) const { return m_is_fixed[v]; }
 
-  /// the given place of a vertex, in the units of `point()`; found in logarithmic time.
-  /// \pre `is_fixed(v)`
+  /// the given uv coordinates of a vertex, in the units of `point()`; found in logarithmic time.
+  /// \pre `v < number_of_vertices() && is_fixed(v)`
   const Point_2& fixed_place(Index v) const;
 
-  /// the springs that pull vertices to places, with ranks as vertices, in ascending order
+  /// the springs that pull vertices to uv coordinates, with ranks as vertices, in ascending order
   const std::vector<Triangulated_surface_3::Spring>& springs() const { return m_springs; }
 
   /// \cond SKIP_IN_MANUAL
@@ -165,17 +188,22 @@ public:
   const std::vector<std::pair<Index, Point_2>>& fixed_places() const { return m_fixed_places; }
   /// \endcond
 
-  /// whether a vertex lies on the outer border. Any other border vertex lies on the border of a hole
+  /// whether a vertex lies on the outer border. Any other border vertex lies on the border of a hole.
+  /// \pre `v < number_of_vertices()`
   bool is_on_outer_border(Index v) const { return m_is_on_outer_border[v]; }
 
-  /// index of a vertex in the array of points that the hierarchy was built from
+  /// index of a vertex in the array of points that the hierarchy was built from.
+  /// \pre `v < number_of_vertices()`
   Index input_vertex(Index v) const { return m_vertices.input_vertex[v]; }
 
-  /// index of a face in the array of triangles that the hierarchy was built from
+  /// index of a face in the array of triangles that the hierarchy was built from.
+  /// \pre `f < number_of_faces()`
   Index input_face(Index f) const { return m_faces.input_face[f]; }
 
   /// the corners of a face just before a collapse removes it, counter-clockwise from any one; for a face of level 0,
-  /// its corners on that level. Found by following its corners down the hierarchy
+  /// its corners on that level. The time grows with the logarithm of the number of vertices, and with the number of
+  /// levels down which the corners are followed.
+  /// \pre `f < number_of_faces()`
   Triangle last_triangle(Index f) const;
 
   /// @}
@@ -183,22 +211,26 @@ public:
   /// The following take the rank of a vertex that is not on level 0.
   /// @{
 
-  /// the vertex that `v` collapsed onto
+  /// the vertex that `v` collapsed onto, in constant time like those below.
+  /// \pre `number_of_vertices(0) <= v && v < number_of_vertices()`
   Index kept_vertex(Index v) const { return split(v).parent[0]; }
 
   /// the parent triangle (W0, Wi, Wi+1) of `v`, a triangle of the level without `v`. An ear, which is a border vertex
-  /// with one triangle, has no parent triangle: then the result holds its two neighbors, and the last two corners are
-  /// equal
+  /// with one triangle, has no parent triangle: then the result has its two neighbors, and the last two corners are
+  /// equal.
+  /// \pre `number_of_vertices(0) <= v && v < number_of_vertices()`
   const Triangle& parent_triangle(Index v) const { return split(v).parent; }
 
-  /// the barycentric coordinates of `v` in its parent triangle; not negative, their sum is 1
+  /// the barycentric coordinates of `v` in its parent triangle; not negative, their sum is 1.
+  /// \pre `number_of_vertices(0) <= v && v < number_of_vertices()`
   std::array<double, 3> barycentric_coordinates(Index v) const
   {
     const std::array<double, 2>& c = split(v).coordinates;
     return { (std::max)(0., 1 - c[0] - c[1]), c[0], c[1] };
   }
 
-  /// the faces that vanish with `v`, as a range of ranks [first, second): two, or one if `v` lies on the border
+  /// the faces that vanish with `v`, as a range of ranks [first, second): two, or one if `v` lies on the border.
+  /// \pre `number_of_vertices(0) <= v && v < number_of_vertices()`
   std::pair<Index, Index> removed_faces(Index v) const
   {
     return { m_faces.first_face[split_index(v) + 1], m_faces.first_face[split_index(v) + 2] };
@@ -210,8 +242,8 @@ public:
 
   /// the prolongation from a coarse to a fine level: a sparse matrix with `number_of_vertices(fine)` rows and
   /// `number_of_vertices(coarse)` columns. Its rows are barycentric coordinates: they are not negative and sum to 1.
-  /// The rows of the vertices of the coarse level are those of the identity. The transpose is the restriction. Include
-  /// `<Eigen/SparseCore>` before calling it.
+  /// The rows of the vertices of the coarse level are those of the identity. The transpose is the restriction. Time
+  /// and memory grow with the number of entries. Include `<Eigen/SparseCore>` before calling it.
   ///
   /// \pre `coarse <= fine < number_of_levels()`
   Prolongation prolongation(std::size_t coarse, std::size_t fine) const;

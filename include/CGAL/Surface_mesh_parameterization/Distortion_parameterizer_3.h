@@ -46,27 +46,29 @@ namespace CGAL::Surface_mesh_parameterization {
 /// Without the adaptor the method starts from Tutte's map onto a circle, or from the unfolded surface if that is a map
 /// of less energy. If neither is a map in doubles, it starts from the result on a level that is coarse enough. With
 /// `Hierarchical_parameterizer_3` it starts from the result of a coarse level, which is much faster on large meshes.
-/// Where that ends at more than twice the minimum, or finds no map, the method also starts as without the adaptor, and
-/// from the same map at the scale of least energy; the best result counts. On more than 5,000 vertices it does so only
-/// above four times the minimum, and only if the start has the lower energy.
+/// If a run with the adaptor has a bad result on the finest level, it starts there once more as without the adaptor. If
+/// there is still no map, or the energy is high, and depends on scale, a run with or without the adaptor starts from
+/// the same map at the scale of least energy. The best result counts. A *high* energy is above twice the lower bound,
+/// or four times with more than 5,000 vertices. A result is *bad* if there is no map, or, without
+/// `number_of_local_steps`, if its energy is high; with up to 5,000 vertices also if it has not converged and is above
+/// 1.01 times the bound, unless a `number_of_iterations` below 100 ended it. With more, another start needs less energy
+/// than the result. With constrained vertices there is one start.
 ///
-/// If an energy of one's own is not finite where a level starts, symmetric Dirichlet energy is minimized first.
+/// If a custom energy is not finite where a level starts, symmetric Dirichlet energy is minimized first.
 ///
-/// The minimum may need scales that differ by more than doubles can hold, so that no hierarchy leads to the finest
-/// level. Then a small part of the symmetric Dirichlet energy is added, and the result counts as not converged.
+/// The minimizer may need scales that differ by more than doubles can represent, so that no hierarchy leads to the
+/// finest level. Then a small part of the symmetric Dirichlet energy is added, and the result counts as not converged.
 ///
 /// A triangle whose height is less than 1e-6 of its longest edge is treated as if it had that height. An edge without
 /// length counts as 1e-4 of the other two, and a triangle whose corners coincide as an equilateral one, of edges about
-/// 1e-4 of the surface's size: a part of the surface may be a point. Pinned vertices of a hierarchy may move in the
-/// plane.
+/// 1e-4 of the surface's size: a part of the surface may be a point. Pinned vertices may move in the plane.
 ///
 /// \cgalModels `Parameterizer_3`
 /// \cgalModels `RefinableParameterizer_3`
 ///
-/// \tparam TriangleMesh_ a model of `FaceListGraph` with an internal vertex point map
+/// \tparam TriangleMesh_ a mesh, see \ref hp_mesh "the requirements"
 /// \tparam Energy_ a model of `DistortionEnergy_2` that keeps triangles positive
-/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result
-/// is the same for every number of threads
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads of TBB (`CGAL::TBB_support`); the result is the same
 template <class TriangleMesh_, class Energy_, class ConcurrencyTag = Sequential_tag>
 class Distortion_parameterizer_3
   : public Refinable_parameterizer_base_3<Distortion_parameterizer_3<TriangleMesh_, Energy_, ConcurrencyTag>,
@@ -79,7 +81,7 @@ public:
   /// whether the results have no flips
   static constexpr bool is_result_flip_free = true;
 
-  /// whether vertices may be held at given places
+  /// whether vertices may be constrained
   static constexpr bool holds_vertices = true;
 
   /// \cond SKIP_IN_MANUAL
@@ -89,11 +91,10 @@ public:
                                  internal::Place_constraint_names>   Option_names;
   /// \endcond
 
-  /// \param np
-  /// - the named parameters of `Refinement_options`
-  /// - `initial_map`, `fill_holes`, `vertex_is_constrained_map`, `position_weight_map`, `overlap_bound`, `flip_policy`:
-  ///   of a flat run, and of one by an adaptor that is not told otherwise, see `Nested_iteration_parameterizer_3`
-  /// - `summary`: of the same, a `std::reference_wrapper<Parameterization_summary>` that receives what a run did
+  /// \param np the \ref hp_named_parameters "named parameters" of `Refinement_options`; and of a flat run, and of one
+  ///        by an adaptor that is not given others, see `Nested_iteration_parameterizer_3`: `initial_map`,
+  ///        `fill_holes`, `vertex_is_constrained_map`, `position_weight_map`, `overlap_bound`, `flip_policy`, and
+  ///        `summary`, a `std::reference_wrapper<Parameterization_summary>` that receives what the run did
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Distortion_parameterizer_3(const NamedParameters& np = parameters::default_values())
     : Distortion_parameterizer_3(Refinement_options(), np)
@@ -117,9 +118,9 @@ public:
   { }
 
   /// the map of less energy among Tutte's, scaled to the surface's area, and the unfolded level, if that is a map. In
-  /// a flat run whose outer border is held, Tutte's map with that at its places, if it has no flip.
+  /// a flat run whose outer border is constrained, Tutte's map with that border, if it has no flip.
   /// \return `OK`, or if the unfolded level is no map: `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`, or `ERROR_NO_1_TO_1_MAPPING`
-  /// if Tutte's map, computed in doubles, has a flip; `ERROR_WRONG_PARAMETER` if an option makes no sense
+  /// if Tutte's map, computed in doubles, has a flip; `ERROR_WRONG_PARAMETER` if an option is out of range
   Error_code parameterize_coarsest(const Level& level, Level::Uv& uv) const
   {
     if (!m_options.are_valid())
@@ -130,8 +131,8 @@ public:
 
   /// improves a flip-free map of a level and keeps it flip-free.
   /// \return `OK`, or `ERROR_NO_1_TO_1_MAPPING` if `globally_injective` is true and the borders could not be
-  ///         separated, or if on the finest level the energy is not finite or a vertex could not be brought to the
-  ///         place that is given; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if an option makes no sense
+  ///         separated, or if on the finest level the energy is not finite or a vertex could not be brought to its
+  ///         uv coordinates; `ERROR_STOPPED`; `ERROR_WRONG_PARAMETER` if an option is out of range
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary& summary) const
   {
     if (!m_options.are_valid())
@@ -154,7 +155,7 @@ public:
     return energy(uv) / energy.unit();
   }
 
-  /// bounds the scale of the map from now on. The energy of the result is then slightly above the minimum.
+  /// bounds the scale of the map from now on. The energy of the result is then slightly above the least energy.
   /// \return whether the scale was not bounded before
   bool leave_room() { return Energy::is_scale_invariant && !std::exchange(m_bounds_scale, true); }
 

@@ -32,7 +32,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// symmetric, there is no such energy, and the weighted means define the map.
 ///
 /// If no weight is negative and the border is convex, the converged map is one-to-one (Tutte, Floater), within the
-/// precision of doubles. `parameterization_quality()` tells whether it is. Holes become convex, because their borders
+/// precision of doubles. `parameterization_quality()` reports whether it is. Holes become convex, because their borders
 /// are free. An ear, a vertex with one triangle, on the border of a hole then lies on the line between its neighbors.
 /// The same can happen to an ear on a straight side of the outer border.
 ///
@@ -45,7 +45,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `Parameterizer_3`
 /// \cgalModels `RefinableParameterizer_3`
 ///
-/// \tparam TriangleMesh_ a model of `FaceListGraph` with an internal vertex point map
+/// \tparam TriangleMesh_ a mesh, see \ref hp_mesh "the requirements"
 /// \tparam EdgeWeights a model of `EdgeWeights_3`
 /// \tparam BorderParameterizer one of CGAL's border parameterizers, a model of `Parameterizer_3` that places the border
 /// only
@@ -82,16 +82,41 @@ public:
 
   /// \param border_parameterizer places the outer border
   /// \param weights the weights of the edges
-  /// \param np
-  /// - `tolerance`: greatest *relative residual* of the finest level; default 1e-8. The residual is the root of
-  ///   the sum of the squared distances of the vertices from the weighted means of their neighbors. It is relative to
-  ///   the residual of the map with all vertices, except those of the border, at one point
-  /// - `number_of_iterations`: the most iterations of the multigrid method on a level; default 300. After these, a
-  ///   direct solver takes over on the finest level
-  /// - `flip_policy`: a `Flip_policy`: the treatment of flips in a flat run; default `REPAIR`
-  /// - `fill_holes`: whether a flat run treats holes as parts of the surface, see `Nested_iteration_parameterizer_3`;
-  ///   default `false`
-  /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what a flat run did
+  /// \param np an optional sequence of \ref hp_named_parameters "named parameters" among these:
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{tolerance}
+  ///     \cgalParamDescription{the maximum *relative residual* of the finest level}
+  ///     \cgalParamType{`double`, at least 0}
+  ///     \cgalParamDefault{1e-8}
+  ///     \cgalParamExtra{The residual is the root of the sum of the squared distances of the vertices from the weighted
+  ///       means of their neighbors. It is relative to the residual of the map with all vertices, except those of the
+  ///       border, at one point.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_iterations}
+  ///     \cgalParamDescription{the maximum number of iterations of the multigrid method on a level. After these, a
+  ///       direct solver takes over on the finest level}
+  ///     \cgalParamType{an integer or floating-point number, at least 0, may be infinite}
+  ///     \cgalParamDefault{300}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{flip_policy}
+  ///     \cgalParamDescription{the treatment of flips in a flat run}
+  ///     \cgalParamType{`Flip_policy`}
+  ///     \cgalParamDefault{`REPAIR`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{fill_holes}
+  ///     \cgalParamDescription{whether a flat run treats holes as parts of the surface, see
+  ///       `Nested_iteration_parameterizer_3`}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{summary}
+  ///     \cgalParamDescription{the object that receives what a flat run did}
+  ///     \cgalParamType{`std::reference_wrapper<Parameterization_summary>`}
+  ///     \cgalParamDefault{no summary is filled}
+  ///     \cgalParamExtra{The object must live as long as the parameterizer runs.}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Edge_energy_parameterizer_3(const Border_parameterizer& border_parameterizer = Border_parameterizer(),
                                        const Edge_weights& weights = Edge_weights(),
@@ -142,7 +167,9 @@ public:
                                         uv, summary);
   }
 
-  /// the energy of a map of a level
+  /// the energy of a map of a level: half of the sum over its edges of weight times squared length in the plane, in
+  /// squared units of the mesh. An edge with two different weights counts with their mean; then the energy is not what
+  /// the map minimizes
   double energy(const Level& level, const Level::Uv& uv) const
   {
     return internal::Edge_system(level, m_weights).energy(uv);

@@ -19,7 +19,7 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// The weight is half the sum of the cotangents of the angles opposite to the edge. The energy is the Dirichlet energy,
 /// and the map is discrete harmonic. A planar mesh without holes is mapped onto itself if its border is. Where the two
-/// opposite angles sum to more than half a turn, the weight is negative, and triangles may flip.
+/// opposite angles sum to more than 180 degrees, the weight is negative, and triangles may flip.
 ///
 /// The border of a hole is free: its edges have one opposite angle. A triangle whose height is less than 1e-6 of its
 /// longest edge is treated as if it had that height, an edge without length as 1e-4 of the other two.

@@ -27,12 +27,12 @@ namespace CGAL::Surface_mesh_parameterization {
 ///   fine, level by level, see `Nested_iteration_parameterizer_3`.
 /// - A model of `RebindableParameterizer_3` solves linear systems, as most of CGAL's parameterizers do. It runs once,
 ///   on the finest level, and `Multigrid_solver_traits` replaces its solver, where that is faster. The map is the same
-///   as without this class, but for the repair of flips, and where the solver of `Parameterizer` tells success with a
+///   as without this class, but for the repair of flips, and where the solver of `Parameterizer` reports success with a
 ///   residual above the tolerance.
 /// - In place of CGAL's `ARAP_parameterizer_3`, `As_rigid_as_possible_parameterizer_3` runs level by level. It
 ///   minimizes the same energy.
-/// - CGAL's `Orbifold_Tutte_parameterizer_3` runs with the multigrid solver. It has a `parameterize()` of its own and
-///   keeps its flips.
+/// - CGAL's `Orbifold_Tutte_parameterizer_3` runs with the multigrid solver and keeps its flips. Its `parameterize()`
+///   takes a map of cones, so its adaptor is no model of `Parameterizer_3`.
 ///
 /// Any other type is rejected at compile time. On an error the user's property maps are untouched.
 ///
@@ -103,7 +103,7 @@ public:
   /// `ARAP_parameterizer_3`
   typedef typename Parameterizer::Border_parameterizer   Border_parameterizer;
 
-  /// the solver that takes the place of that of `Parameterizer`; only where there is one
+  /// the solver that replaces that of `Parameterizer`; only where there is one
   typedef Multigrid_solver_traits   Solver_traits;
 
   /// \name Constructors for a model of RefinableParameterizer_3
@@ -111,11 +111,11 @@ public:
 
   /// runs `method` on every level.
   ///
-  /// \param method the method. What it was told of its flat runs holds for these, too, unless `np` says otherwise
-  /// \param np
-  /// - `coarsest_size`, `random_seed`, `unit_edges`, `visitor`, `fill_holes`, `flip_policy`, `overlap_bound`,
-  ///   `initial_map`, `vertex_is_constrained_map`, `position_weight_map`, `summary`: see
-  ///   `Nested_iteration_parameterizer_3`
+  /// \param method the method. What its constructor was given for flat runs is used for these runs, too, unless `np`
+  ///        has it
+  /// \param np the \ref hp_named_parameters "named parameters" `coarsest_size`, `random_seed`, `unit_edges`, `visitor`,
+  ///        `fill_holes`, `flip_policy`, `overlap_bound`, `initial_map`, `vertex_is_constrained_map`,
+  ///        `position_weight_map`, `summary`: see `Nested_iteration_parameterizer_3`
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Hierarchical_parameterizer_3(const Parameterizer& method = Parameterizer(),
                                         const NamedParameters& np = parameters::default_values());
@@ -134,26 +134,11 @@ public:
   /// last argument.
   ///
   /// \param arguments copies of these arguments are passed to the constructor of `Parameterizer` on every run
-  /// \param np
-  /// - `tolerance`: greatest relative residual of the linear system, rows scaled to unit diagonal; default 1e-10. With
-  ///   authalic weights iterations go on to 1e-2 times that, with iterative authalic ones to 1e-5 times, if they can
-  /// - `number_of_iterations`: the most iterations before the solver of `Parameterizer` takes over, or for LSCM a
-  ///   factorization of its complex matrix; default 300. If the residual is above the tolerance then, a sparse LU
-  ///   factorization takes over
-  /// - `coarsest_size`, `random_seed`, `unit_edges`: of the hierarchy, see `Collapse_hierarchy_3`. For
-  ///   `Barycentric_mapping_parameterizer_3`, whose weights do not depend on lengths, `unit_edges` is `true` by default
-  /// - `flip_policy`: not for an orbifold; a `Flip_policy`: the treatment of flips; default `REPAIR`, or `FAIL` for
-  ///   barycentric and mean value coordinates with a border on a circle, whose maps have flips only by rounding, at
-  ///   border points that coincide, and in triangles with two edges on a hole, which are degenerate. If the repair of
-  ///   an LSCM map fails or has to move more than a tenth of the vertices, the map of `MIPS_parameterizer_3` takes its
-  ///   place, with the same two pins
-  /// - `fill_holes`: not for an orbifold; whether every border except the outer one is closed by a virtual vertex in
-  ///   its middle; default `false`: the borders of holes are free. It works on a `Surface_mesh`, and,
-  ///   if there are no `arguments`, on any model of `MutableFaceGraph` that can be copied; otherwise the result is
-  ///   `ERROR_WRONG_PARAMETER`
-  /// - `visitor`: a model of `HierarchyVisitor_3`, of which `hierarchy_built()` and `progressed()` are called
-  /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did. It must live as
-  ///   long as the parameterizer runs
+  /// \param np the \ref hp_named_parameters "named parameters" `tolerance`, `number_of_iterations`: of the linear
+  ///        solver, see \ref hp_parameters_linear "their details"; `coarsest_size`, `random_seed`, `unit_edges`: of the
+  ///        hierarchy, see `Collapse_hierarchy_3`; `visitor`, of which `hierarchy_built()` and `progressed()` are
+  ///        called; `summary`; and, not for an orbifold, `flip_policy` and `fill_holes`. Defaults depend on
+  ///        `Parameterizer`
   template <class... Arguments, class NamedParameters = parameters::Default_named_parameters>
   explicit Hierarchical_parameterizer_3(const Arguments&... arguments,
                                         const NamedParameters& np = parameters::default_values());
@@ -175,8 +160,11 @@ public:
   ///
   /// \param border_parameterizer not used: the border is free
   /// \param lambda the cost of a change of scale
-  /// \param iterations the named parameter `number_of_iterations`; 200 if left out
-  /// \param tolerance the named parameter `tolerance`; 1e-6 if left out
+  /// \param iterations the named parameter `number_of_iterations`, which counts Newton steps; 200 if left out. CGAL's
+  ///        class counts local/global iterations, 50 if left out
+  /// \param tolerance the named parameter `tolerance`, relative to the excess of the energy over its lower bound; 1e-6
+  ///        if left out. A negative one is `ERROR_WRONG_PARAMETER`: where CGAL's class is given 0 or less, to run all
+  ///        iterations, give 0, with which a run goes on to the accuracy of doubles
   /// \param np as above
   template <class BorderParameterizer, class NamedParameters = parameters::Default_named_parameters>
   explicit Hierarchical_parameterizer_3(const BorderParameterizer& border_parameterizer, double lambda,
@@ -194,16 +182,19 @@ public:
   ///        parameterizer whose own `parameterize()` takes a mesh that is not `const`, too
   /// \param bhd a halfedge on the outer border of `mesh`
   /// \param uvmap a writable property map from vertices to points of the plane. A model of `RebindableParameterizer_3`
-  ///        also reads the places of the vertices for which `vpmap` is `true`. Untouched on an error
+  ///        also reads the uv coordinates of the vertices for which `vpmap` is `true`. Untouched on an error
   /// \param vimap not used: vertices get indices of the package's own
-  /// \param vpmap a readable and writable property map from vertices to `bool`: set for each vertex that got a place.
-  ///        Untouched on an error
+  /// \param vpmap a readable and writable property map from vertices to `bool`: set for each vertex that got uv
+  ///        coordinates. Untouched on an error
   /// \param others what `Parameterizer::parameterize()` takes besides, as the number of iterations of
   ///        `Iterative_authalic_parameterizer_3`; none for a model of `RefinableParameterizer_3`
   ///
-  /// \return `OK`; an error of `Mesh_component` or of the parameterizer; `ERROR_NO_1_TO_1_MAPPING` if there are flips
-  ///         and the `Flip_policy` is `FAIL`, or if no map without flips was found; `ERROR_STOPPED` if a visitor
-  ///         stopped the run
+  /// \return `OK`; an error of `Mesh_component::error()`; `ERROR_WRONG_PARAMETER`, also for an option that is out of
+  ///         range, a `uvmap` that cannot be read but must be, or coordinates that are not finite in the number type of
+  ///         `uvmap`; `ERROR_NO_1_TO_1_MAPPING` if there are flips and the `Flip_policy` is `FAIL`, or if no map
+  ///         without flips was found; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; `ERROR_BORDER_TOO_SHORT` or
+  ///         `ERROR_NON_CONVEX_BORDER` if the border cannot be placed; `ERROR_STOPPED` if a visitor stopped the run.
+  ///         \ref hp_rejected_inputs "Rejected inputs" has all causes
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap, class... Others>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap vimap,
                           VertexParameterizedMap vpmap, Others&&... others);
@@ -217,8 +208,9 @@ public:
   template <class VertexUVMap>
   Error_code parameterize(const Triangle_mesh& mesh, VertexUVMap uvmap);
 
-  /// does the same with a number of iterations. Exists for a parameterizer that takes one, such as
-  /// `Iterative_authalic_parameterizer_3`.
+  /// does the same with a number of iterations, at least 1: 0 is `ERROR_WRONG_PARAMETER`. Exists for a parameterizer
+  /// that takes one, such as `Iterative_authalic_parameterizer_3`, which does at most 15 authalic iterations with
+  /// the calls above. The named parameter `number_of_iterations` limits the linear solver, not these
   template <class VertexUVMap>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap,
                           unsigned int iterations);
@@ -241,10 +233,10 @@ public:
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, const ConeMap& cmap,
                           VertexUVMap uvmap, VertexIndexMap vimap) const;
 
-  /// tells by exact predicates whether the map of a component is one-to-one: whether its triangles are turned the same
-  /// way, all to the left or all to the right, no two of them overlap, and its borders meet neither themselves nor each
-  /// other. No map is one-to-one if it has a triangle without area or a place that is not finite, or if
-  /// `Mesh_component` rejects the surface.
+  /// decides by exact predicates whether the map of a component is one-to-one: whether its triangles are all positive
+  /// or all negative, no two of them overlap, and its borders meet neither themselves nor each other. No map is
+  /// one-to-one if it has a triangle without area or coordinates that are not finite, or if `Mesh_component` rejects
+  /// the surface.
   ///
   /// \param mesh the surface; only read
   /// \param bhd a halfedge on a border of the component
@@ -252,7 +244,7 @@ public:
   template <class VertexUVMap>
   bool is_one_to_one_mapping(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap) const;
 
-  /// tells the same of the map of some faces.
+  /// decides the same for the map of some faces.
   ///
   /// \param face_range the faces, each once, in a range that can be run through several times; one that is no triangle
   ///        has no one-to-one map

@@ -41,8 +41,8 @@ static_assert(ERROR_WRONG_PARAMETER < GIVEN_UP, "the value of GIVEN_UP is a code
 /// A level owns its triangles and one-rings, and refers to the hierarchy, which must outlive it. It can become another
 /// level of the same hierarchy by `go_to()`.
 ///
-/// The point types are those of `CGAL::Simple_cartesian<double>`, whose predicates are not exact. A method that decides
-/// by orientations converts the points to a kernel with exact predicates.
+/// The point types are those of `CGAL::Simple_cartesian<double>`, whose predicates are not exact. `is_positive()` is
+/// exact all the same. For other predicates a method converts the points to a kernel with exact predicates.
 class Level
 {
 public:
@@ -50,7 +50,7 @@ public:
   typedef Collapse_hierarchy_3::Point_3      Point_3;    ///< `CGAL::Simple_cartesian<double>::Point_3`
   typedef Collapse_hierarchy_3::Triangle     Triangle;   ///< an array of three ranks of vertices, counter-clockwise
   typedef internal::Point_2                  Point_2;    ///< `CGAL::Simple_cartesian<double>::Point_2`
-  typedef std::vector<Point_2>               Uv;         ///< the places of the vertices in the plane, by rank
+  typedef std::vector<Point_2>               Uv;         ///< the uv coordinates of the vertices, by rank
   typedef internal::One_rings::Ring          Ring;       ///< a range of vertices
 
   /// the shape of a triangle in space, seen from its corner V with the opposite edge AB. The height from V has the
@@ -79,7 +79,8 @@ public:
   }
   /// \endcond
 
-  /// becomes another level of the hierarchy.
+  /// becomes another level of the hierarchy, in a time that grows with the number of triangles of that level, times the
+  /// number of levels above it, since the corners of each triangle are followed down from the finest one.
   /// \pre `index < hierarchy().number_of_levels()`
   void go_to(std::size_t index);
 
@@ -118,10 +119,10 @@ public:
   /// whether `v` stays on every level, see `Collapse_hierarchy_3::is_pinned()`
   bool is_pinned(Index v) const { return hierarchy().is_pinned(v); }
 
-  /// whether the place of `v` in the plane is given
+  /// whether the uv coordinates of `v` are given
   bool is_fixed(Index v) const { return hierarchy().is_fixed(v); }
 
-  /// the given place of `v`, in units of the level.
+  /// the given uv coordinates of `v`, in units of the level.
   /// \pre `is_fixed(v)`
   const Point_2& fixed_place(Index v) const { return hierarchy().fixed_place(v); }
 
@@ -152,11 +153,11 @@ public:
   template <class Function>
   void for_each_vertex(const Function& f) const { m_loops.for_each(0, Index(number_of_vertices()), f); }
 
-  /// tells the visitor of the run, if it has one, what a method has done on the level so far. Without a visitor it
+  /// reports to the visitor of the run, if it has one, what a method has done on the level so far. Without a visitor it
   /// costs next to nothing. It is meant to be called after each iteration, in the thread of the run.
   ///
   /// \param summary its `iterations` and `energy_end` are those so far
-  /// \param part an estimate of the part of the method's work on the level that is done, from 0 to 1; it may fall
+  /// \param part an estimate of the fraction of the method's work on the level that is done, from 0 to 1; it may fall
   ///
   /// \return whether the run may go on. Once the visitor has stopped the run, it is no longer called
   bool progressed(const Level_summary& summary, double part) const;

@@ -21,7 +21,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `DistortionEnergy_2`
 struct MIPS_energy_2
 {
-  /// the least value, that of a similarity
+  /// the lower bound, which is the energy of a similarity
   static constexpr double minimum = 2;
 
   /// whether the energy stays the same when the plane is scaled

@@ -37,7 +37,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// points are moved so that the center of their box is the origin, and scaled by a power of two
 /// (`Triangulated_surface_3::scale_exponent`), so that no later product of lengths over- or underflows.
 ///
-/// \tparam TriangleMesh a model of `FaceListGraph` with an internal vertex point map
+/// \tparam TriangleMesh a mesh, see \ref hp_mesh "the requirements"
 template <class TriangleMesh>
 class Mesh_component
 {

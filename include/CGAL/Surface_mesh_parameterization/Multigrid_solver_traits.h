@@ -33,17 +33,20 @@ namespace CGAL::Surface_mesh_parameterization {
 ///
 /// Solves sparse linear systems whose unknowns belong to the vertices of a mesh, by a multigrid method on the hierarchy
 /// of the mesh. It replaces CGAL's solver traits wherever CGAL assembles such a system: as the third template argument
-/// of its parameterizers, or as the solver of functions of `Polygon_mesh_processing`. The solution is the same, and
-/// time and memory grow in proportion to the mesh.
+/// of its parameterizers, or as the solver of functions of `Polygon_mesh_processing`. The solution is the same. Where
+/// multigrid converges, time and memory grow in proportion to the mesh; a factorization takes more.
 ///
 /// The solver uses conjugate gradients if the matrix is symmetric, else BiCGSTAB if it is diagonally dominant, and
-/// GMRES if it is not. The preconditioner is a V-cycle with an incomplete factorization as smoother, and full multigrid
-/// gives the first guess. A row with only a diagonal entry holds a given value, and its unknown is eliminated. If the
-/// residual does not become small enough, or if the matrix does not couple neighbors in the mesh, so that its unknowns
-/// must have another order, a sparse LU factorization takes over. Of nearly singular matrices, rounding may leave a
-/// residual above the tolerance, which `summary()` tells. If that is above 1e-3, relatively, or if there is no
-/// factorization, the functions return `false` and leave the solution unchanged. They do the same with a matrix that
-/// has not the same number of rows for each vertex in the system.
+/// GMRES if it is not. The preconditioner is a V-cycle with an incomplete factorization as smoother. For a symmetric
+/// matrix and one right-hand side, K-cycles take over after 100 iterations, or after 30 that did not halve the
+/// residual. Full multigrid gives the initial guess. A row with only a diagonal entry gives a value, and its unknown is
+/// eliminated. If the residual does not become small enough, or if the matrix does not couple neighbors in the mesh, so
+/// that its unknowns must have another order, a sparse LU factorization takes over. Of nearly singular matrices,
+/// rounding may leave a residual above the tolerance, which `summary()` reports. If that is above 1e-3, relatively, or
+/// if there is no factorization, the functions return `false` and leave the solution unchanged. They do the same with a
+/// matrix that has not the same number of rows for each vertex in the system.
+///
+/// An object runs in one thread. The solver of a `Hierarchical_parameterizer_3` with `CGAL::Parallel_tag` uses several.
 ///
 /// An object knows the hierarchy and the vertex of each unknown:
 /// \code
@@ -108,19 +111,45 @@ public:
 
   /// builds the hierarchy of the connected component of `mesh` that contains `bhd`.
   ///
+  /// \tparam TriangleMesh a mesh, see \ref hp_mesh "the requirements"
+  /// \tparam Halfedge a type that converts to the mesh's `halfedge_descriptor`
+  /// \tparam VertexIndexMap a `ReadablePropertyMap` from the mesh's `vertex_descriptor` to an integer type
+  /// \tparam NamedParameters a sequence of named parameters
+  ///
   /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
   /// \param bhd a halfedge on the outer border of `mesh`
   /// \param vimap a readable property map from vertices to integers: the order of the vertices in the linear system.
   ///        With k unknowns at each vertex, the vertex with the i-th smallest index, from 0, has the unknowns from k i
   ///        to k i + k - 1. A vertex with a negative index is not in the system: of a system for some of the vertices,
   ///        such as those that `Polygon_mesh_processing::fair()` moves, all others need one
-  /// \param np
-  /// - `tolerance`: greatest relative residual, rows scaled to unit diagonal; default 1e-10. Less than
-  ///   1e-15 counts as that
-  /// - `number_of_iterations`: the most iterations before the direct solver takes over; default 300
-  /// - `coarsest_size`, `random_seed`: of the hierarchy, see `Collapse_hierarchy_3`
-  /// - `unit_edges`: of the hierarchy. For a matrix of uniform weights, as in `Barycentric_mapping_parameterizer_3`,
-  ///   `true` saves iterations on stretched triangles
+  /// \param np an optional sequence of \ref hp_named_parameters "named parameters" among these:
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{tolerance}
+  ///     \cgalParamDescription{the maximum relative residual, rows scaled to unit diagonal}
+  ///     \cgalParamType{`double`, at least 0}
+  ///     \cgalParamDefault{1e-10}
+  ///     \cgalParamExtra{A value below 1e-15 counts as 1e-15.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{number_of_iterations}
+  ///     \cgalParamDescription{the maximum number of iterations before the direct solver takes over}
+  ///     \cgalParamType{an integer or floating-point number, at least 0, may be infinite}
+  ///     \cgalParamDefault{300}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{coarsest_size, random_seed}
+  ///     \cgalParamDescription{options of the hierarchy}
+  ///     \cgalParamType{those of `Collapse_hierarchy_3`}
+  ///     \cgalParamDefault{100 and 0}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{unit_edges}
+  ///     \cgalParamDescription{whether the hierarchy measures coarse triangles as if all edges of the mesh were equally
+  ///       long}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///     \cgalParamExtra{For a matrix of uniform weights, as in `Barycentric_mapping_parameterizer_3`, `true` saves
+  ///       iterations on stretched triangles.}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   ///
   /// If the mesh or an option is rejected, `error()` says why, and the object cannot solve anything.
   template <class TriangleMesh, class Halfedge, class VertexIndexMap,

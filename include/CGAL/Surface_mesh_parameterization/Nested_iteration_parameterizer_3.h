@@ -31,9 +31,10 @@ namespace CGAL::Surface_mesh_parameterization {
 /// and lets a method parameterize the coarsest level. For each finer level it inserts the new vertices, and the method
 /// refines the map from there.
 ///
-/// If the method is flip-free, insertion creates no flips: a vertex goes to its stored barycentric place or into the
-/// kernel of its star polygon, tested by exact predicates. If not, a vertex goes to its stored place, as in the paper,
-/// or to the place at which the method has fixed it. The same input, options and seed give the same result.
+/// If the method is flip-free, insertion creates no flips: a vertex goes to its stored barycentric coordinates or into
+/// the kernel of its star polygon, tested by exact predicates. If not, a vertex goes to its stored coordinates, as in
+/// the paper, or to the uv coordinates at which the method has fixed it. The same input, options and seed give the same
+/// result.
 ///
 /// \cgalModels `Parameterizer_3`
 ///
@@ -68,40 +69,83 @@ public:
                 "the method has place_border() and is_flip_free, but a given place may leave no room for a triangle: "
                 "see RefinableParameterizer_3");
 
-  /// \param method the method that parameterizes every level. What it was told of its flat runs, as `fill_holes`,
-  ///        `vertex_is_constrained_map` or `summary`, holds for these runs, too, unless `np` says otherwise
-  /// \param np
-  /// - `coarsest_size`: the coarsest level has at most that many vertices, if the mesh allows it; default 100. The
-  ///   coarsest level gets smaller if a flip-free method fails to map it without a flip
-  /// - `random_seed`, `unit_edges`: of the hierarchy, see `Collapse_hierarchy_3`; default 0 and `false`
-  /// - `visitor`: a model of `HierarchyVisitor_3`; default: none
-  /// - `fill_holes`: whether every border except the outer one is closed by a virtual vertex in its middle, so that a
-  ///   hole is mapped like a part of the surface; default `false`: holes are open in the result, but flip-free methods
-  ///   start from a map with filled holes where small ones are many, or with cracks closed
-  /// - `flip_policy`: a `Flip_policy`: the treatment of flips; default `REPAIR`; flip-free methods do not need it
-  /// - `overlap_bound`: of methods that keep borders apart: the greatest part of the triangles, counted by their
-  ///   centroids, that may lie over others in the map without that constraint if borders are to be kept apart. Where
-  ///   more do, that map is the result, or a draft of it that has not `converged`, see `Level::is_draft()`: it is to be
-  ///   divided, since keeping its borders apart would distort it far and take long. It is the result, too, where
-  ///   keeping borders apart fails, leaves more than twice the energy after 80 iterations on the finest level, or
-  ///   raises it by more than 2 % in the end. Where no centroid is covered, borders are kept apart in any case. It has
-  ///   no effect with `initial_map`, if there is a map to start from. Default: 1, which keeps borders apart in any case
-  /// - `initial_map`: of flip-free methods; whether `uvmap`, which must be readable then, holds a map to start from;
-  ///   default `false`. The method refines it on the finest level. Flips are repaired first, vertices whose coordinates
-  ///   are not finite get a place between their neighbors, and a map that is less than half or more than twice as long
-  ///   and wide as the surface's area asks for is scaled to that. Where the method finds no map from there, it starts
-  ///   from none
-  /// - `vertex_is_constrained_map`: of methods that have `holds_vertices`; a readable property map from vertices to
-  ///   `bool`: vertices that keep the places that `uvmap` holds, to the last bit of doubles; `uvmap` must be readable
-  ///   then. Default: none. They stay on every level, unless they lie on the border between two others. The map is
-  ///   not scaled. With the vertices of a border, which one of CGAL's border parameterizers may have placed, the
-  ///   border is fixed
-  /// - `position_weight_map`: of the same methods; a readable property map from vertices to numbers of at least 0:
-  ///   the energy is increased by the sum of these weights times the squared distance between a vertex and its place
-  ///   in `uvmap`, in the user's units. With `Triangle_weight::AREA` the energy is that of the surface, not the mean.
-  ///   Default: 0 everywhere
-  /// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives what the run did; it must live as
-  ///   long as the parameterizer runs
+  /// \param method the method that parameterizes every level. What its constructor was given for flat runs, such as
+  ///        `fill_holes`, `vertex_is_constrained_map` or `summary`, is used for these runs, too, unless `np` has it
+  /// \param np an optional sequence of \ref hp_named_parameters "named parameters" among these:
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{coarsest_size}
+  ///     \cgalParamDescription{the maximum number of vertices of the coarsest level, if the mesh allows it}
+  ///     \cgalParamType{an integer or floating-point number, at least 0, may be infinite}
+  ///     \cgalParamDefault{100}
+  ///     \cgalParamExtra{The coarsest level gets smaller if a flip-free method fails to map it without a flip.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{random_seed, unit_edges}
+  ///     \cgalParamDescription{options of the hierarchy}
+  ///     \cgalParamType{those of `Collapse_hierarchy_3`}
+  ///     \cgalParamDefault{0 and `false`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{is called with the levels and the progress, and can stop the run}
+  ///     \cgalParamType{a model of `HierarchyVisitor_3`, or `std::ref` of one}
+  ///     \cgalParamDefault{none}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{fill_holes}
+  ///     \cgalParamDescription{whether every border except the outer one is closed by a virtual vertex in its middle,
+  ///       so that a hole is mapped like a part of the surface}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`: holes are open in the result, but flip-free methods start from a map with filled
+  ///       holes where small ones are many, or with cracks closed}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{flip_policy}
+  ///     \cgalParamDescription{the treatment of flips}
+  ///     \cgalParamType{`Flip_policy`}
+  ///     \cgalParamDefault{`REPAIR`}
+  ///     \cgalParamExtra{Flip-free methods do not need it.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{overlap_bound}
+  ///     \cgalParamDescription{of methods that keep borders apart: the maximum fraction of the triangles, counted by
+  ///       their centroids, that others may cover in the map without that constraint if borders are to be kept apart}
+  ///     \cgalParamType{`double`, from 0 to 1}
+  ///     \cgalParamDefault{1: borders are kept apart in any case}
+  ///     \cgalParamExtra{Where more are covered, that map is the result, or a draft of it that has not `converged`, see
+  ///       `Level::is_draft()`: it is to be divided, since keeping its borders apart would distort it far and take
+  ///       long. It is the result, too, where keeping borders apart fails, leaves more than twice the energy after 80
+  ///       iterations on the finest level, or raises it by more than 2 % in the end. Where no centroid is covered,
+  ///       borders are kept apart in any case. It has no effect with `initial_map`, if there is a map to start from.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{initial_map}
+  ///     \cgalParamDescription{of flip-free methods: whether `uvmap`, which must be readable then, holds a map to start
+  ///       from. The method refines it on the finest level}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///     \cgalParamExtra{Flips are repaired first, vertices whose coordinates are not finite are put between their
+  ///       neighbors, and a map that is less than half or more than twice as long and wide as the surface's area asks
+  ///       for is scaled to that. Where the method finds no map from there, it runs without a start.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{vertex_is_constrained_map}
+  ///     \cgalParamDescription{of methods that have `holds_vertices`: vertices that keep the uv coordinates in `uvmap`,
+  ///       to the last bit of doubles; `uvmap` must be readable then}
+  ///     \cgalParamType{a readable property map from vertices to `bool`}
+  ///     \cgalParamDefault{no vertex}
+  ///     \cgalParamExtra{They stay on every level, unless they lie on the border between two others. The map is not
+  ///       scaled. If all vertices of a border are constrained, to which one of CGAL's border parameterizers may have
+  ///       given uv coordinates, the border is fixed.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{position_weight_map}
+  ///     \cgalParamDescription{of the same methods: the energy is increased by the sum of these weights times the
+  ///       squared distance between the uv coordinates of a vertex and those in `uvmap`, in the units of the mesh}
+  ///     \cgalParamType{a readable property map from vertices to numbers that are not negative}
+  ///     \cgalParamDefault{0 for all vertices}
+  ///     \cgalParamExtra{With `Triangle_weight::AREA` the energy is that of the surface, not the mean.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{summary}
+  ///     \cgalParamDescription{the object that receives what the run did}
+  ///     \cgalParamType{`std::reference_wrapper<Parameterization_summary>`}
+  ///     \cgalParamDefault{no summary is filled}
+  ///     \cgalParamExtra{The object must live as long as the parameterizer runs.}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Nested_iteration_parameterizer_3(const Method& method = Method(),
                                             const NamedParameters& np = parameters::default_values())
@@ -128,15 +172,18 @@ public:
   /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
   /// \param bhd a halfedge on the outer border of `mesh`
   /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
-  /// \param vpmap a writable property map from vertices to `bool`: set for each vertex that got a place; untouched on
-  /// an error
+  /// \param vpmap a writable property map from vertices to `bool`: set for each vertex that got uv coordinates;
+  /// untouched on an error
   ///
-  /// \return `OK`; an error of `Mesh_component` or of the method; `ERROR_WRONG_PARAMETER` if the method fixed a vertex
-  ///         at a place that is not finite, if `uvmap` cannot be read but must be, if the place of a constrained vertex
-  ///         is not finite, or if a weight is negative or not finite; `ERROR_NO_1_TO_1_MAPPING` if a vertex could not
-  ///         be inserted without a flip, because its neighbors lie too close together for doubles, if a constrained
-  ///         vertex could not be brought to its place without a flip, or if there are flips and the `Flip_policy` is
-  ///         `FAIL`; `ERROR_STOPPED` if the visitor stopped the run. The `summary` names a constrained vertex that is
+  /// \return `OK`; an error of `Mesh_component::error()`; the error of the method; `ERROR_WRONG_PARAMETER`, also if an
+  ///         option is out of range, if the method fixed a vertex at coordinates that are not finite, if `uvmap` cannot
+  ///         be read but must be, if the uv coordinates of a constrained vertex are not finite, if a weight is negative
+  ///         or not finite, or if the result is not finite in the number type of `uvmap`; `ERROR_NO_1_TO_1_MAPPING` if
+  ///         a vertex could not be inserted without a flip, because its neighbors lie too close together for doubles,
+  ///         if a constrained vertex could not be brought to its uv coordinates without a flip, or if there are flips
+  ///         and the `Flip_policy` is `FAIL`; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; `ERROR_BORDER_TOO_SHORT` or
+  ///         `ERROR_NON_CONVEX_BORDER` if the border cannot be placed; `ERROR_STOPPED` if a visitor stopped the run.
+  ///         \ref hp_rejected_inputs "Rejected inputs" has all causes. The `summary` names a constrained vertex that is
   ///         the cause, or the triangle whose corners contradict each other
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,

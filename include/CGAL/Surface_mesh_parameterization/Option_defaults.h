@@ -28,9 +28,9 @@ struct Option_defaults
   /// \name Atlases
   /// @{
   static constexpr double distortion_bound = 4.5;   ///< of surfaces that have to be cut; disks are left up to 8
-  static constexpr double least_used_part = 0.25;   ///< of the square, by the charts
-  static constexpr double overlap_bound = 0.2;      ///< of a chart's triangles that may lie over others
-  static constexpr double hole_bound = 0.1;         ///< of a hole's border, by the root of the component's area
+  static constexpr double least_used_part = 0.25;   ///< fraction of the square that charts cover
+  static constexpr double overlap_bound = 0.2;      ///< fraction of a chart's triangles that others may cover
+  static constexpr double hole_bound = 0.1;         ///< length of a hole's border, by the root of the area
   /// @}
 };
 

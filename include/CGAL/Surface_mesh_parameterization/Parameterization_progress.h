@@ -12,7 +12,7 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
-/// How far a run has come, as a `HierarchyVisitor_3` is told.
+/// How far a run has come, as it is reported to a `HierarchyVisitor_3`.
 struct Parameterization_progress
 {
   std::size_t level = 0;              ///< index of the level; 0 is the coarsest
@@ -22,8 +22,9 @@ struct Parameterization_progress
                                       ///< solver, iterations for the system that is being solved
   double energy = 0;      ///< the energy that is being minimized, as `Level_summary::energy_end`; of a linear solver,
                           ///< the relative residual; 0 while the hierarchy is being built
-  double part_done = 0;   ///< an estimate of the part of the whole run that is done, from 0 to 1. It never falls, and
-                          ///< it is 1 only in the last call, when the map is finished
+  /// an estimate of the fraction of the whole run that is done, from 0 to 1. It never falls, and it is 1 only in the
+  /// last call, when the map is finished
+  double part_done = 0;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization

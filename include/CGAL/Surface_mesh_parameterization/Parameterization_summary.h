@@ -34,7 +34,8 @@ struct Parameterization_error
   Error_code code = OK;       ///< `OK` if nothing went wrong
   Place place = NOWHERE;      ///< whether the error lies at a vertex, at a face, or at no particular place
   std::size_t index = 0;      ///< the position of that vertex or face in `vertices(mesh)` or `faces(mesh)`, from 0
-  const char* cause = nullptr;      ///< what is wrong, in words, where the code can mean many things; else null
+  const char* cause = nullptr;      ///< what is wrong, in words, where the code can mean many things; else null. A
+                                    ///< string literal: it stays valid, and nobody frees it
 };
 
 /// \ingroup PkgHierarchicalParameterizationRef
@@ -61,10 +62,10 @@ struct Linear_solver_summary
 {
   std::size_t setups = 0;             ///< matrices for which grids were set up, or which were to be solved without
   std::size_t right_sides = 0;        ///< right-hand sides that were given
-  std::size_t failures = 0;           ///< right-hand sides that no solver solved, of which the parameterizer was told
-  /// the most iterations for one right-hand side, of conjugate gradients, BiCGSTAB or GMRES
+  std::size_t failures = 0;           ///< right-hand sides that no solver solved, as was reported to the parameterizer
+  /// the maximum number of iterations for one right-hand side, of conjugate gradients, BiCGSTAB or GMRES
   std::size_t iterations = 0;
-  /// the greatest relative residual of a solution, recomputed at the end; rows scaled to unit diagonal. It is at most
+  /// the maximum relative residual of a solution, recomputed at the end; rows scaled to unit diagonal. It is at most
   /// the tolerance, unless rounding leaves more, as of a nearly singular matrix
   double residual = 0;
   /// right-hand sides for which there was no multigrid, as with LSCM on small surfaces, or no convergence: the solver
@@ -83,16 +84,19 @@ struct Parameterization_summary
   /// whether the finest level converged; of a method that solves linear systems, whether it got all solutions. The
   /// guarantees about flips do not depend on it
   bool converged = false;
-  /// the method's energy of the result: the sum over the triangles, or the mean over the area; after a repair, if the
-  /// method tells the energy of any map, see `RefinableParameterizer_3`; 0 for the linear methods of CGAL, unless
-  /// another method's map replaced theirs: then it is that method's energy, and `levels` are its levels
+  /// the method's energy of the result. With `Triangle_weight::ONE`, as of MIPS, it is a sum over the triangles; with
+  /// `AREA`, as of symmetric Dirichlet, the mean over the area. Both have no unit if the energy of a triangle has none.
+  /// Springs are included, of a mean divided by the area. ARAP and edge energies are half of a sum, in squared units of
+  /// the mesh and of the map, without springs. After a repair it is that of the new map, if the method has the energy
+  /// of any map, see `RefinableParameterizer_3`. 0 for the linear methods of CGAL, unless another method's map replaced
+  /// theirs: then it is that method's energy, and `levels` are its levels
   double energy = 0;
   /// from the coarsest level to the finest; the finest only where the run started from a map, be it the user's or one
   /// with cracks closed or many small holes filled; none for the linear methods of CGAL, unless their map was replaced
   std::vector<Level_summary> levels;
   /// triangles that the method flipped, before a repair, see `Flip_policy`; if there are none, interior vertices around
-  /// which its map winds more than once, and border vertices whose angles make a full turn or more. Not counted if the
-  /// policy is `KEEP`
+  /// which its map winds more than once, and border vertices whose angles sum to 360 degrees or more. Not counted if
+  /// the policy is `KEEP`
   std::size_t flips = 0;
   /// vertices that the repair moved, those in the middle of filled holes included; all if the map was replaced
   std::size_t moved_vertices = 0;

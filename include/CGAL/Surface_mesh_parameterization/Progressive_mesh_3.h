@@ -31,7 +31,7 @@ public:
   typedef Collapse_hierarchy_3::Index      Index;      ///< rank of a vertex or of a face
   typedef Collapse_hierarchy_3::Triangle   Triangle;   ///< an array of three ranks of vertices, counter-clockwise
 
-  /// starts at level 0
+  /// starts at level 0. The time grows with the number of triangles of the input times the number of levels, at most
   explicit Progressive_mesh_3(const Collapse_hierarchy_3& hierarchy)
     : m_hierarchy(&hierarchy), m_number_of_vertices(hierarchy.number_of_vertices(0)),
       m_fan_faces(collect_fan_faces(hierarchy))
@@ -52,7 +52,7 @@ public:
   /// the triangles, by rank; a triangle and its corners have the order of the input
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
-  /// the ranks of the faces whose corner `v` becomes `hierarchy().kept_vertex(v)`.
+  /// the ranks of the faces whose corner `v` becomes `hierarchy().kept_vertex(v)`, in constant time.
   /// \pre `hierarchy().number_of_vertices(0) <= v && v < hierarchy().number_of_vertices()`
   boost::iterator_range<const Index*> fan_faces(Index v) const
   {
@@ -61,7 +61,8 @@ public:
     return m_fan_faces[v - coarsest_vertices];
   }
 
-  /// undoes one collapse: brings back the missing vertex with the least rank.
+  /// undoes one collapse: brings back the missing vertex with the minimum rank. The time grows with the
+  /// number of faces around it, and for the one or two new faces as in `Collapse_hierarchy_3::last_triangle()`.
   /// \pre `number_of_vertices() < hierarchy().number_of_vertices()`
   void split_vertex()
   {
@@ -73,7 +74,7 @@ public:
       m_triangles.push_back(m_hierarchy->last_triangle(f));
   }
 
-  /// collapses the vertex with the greatest rank.
+  /// collapses the vertex with the maximum rank. The time grows with the number of faces around it.
   /// \pre `number_of_vertices() > hierarchy().number_of_vertices(0)`
   void collapse_vertex()
   {
@@ -84,7 +85,7 @@ public:
       internal::replace_corner(m_triangles[f], v, m_hierarchy->kept_vertex(v));
   }
 
-  /// splits or collapses until the mesh is the given level.
+  /// splits or collapses until the mesh is the given level, one vertex after the other.
   /// \pre `level < hierarchy().number_of_levels()`
   void walk_to_level(std::size_t level)
   {

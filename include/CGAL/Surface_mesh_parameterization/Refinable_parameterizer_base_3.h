@@ -24,7 +24,7 @@ namespace CGAL::Surface_mesh_parameterization {
 
 /// \ingroup PkgHierarchicalParameterizationMethods
 ///
-/// A base class that turns a model of `RefinableParameterizer_3` into a model of `Parameterizer_3`. Its
+/// A base class that makes a model of `RefinableParameterizer_3` a model of `Parameterizer_3`. Its
 /// `parameterize()` runs the method *flat*, on a hierarchy whose only level is the input. If a flip-free method finds
 /// no first map of the input without a flip, the hierarchy gets coarser levels, as few as possible. A method derives
 /// from it: `class My_parameterizer_3 : public Refinable_parameterizer_base_3<My_parameterizer_3<Mesh>, Mesh>`. A
@@ -33,7 +33,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `Parameterizer_3`
 ///
 /// \tparam Method the derived class, a model of `RefinableParameterizer_3`
-/// \tparam TriangleMesh_ a model of `FaceListGraph` with an internal vertex point map
+/// \tparam TriangleMesh_ a mesh, see \ref hp_mesh "the requirements"
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 template <class Method, class TriangleMesh_, class ConcurrencyTag = Sequential_tag>
 class Refinable_parameterizer_base_3
@@ -57,10 +57,15 @@ public:
   /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
   /// \param bhd a halfedge on the outer border of `mesh`
   /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error
-  /// \param vpmap a writable property map from vertices to `bool`: set for each vertex that got a place; untouched on
-  /// an error
+  /// \param vpmap a writable property map from vertices to `bool`: set for each vertex that got uv coordinates;
+  /// untouched on an error
   ///
-  /// \return `OK`, or an error of `Mesh_component` or of the method
+  /// \return `OK`; an error of `Mesh_component::error()`; the error of the method; `ERROR_WRONG_PARAMETER`, also for an
+  ///         option that is out of range, a `uvmap` that cannot be read but must be, or coordinates that are not finite
+  ///         in the number type of `uvmap`; `ERROR_NO_1_TO_1_MAPPING` if no map without flips was found, or there are
+  ///         flips and the `Flip_policy` is `FAIL`; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; `ERROR_BORDER_TOO_SHORT` or
+  ///         `ERROR_NON_CONVEX_BORDER` if the border cannot be placed. \ref hp_rejected_inputs "Rejected inputs" has
+  ///         all causes
   template <class VertexUVMap, class VertexIndexMap, class VertexParameterizedMap>
   Error_code parameterize(const Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVMap uvmap, VertexIndexMap,
                           VertexParameterizedMap vpmap)
@@ -88,10 +93,33 @@ protected:
       Flat_option_names;
   /// \endcond
 
-  /// \param np the named parameters of a flat run, which hold in an adaptor, too, that is not told otherwise:
-  ///        `flip_policy`, `fill_holes` and `summary`, a `std::reference_wrapper<Parameterization_summary>` that must
-  ///        live as long as either runs; and, where the method has what they need, `initial_map`, `overlap_bound`,
-  ///        `vertex_is_constrained_map` and `position_weight_map`, see `Nested_iteration_parameterizer_3`
+  /// \param np the \ref hp_named_parameters "named parameters" of a flat run, which an adaptor uses, too, unless its
+  ///        own constructor is given others. `initial_map`, `overlap_bound`, `vertex_is_constrained_map` and
+  ///        `position_weight_map` have an effect where the method has what they need:
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{flip_policy}
+  ///     \cgalParamDescription{the treatment of flips}
+  ///     \cgalParamType{`Flip_policy`}
+  ///     \cgalParamDefault{`REPAIR`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{fill_holes}
+  ///     \cgalParamDescription{whether holes are treated as parts of the surface}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`false`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{summary}
+  ///     \cgalParamDescription{the object that receives what a run did}
+  ///     \cgalParamType{`std::reference_wrapper<Parameterization_summary>`}
+  ///     \cgalParamDefault{no summary is filled}
+  ///     \cgalParamExtra{It must live as long as flat runs and those of an adaptor.}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{initial_map, overlap_bound, vertex_is_constrained_map, position_weight_map}
+  ///     \cgalParamDescription{see `Nested_iteration_parameterizer_3`}
+  ///     \cgalParamType{as there}
+  ///     \cgalParamDefault{as there}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
   template <class NamedParameters>
   explicit Refinable_parameterizer_base_3(const NamedParameters& np)
     : m_setup(internal::run_setup_of<Method, Triangle_mesh>(np))

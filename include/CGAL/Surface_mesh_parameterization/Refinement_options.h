@@ -38,27 +38,27 @@ struct Refinement_options
   /// named parameter `optimizer`
   Optimizer optimizer = Optimizer::NEWTON;
 
-  /// named parameter `tolerance`: a level has converged when an iteration lowers the energy by less than this part of
-  /// its excess over the minimum, which counts as 1e-4 of the minimum at least. With Newton's method it has converged,
-  /// too, when the last three steps show that the remaining ones would lower the energy by less than that; and levels
-  /// below the finest use 5e-3 instead: they only need to give a good first guess. Below 1e-12, which is what energies
-  /// in doubles tell, Newton's method ends with a few steps that the gradient judges, as long as they make it smaller:
-  /// the map reaches the minimum to rounding, not only to the square root of it. `globally_injective` prevents them;
-  /// where it keeps borders apart, a level has converged when a step lowers the excess by less than 1e-4, if that is
-  /// greater.
-  /// A tolerance or a count that is negative or no number makes a method return `ERROR_WRONG_PARAMETER`; a count may be
-  /// infinite
+  /// named parameter `tolerance`: a level has converged when an iteration lowers the energy by less than this fraction
+  /// of its excess over the lower bound, which counts as 1e-4 of the lower bound at least. With Newton's method it has
+  /// converged, too, when the last three steps show that the remaining ones would lower the energy by less than that;
+  /// and levels below the finest use 5e-3 instead: they only need to give a good initial guess. Below 1e-12, which is
+  /// the accuracy of energies in doubles, Newton's method ends with a few steps that the gradient judges, as long as
+  /// they make it smaller: the map is the minimizer up to rounding, not only up to the square root of that.
+  /// `globally_injective` prevents them; where it keeps borders apart, a level has converged when a step lowers the
+  /// excess by less than 1e-4, if that is greater. A tolerance or a count that is negative or no number makes a method
+  /// return `ERROR_WRONG_PARAMETER`; a count may be infinite
   double tolerance = 1e-6;
 
-  /// named parameter `number_of_iterations`: the most iterations on a level, from each start: Newton steps, or sweeps
-  /// (of as many visits as there are vertices); on the coarsest of several levels 2000 sweeps, if that is more
+  /// named parameter `number_of_iterations`: the maximum number of iterations on a level, from each start: Newton
+  /// steps, or sweeps (of as many visits as there are vertices); on the coarsest of several levels 2000 sweeps, if that
+  /// is more
   std::size_t number_of_iterations = 200;
 
   /// named parameter `number_of_local_steps`: if it is not 0, every level gets exactly this number of random vertex
   /// visits, and the parameters above have no effect, though their values are checked: the experiment of the paper
   std::size_t number_of_local_steps = 0;
 
-  /// named parameter `triangle_weight`: what the energy of a triangle counts in the sum. The default is that of MIPS;
+  /// named parameter `triangle_weight`: the weight of the energy of a triangle in the sum. The default is that of MIPS;
   /// `Symmetric_Dirichlet_parameterizer_3` has `AREA`
   Triangle_weight triangle_weight = Triangle_weight::ONE;
 
@@ -79,7 +79,7 @@ struct Refinement_options
   }
   /// \endcond
 
-  /// whether the options make sense
+  /// whether all options are in their ranges
   bool are_valid() const { return fault() == nullptr; }
 
   /// sets the options that are among the given named parameters.

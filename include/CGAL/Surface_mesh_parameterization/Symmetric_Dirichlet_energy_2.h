@@ -21,7 +21,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `DistortionEnergy_2`
 struct Symmetric_Dirichlet_energy_2
 {
-  /// the least value, that of an isometry
+  /// the lower bound, which is the energy of an isometry
   static constexpr double minimum = 4;
 
   /// whether the energy stays the same when the plane is scaled

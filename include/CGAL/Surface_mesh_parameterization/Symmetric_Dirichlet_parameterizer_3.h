@@ -22,7 +22,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \cgalModels `Parameterizer_3`
 /// \cgalModels `RefinableParameterizer_3`
 ///
-/// \tparam TriangleMesh a model of `FaceListGraph` with an internal vertex point map
+/// \tparam TriangleMesh a mesh, see \ref hp_mesh "the requirements"
 /// \tparam ConcurrencyTag as of `Distortion_parameterizer_3`
 template <class TriangleMesh, class ConcurrencyTag = Sequential_tag>
 class Symmetric_Dirichlet_parameterizer_3

@@ -31,22 +31,22 @@ struct Triangulated_surface_3
   /// a length in `points`, and in the plane, is `2^scale_exponent` times the length in the user's units
   int scale_exponent = 0;
 
-  /// a vertex whose place in the plane is given
+  /// a vertex whose uv coordinates are given
   struct Fixed_vertex
   {
     internal::Index vertex;     ///< index of a point
-    internal::Point_2 place;    ///< in the units of `points`
+    internal::Point_2 place;    ///< its uv coordinates, in the units of `points`
   };
 
-  /// the vertices whose places are given, each at most once
+  /// the vertices whose uv coordinates are given, each at most once
   std::vector<Fixed_vertex> fixed_vertices = {};
 
-  /// a vertex that a spring pulls to a place in the plane: it adds `stiffness / 2` times the squared distance to the
+  /// a vertex that a spring pulls to uv coordinates: it adds `stiffness / 2` times the squared distance to the
   /// energy of a map
   struct Spring
   {
     internal::Index vertex;     ///< index of a point
-    internal::Point_2 place;    ///< in the units of `points`
+    internal::Point_2 place;    ///< its uv coordinates, in the units of `points`
     double stiffness;           ///< for distances in the units of `points`
   };
 

@@ -75,58 +75,79 @@ Atlas read_atlas(const TriangleMesh& mesh, EdgeSeamMap seams, const Atlas_option
 
 /// \ingroup PkgHierarchicalParameterizationAtlas
 ///
-/// lays a whole surface in the plane: any number of components, closed or not, with any number of handles. Cuts what
+/// maps a whole surface to the plane: any number of components, closed or not, with any number of handles. Cuts what
 /// must be cut (`cut_to_disk()`), parameterizes every chart (`hierarchical_parameterization()`), scales it to its area
 /// in space, and packs all charts (`pack_charts()`).
 /// \code
 ///   auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
 ///   auto result = SMP::atlas_parameterization(mesh, uv);
 /// \endcode
-/// The place of a corner belongs to the halfedge that leads to it in its face, so that the mesh need not be cut. The
-/// corners at a vertex have several places if the vertex lies on a seam. Halfedges on a border get none.
+/// The uv coordinates of a corner belong to the halfedge that leads to it in its face, so that the mesh need
+/// not be cut. The corners at a vertex have several uv coordinates if the vertex lies on a seam. Halfedges on a border
+/// get none.
 ///
 /// A method that knows the named parameter `globally_injective` gets the value `true` unless the caller gives another
-/// one: then no two triangles of the atlas overlap. A chart that would lie over itself far, or whose borders could not
-/// be kept apart, is divided, and its parts are laid out instead, with any method whose map of it has no flips.
+/// one: then no two triangles of the atlas overlap. A chart that would overlap itself far, or whose borders could not
+/// be kept apart, is divided, and its parts are parameterized instead, with any method whose map of it has no flips.
 ///
 /// Source of the cut that divides a chart: Boykov, Kolmogorov, *An experimental comparison of min-cut/max-flow
 /// algorithms for energy minimization in vision*, 2004.
 ///
 /// \tparam Method a class template of parameterizers, as of `hierarchical_parameterization()`
-/// \tparam ConcurrencyTag `CGAL::Parallel_tag` cuts several components side by side, then lays out several charts, each
-///         with the threads that are left, and needs `CGAL::TBB_support`; the result is the same
+/// \tparam ConcurrencyTag `CGAL::Parallel_tag` cuts several components side by side, then parameterizes several charts,
+///         each with the threads that are left, and needs `CGAL::TBB_support`; the result is the same
 ///
-/// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; it is only read
+/// \param mesh a triangulated surface, see \ref hp_mesh "the requirements"; it is only read
 /// \param uvmap a writable property map from halfedges to points of the plane. Untouched on an error, except that of a
-///        chart: the corners of that chart are untouched, the others have their places. To tell them apart, fill the
-///        map with coordinates that are not finite before, which is also what `IO::write_OBJ()` looks for, or, where
-///        coordinates cannot be so, as exact ones, ask `chart_of_face`
-/// \param np the named parameters of `cut_to_disk()` and of `pack_charts()`, and
-/// - `edge_is_constrained_map`: a readable property map from edges to `bool`: where the surface is cut in any case;
-///   default: nowhere
-/// - `least_used_part`: the part of the square, from 0 to 1, that the charts should cover: until they do, charts are
-///   divided where a short cut lets boxes around both sides become smaller, or, where no single cut does, as in a
-///   frame, so that further ones can. Up to 50 cuts are tried, and the best division is taken, which need not reach the
-///   value; 0.7 is within reach of most surfaces. The map of a part remains. More than 200 charts are not divided, nor
-///   those that would cover the part if a `margin` greater than the default were the default. 0: no chart is divided. A
-///   `double` or a `std::optional<double>`. Default: 0.25, which only slender surfaces, frames and the like do not
-///   reach in one chart
-/// - `overlap_bound`: the part of a chart's triangles, from 0 to 1, that may lie over others, counted by their
-///   centroids, when the method has minimized its energy, or before it keeps borders apart if it can do so. Where more
-///   do, the chart is divided; a part that exceeds `distortion_bound` is cut further. 1: no chart is divided. A
-///   `double` or a `std::optional<double>`. Default: 0.2
-/// - `hole_bound`: holes whose border is no longer than this part, from 0 to 1, of the square root of the component's
-///   area are laid out as parts of the surface, closed by a virtual vertex in their middle, as scans have many of them.
-///   The sides of cracks, where vertices at one place were not merged, get the same places. The longest border of a
-///   component and seams stay open, and with `join_borders` all holes do. Energies, flips and levels of charts are
-///   those of the closed ones. Charts that are one as long as holes are closed are packed as one, and may touch. 0:
-///   none. A `double` or a `std::optional<double>`. Default: 0.1
-/// \param np_of_charts those of `hierarchical_parameterization()` for every chart, but for `summary`, `overlap_bound`
-///        and those of the mesh's vertices: `vertex_is_constrained_map`, `position_weight_map` and `initial_map`. The
-///        default of `flip_policy` is `REPAIR` for all methods. A `visitor` is told of one chart after the other, and
-///        of the parts of a chart that is divided, with `CGAL::Parallel_tag` of several at the same time, in their
-///        threads; if it stops one, no other one begins, and there is no atlas. It is not asked while the surface is
-///        cut and while charts are packed
+///        chart: the corners of that chart are untouched, the others have their uv coordinates. To distinguish them,
+///        fill the map with coordinates that are not finite before, which is also what `IO::write_OBJ()` looks for, or,
+///        where coordinates cannot be so, as exact ones, ask `chart_of_face`
+/// \param np an optional sequence of \ref hp_named_parameters "named parameters": those of `cut_to_disk()` and of
+///        `pack_charts()`, and
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{where the surface is cut in any case}
+///     \cgalParamType{a readable property map from edges to `bool`}
+///     \cgalParamDefault{no edge}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{least_used_part}
+///     \cgalParamDescription{the fraction of the square that the charts should cover. Until they do, charts are divided
+///       where a short cut lets boxes around both sides become smaller, or, where no single cut does, as in a frame, so
+///       that further ones can. 0: no chart is divided}
+///     \cgalParamType{`double` or `std::optional<double>`, from 0 to 1}
+///     \cgalParamDefault{0.25, which only slender surfaces, frames and the like do not reach in one chart}
+///     \cgalParamExtra{Up to 50 cuts are tried, and the best division is taken, which need not reach the value; 0.7 is
+///       within reach of most surfaces. Each part keeps its map. More than 200 charts are not divided, nor those that
+///       would cover the fraction if a `margin` greater than the default were the default.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{overlap_bound}
+///     \cgalParamDescription{the fraction of a chart's triangles that may be covered by others, counted by their
+///       centroids, when the method has minimized its energy, or before it keeps borders apart if it can do so. Where
+///       more are, the chart is divided. 1: no chart is divided}
+///     \cgalParamType{`double` or `std::optional<double>`, from 0 to 1}
+///     \cgalParamDefault{0.2}
+///     \cgalParamExtra{A part that exceeds `distortion_bound` is cut further.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{hole_bound}
+///     \cgalParamDescription{the maximum length of the border of a hole that is closed by a virtual vertex in its
+///       middle, as a fraction of the square root of the component's area. Scans have many such holes. 0: none is
+///       closed}
+///     \cgalParamType{`double` or `std::optional<double>`, from 0 to 1}
+///     \cgalParamDefault{0.1}
+///     \cgalParamExtra{The sides of cracks, where vertices at one point were not merged, get the same uv coordinates.
+///       The longest border of a component and seams stay open, and with `join_borders` all holes do. Energies, flips
+///       and levels of charts are those of the closed ones. Charts that are one as long as holes are closed are packed
+///       as one, and may touch.}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \param np_of_charts the named parameters of `hierarchical_parameterization()` for every chart, except `summary`,
+///        `overlap_bound`, `vertex_is_constrained_map`, `position_weight_map` and `initial_map`. The default of
+///        `flip_policy` is `REPAIR` for all methods. A `visitor` is called for one chart after the other, and for the
+///        parts of a chart that is divided; with `CGAL::Parallel_tag` for several at the same time, in their threads.
+///        If it stops one, no other one begins, and there is no atlas. It is not called while the surface is cut and
+///        while charts are packed
 ///
 /// \return what was done, with the first error:
 /// - `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, or `ERROR_WRONG_PARAMETER` where a number is out of its bounds, a

@@ -131,15 +131,14 @@ std::vector<Index> read_map(const TriangleMesh& mesh, const FaceRange& face_rang
 
 /// \ingroup PkgHierarchicalParameterizationAtlas
 ///
-/// measures the map of some faces that has a place for every corner, as `atlas_parameterization()` makes it: over all
-/// charts. Overlaps are those within charts and between them.
+/// measures the map of some faces that has uv coordinates for every corner, as `atlas_parameterization()` makes it:
+/// over all charts. Overlaps are those within charts and between them.
 ///
-/// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; of one that is not
-///        triangulated, or whose coordinates are not all finite, every face counts as flipped. Of a `Seam_mesh`, the
-///        mesh that it cuts
+/// \param mesh a triangulated surface, see \ref hp_mesh "the requirements". If it is not triangulated, or if
+///        coordinates are not finite, every face counts as flipped. Of a `Seam_mesh`, the mesh that it cuts
 /// \param face_range the faces to measure, each once: a range that can be run through several times
-/// \param uvmap a readable property map from halfedges to points of the plane: the place of the corner to which a
-///        halfedge leads in its face
+/// \param uvmap a readable property map from halfedges to points of the plane: the uv coordinates of the corner to
+///        which a halfedge leads in its face
 template <class TriangleMesh, class FaceRange, class HalfedgeUVMap>
 Parameterization_quality atlas_quality(const TriangleMesh& mesh, const FaceRange& face_range, HalfedgeUVMap uvmap)
 {

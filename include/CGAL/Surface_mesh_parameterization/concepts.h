@@ -13,7 +13,7 @@
 #include <type_traits>
 
 /// \file concepts.h
-/// Tells at compile time whether a type meets the requirements of a concept. The classes and functions of the package
+/// Decides at compile time whether a type meets the requirements of a concept. The classes and functions of the package
 /// assert this by themselves. With C++20 there is also a concept of the name of each requirement:
 /// `template <DistortionEnergy_2 Energy>`.
 
@@ -26,7 +26,8 @@ class Multigrid_solver_traits;
 /// \addtogroup PkgHierarchicalParameterizationTraits
 /// @{
 
-/// whether `Mesh` is a mesh that this package reads: a model of `FaceListGraph` with an internal vertex point map
+/// whether `Mesh` is a mesh that this package reads, see \ref hp_mesh "the requirements". The lists of vertices and
+/// faces, the descriptors, the traversal and the points are checked, dynamic properties are not
 template <class Mesh>
 constexpr bool is_triangle_mesh_v = internal::Mesh_check<Mesh>::value;
 

@@ -31,7 +31,7 @@ struct Cut_summary
     std::size_t faces = 0;            ///< number of triangles
     std::size_t genus = 0;            ///< number of handles before the cut
     std::size_t borders = 0;          ///< number of borders before the cut
-    std::size_t branches = 0;         ///< of the seam, to places of great distortion
+    std::size_t branches = 0;         ///< of the seam, to regions of great distortion
     double distortion = 0;            ///< the mean symmetric Dirichlet energy of the draft of a map that the search for
                                       ///< branches makes; 0 if there was no search
   };
@@ -108,14 +108,14 @@ Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_
 ///       is_on_seam[mesh.vertex(e, 0)] = is_on_seam[mesh.vertex(e, 1)] = true;
 ///   CGAL::Seam_mesh seam_mesh(mesh, is_seam, is_on_seam);
 /// \endcode
-/// A map of the seam mesh has a place for one halfedge of each of its vertices. That of any corner of `mesh` is
-/// `uvmap[target(Seam_mesh::halfedge_descriptor(h), seam_mesh)]`.
+/// A map of the seam mesh has uv coordinates for one halfedge of each of its vertices. Those of any corner of
+/// `mesh` are `uvmap[target(Seam_mesh::halfedge_descriptor(h), seam_mesh)]`.
 ///
 /// A component with handles is cut along a short system of loops, two for each handle; a closed one without handles
-/// along a path between two places that are far from each other. Then the seam grows branches, until the map of least
-/// symmetric Dirichlet energy would be within a bound: each from the place that Tutte's map shrinks most, the tip of a
+/// along a path between two vertices that are far from each other. Then the seam grows branches, until the map of least
+/// symmetric Dirichlet energy would be within a bound: each from the region that Tutte's map shrinks most, the tip of a
 /// limb, by the shortest path of edges to what is cut already. Branches that gain little are given up; where no others
-/// are found, the map of least energy tells what is shrunk most. This is decided on a coarse level of the component's
+/// are found, the map of least energy shows what is shrunk most. This is decided on a coarse level of the component's
 /// hierarchy. If the component has several borders, these are joined first where that is enough, or takes the shorter
 /// seam. Edges that have the same two vertices are seams in any case, and so are those of a triangle that has a vertex
 /// twice.
@@ -127,16 +127,26 @@ Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_
 /// Sources: Erickson, Whittlesey, *Greedy optimal homotopy and homology generators*, 2005, for the handles, and Gu,
 /// Gortler, Hoppe, *Geometry images*, 2002, for the branches.
 ///
-/// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; it is only read
+/// \param mesh a triangulated surface, see \ref hp_mesh "the requirements"; it is only read
 /// \param seams a readable and writable property map from the edges of `mesh` to `bool`. What is `true` before is a
 ///        seam already, and stays one
-/// \param np
-/// - `distortion_bound`: the mean symmetric Dirichlet energy, weighted by area, up to which the seam gets branches; 4
-///   is that of an isometry. It is measured on a coarse level of about 2000 vertices, and the seam has at most 50
-///   branches in each component. A `double` or a `std::optional<double>`. Default: 4.5 for components that have to be
-///   cut or exceed 8. Infinity: nothing is cut but what has to be
-/// - `join_borders`: whether the components become disks without holes; default `false`: every border that needs no cut
-///   stays as it is
+/// \param np an optional sequence of \ref hp_named_parameters "named parameters" among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{distortion_bound}
+///     \cgalParamDescription{the mean symmetric Dirichlet energy, weighted by area, up to which the seam gets branches.
+///       With infinity, only what has to be cut is cut}
+///     \cgalParamType{`double` or `std::optional<double>`, at least 4, the energy of an isometry}
+///     \cgalParamDefault{4.5 for components that have to be cut or exceed 8}
+///     \cgalParamExtra{The energy is measured on a coarse level of about 2000 vertices. The seam has at most 50
+///       branches in each component.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{join_borders}
+///     \cgalParamDescription{whether cuts join the borders of a component, so that it becomes a disk without holes}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`: every border that needs no cut stays as it is}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \return what was done. Its error is `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, or `ERROR_WRONG_PARAMETER` if a
 ///         coordinate is not finite, or `distortion_bound` is less than 4 or no number; then no edge became a seam

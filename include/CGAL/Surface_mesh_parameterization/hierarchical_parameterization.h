@@ -68,23 +68,40 @@ Parameterization_summary run_method(TriangleMesh& mesh, const ChooseBorder& choo
 ///   if (!result.is_ok())
 ///     std::cerr << SMP::error_message(result.error) << '\n';
 /// \endcode
-/// The header of a method other than MIPS must be included.
-/// The outer border is the longest border of `mesh`, by the lengths of its edges. Of several components, the one with
-/// the outer border is parameterized.
+/// The header of a method other than MIPS must be included. `Iterative_authalic_parameterizer_3` does at most 15
+/// authalic iterations here; the named parameter `number_of_iterations` limits its linear solver. The outer border is
+/// the longest border of `mesh`, by the lengths of its edges. Of several components, the one with the outer border is
+/// parameterized.
 ///
 /// \tparam Method a class template of parameterizers. Its first argument is the mesh, and the others have defaults.
 ///         `Hierarchical_parameterizer_3` must take `Method<TriangleMesh>`. For other arguments write an alias:
 ///         `template <class M> using Mine = SMP::Edge_energy_parameterizer_3<M, My_weights>;`
 /// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, see `Hierarchical_parameterizer_3`
 ///
-/// \param mesh a triangulated surface with a border and without handles, which may be `const`; it is only read
+/// \param mesh a triangulated surface with a border and without handles, see \ref hp_mesh "the requirements"; it is
+///        only read, and may be `const`
 /// \param uvmap a writable property map from vertices to points of the plane; untouched on an error. For LSCM and the
 ///        other methods of CGAL that solve linear systems it must be readable, too
-/// \param np the named parameters of `Method<TriangleMesh>` and of `Hierarchical_parameterizer_3`. A `summary` receives
-///        what is returned
+/// \param np an optional sequence of \ref hp_named_parameters "named parameters": those of `Method<TriangleMesh>` and
+///        those of `Hierarchical_parameterizer_3<Method<TriangleMesh>>`, for most methods `tolerance`,
+///        `number_of_iterations`, `coarsest_size`, `random_seed`, `unit_edges`, `flip_policy`, `fill_holes`, `visitor`,
+///        and
 ///
-/// \return what the run did: the error if there was one, whether the map converged, its energy, the levels, seconds.
-///         The error of a closed surface is `ERROR_NO_TOPOLOGICAL_DISC`
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{summary}
+///     \cgalParamDescription{the object that receives what is returned}
+///     \cgalParamType{`std::reference_wrapper<Parameterization_summary>`}
+///     \cgalParamDefault{no summary is filled}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return what the run did: whether the map converged, its energy, the levels, seconds, and the error. Its code is
+///         `OK`; an error of `Mesh_component::error()`, that of a closed surface is `ERROR_NO_TOPOLOGICAL_DISC`;
+///         `ERROR_WRONG_PARAMETER`, also for an option that is out of range, a `uvmap` that cannot be read but must be,
+///         or coordinates that are not finite in the number type of `uvmap`; `ERROR_NO_1_TO_1_MAPPING` if no map
+///         without flips was found, or flips are an error; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`; `ERROR_BORDER_TOO_SHORT`
+///         or `ERROR_NON_CONVEX_BORDER` if the border cannot be placed; `ERROR_STOPPED` if a visitor stopped the run.
+///         \ref hp_rejected_inputs "Rejected inputs" has all causes
 template <template <class...> class Method = MIPS_parameterizer_3, class ConcurrencyTag = Sequential_tag,
           class TriangleMesh, class VertexUVMap, class NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<!internal::is_halfedge_v<VertexUVMap, std::remove_const_t<TriangleMesh>>, int> = 0>

@@ -79,23 +79,35 @@ Error_code write_corners(const TriangleMesh& mesh, const Atlas& atlas, const std
 
 /// \ingroup PkgHierarchicalParameterizationAtlas
 ///
-/// moves, turns and scales the charts of a map, all by the same factor, so that they lie in the unit square without
-/// touching. A chart is a piece of the surface whose triangles have the same places at the edges that they share.
-/// Charts are placed by their shapes, not by boxes around them; smaller ones go into the gaps that larger ones leave.
+/// moves, rotates and scales the charts of a map, all by the same factor, so that they lie in the unit square without
+/// touching. A chart is a piece of the surface whose triangles have the same uv coordinates at the edges that they
+/// share. Charts are packed by their shapes, not by boxes around them; smaller ones go into the gaps that larger ones
+/// leave.
 ///
-/// \param mesh a triangulated surface, a model of `FaceListGraph` with an internal vertex point map; it is only read.
-///        Of a `Seam_mesh`, the mesh that it cuts
-/// \param uvmap a readable and writable property map from halfedges to points of the plane: the place of the corner to
-///        which a halfedge leads in its face, as `atlas_parameterization()` writes it; a map of a `Seam_mesh` has to be
-///        copied to all corners, see `cut_to_disk()`. Untouched on an error. A chart without flips, which may be
-///        mirrored, gets none by rounding
-/// \param np
-/// - `margin`: the least distance between charts, and half of it to the sides of the square, as a part of the side;
-///   from 0 to 0.1. Of n charts it is at most \f$ 1 / (4 \sqrt n) \f$: wider margins would fill the square. Default:
-///   1/256, and of n charts at most \f$ 1 / (32 \sqrt n) \f$, so that margins take about a sixteenth of the square.
-///   A `double` or a `std::optional<double>`
-/// - `unit_square`: whether the charts are scaled, so that the square is the unit square; default `true`. Otherwise
-///   they keep their sizes, and the square begins at the origin
+/// \param mesh a triangulated surface, see \ref hp_mesh "the requirements"; it is only read. Of a `Seam_mesh`, the mesh
+///        that it cuts
+/// \param uvmap a readable and writable property map from halfedges to points of the plane: the uv coordinates of the
+///        corner to which a halfedge leads in its face, as `atlas_parameterization()` writes it; a map of a `Seam_mesh`
+///        has to be copied to all corners, see `cut_to_disk()`. Untouched on an error. A chart without flips, which may
+///        be mirrored, gets none by rounding
+/// \param np an optional sequence of \ref hp_named_parameters "named parameters" among these:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{margin}
+///     \cgalParamDescription{the minimum distance between charts, and half of it to the sides of the square, as a
+///       fraction of the side}
+///     \cgalParamType{`double` or `std::optional<double>`, from 0 to 0.1}
+///     \cgalParamDefault{1/256, and of n charts at most \f$ 1 / (32 \sqrt n) \f$, so that margins take about a
+///       sixteenth of the square}
+///     \cgalParamExtra{Of n charts the margin is at most \f$ 1 / (4 \sqrt n) \f$: wider margins would fill the square.}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{unit_square}
+///     \cgalParamDescription{whether the charts are scaled, so that the square is the unit square. Otherwise they keep
+///       their sizes, and the square begins at the origin}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`true`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \return `OK`, `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, `ERROR_NO_1_TO_1_MAPPING` if the charts have no area
 ///         or flips by rounding could not be repaired, or `ERROR_WRONG_PARAMETER` if a coordinate is not finite, or

@@ -35,20 +35,22 @@ namespace CGAL::Surface_mesh_parameterization {
 /// 1e-6 of its longest edge is measured as if it had that height, as the methods take it.
 struct Parameterization_quality
 {
-  /// triangles that are not turned as most are, by exact predicates: flipped, degenerate, or with a coordinate that is
-  /// not finite
+  /// triangles whose orientation is not that of the majority, by exact predicates: flipped, degenerate, or with a
+  /// coordinate that is not finite. Unlike `Parameterization_summary::flips` it does not count vertices around which
+  /// positive triangles wind more than once: these show in `overlaps`
   std::size_t flips = 0;
   std::size_t degenerate = 0;   ///< those of them whose corners lie on a line
   std::size_t overlaps = 0;     ///< pairs of triangles whose interiors meet, by exact predicates; if more than 100
                                 ///< million pairs are near each other, those among the first 100 million
   bool is_mirrored = false;     ///< whether most triangles are negative, that is, clockwise
   double mips = 0;              ///< sum over the triangles of `s1/s2 + s2/s1`
-  double mips_excess = 0;       ///< `mips` less its minimum, which is 2 per triangle
+  double mips_excess = 0;       ///< `mips` less its lower bound, which is 2 per triangle
   /// mean over the surface's area of `s1^2 + s2^2 + 1/s1^2 + 1/s2^2`, after the best uniform scaling; at least 4
   double symmetric_dirichlet = 0;
-  double l2_stretch = 0;        ///< root mean square stretch (Sander et al. 2001), after scaling to equal areas; at
-                                ///< least 1
-  double linf_stretch = 0;      ///< greatest stretch (Sander et al. 2001), after scaling to equal areas; at least 1
+  /// root mean square stretch of Sander et al. 2001, after scaling to equal areas; at least 1. It is not what CGAL's
+  /// `compute_L2_stretch()` computes, which compares areas around vertices
+  double l2_stretch = 0;
+  double linf_stretch = 0;      ///< maximum stretch of Sander et al., after scaling to equal areas; at least 1
   double angle = 0;             ///< mean over the area of `(s1/s2 + s2/s1) / 2`; at least 1, for a conformal map
   double area = 0;              ///< mean over the area of `(r + 1/r) / 2`, with `r = s1 s2` after scaling to equal
                                 ///< areas; at least 1
@@ -208,10 +210,17 @@ bool is_map_one_to_one(const TriangleMesh& mesh, const FaceRange& face_range, Ve
 ///
 /// measures the map of some faces.
 ///
-/// \param mesh a triangle mesh, a model of `FaceListGraph` with an internal vertex point map
-/// \param face_range the faces to measure, at least one; of a mesh with several components, for instance those of
-///        `Mesh_component::faces_of_component()`. A face that is no triangle counts as a flip
+/// \tparam TriangleMesh a mesh, see \ref hp_mesh "the requirements"
+///
+/// \param mesh the mesh
+/// \param face_range the faces to measure, each once, in a range that can be run through several times; of a mesh with
+///        several components, for instance those of `Mesh_component::faces_of_component()`. A face that is no triangle
+///        counts as a flip
 /// \param uvmap a readable property map from vertices to points of the plane
+///
+/// \return the measures; all are 0 if the range is empty. The time for n faces is \f$ O(n \log^2 n + k) \f$, where k is
+///         the number of pairs of triangles whose boxes meet; it is less if there are no flips and the borders show
+///         that nothing overlaps
 template <class TriangleMesh, class FaceRange, class VertexUVMap>
 Parameterization_quality parameterization_quality(const TriangleMesh& mesh, const FaceRange& face_range,
                                                   VertexUVMap uvmap)
@@ -236,6 +245,11 @@ Parameterization_quality parameterization_quality(const TriangleMesh& mesh, cons
 /// \ingroup PkgHierarchicalParameterizationRef
 ///
 /// measures the map of all faces of a mesh.
+///
+/// \param mesh the mesh, as above
+/// \param uvmap a readable property map from vertices to points of the plane
+///
+/// \return the measures
 template <class TriangleMesh, class VertexUVMap>
 Parameterization_quality parameterization_quality(const TriangleMesh& mesh, VertexUVMap uvmap)
 {

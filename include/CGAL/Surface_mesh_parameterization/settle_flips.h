@@ -59,21 +59,29 @@ void settle_flips_of_component(Mesh_component<TriangleMesh>& component, VertexUV
 /// finds the flips of a map from any parameterizer, by exact predicates, and treats them as `policy` says. A map that
 /// is mirrored as a whole has none.
 ///
-/// A repair gives new places to the vertices of small patches around the flips. Where that is not enough, it goes to
-/// the finest level of a hierarchy on which the map has no flip, and inserts the vertices again from there, each at its
-/// old place if its triangles are positive then, and otherwise near it.
+/// A repair gives new uv coordinates to the vertices of small patches around the flips. Where that is not enough, it
+/// goes to the finest level of a hierarchy on which the map has no flip, and inserts the vertices again from there,
+/// each at its old uv coordinates if its triangles are positive then, and otherwise near it.
 ///
 /// \param mesh the surface: triangles, no handles, one fan of triangles at each vertex; only read
 /// \param bhd a halfedge on the outer border of the component that has the map
 /// \param uvmap a read-write property map from vertices to points of the plane, of which doubles are judged; only
 /// vertices that are moved are written, and none on an error
 /// \param policy the treatment of flips
-/// \param np
-/// - `summary`: a `std::reference_wrapper<Parameterization_summary>` that receives the error, the number of flips and
-///   that of the vertices that were moved
+/// \param np an optional sequence of \ref hp_named_parameters "named parameters" among these:
 ///
-/// \return `OK`; an error of `Mesh_component`; `ERROR_NO_1_TO_1_MAPPING` if there are flips and the policy is `FAIL`,
-/// or if they could not be repaired
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{summary}
+///     \cgalParamDescription{the object that receives the error, the number of flips and that of the vertices that were
+///       moved}
+///     \cgalParamType{`std::reference_wrapper<Parameterization_summary>`}
+///     \cgalParamDefault{no summary is filled}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `OK`, also if the policy is `KEEP`; an error of `Mesh_component::error()`; `ERROR_NO_1_TO_1_MAPPING` if
+///         there are flips and the policy is `FAIL`, or if they could not be repaired in doubles or in the number type
+///         of `uvmap`; `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM` if a map that the repair starts from could not be computed
 template <class TriangleMesh, class Halfedge, class VertexUVMap,
           class NamedParameters = parameters::Default_named_parameters>
 Error_code settle_flips(const TriangleMesh& mesh, Halfedge bhd, VertexUVMap uvmap, Flip_policy policy,

@@ -125,20 +125,20 @@ namespace IO {
 
 /// \ingroup PkgHierarchicalParameterizationIO
 ///
-/// writes a mesh with its parameterization as Wavefront OBJ: `v` lines, and `vt` lines of those vertices that have a
-/// place, in the order of `vertices(mesh)`, faces in the order of `faces(mesh)`. Coordinates are doubles, with the
-/// fewest digits that read back the same.
+/// writes a mesh with its parameterization as Wavefront OBJ: `v` lines, and `vt` lines of those vertices that have uv
+/// coordinates, in the order of `vertices(mesh)`, faces in the order of `faces(mesh)`. Coordinates are doubles, with
+/// the fewest digits that read back the same.
 ///
 /// Of a `CGAL::Seam_mesh` the surface is written uncut: its `v` lines are the vertices of the mesh that it cuts, in the
 /// order of that mesh. Only the texture coordinates are cut: there is a `vt` line for each vertex of the seam mesh, so
 /// a point on the seam has several.
 ///
 /// \param os the stream
-/// \param mesh a model of `FaceListGraph` with an internal vertex point map
+/// \param mesh a mesh, see \ref hp_mesh "the requirements"
 /// \param uvmap a readable property map from vertices to points of the plane
-/// \param vpmap a readable property map from vertices to `bool`: which vertices have a place in the plane. A face with
+/// \param vpmap a readable property map from vertices to `bool`: which vertices have uv coordinates. A face with
 ///        another vertex is written without texture coordinates
-/// \return whether writing succeeded, which the state of the stream tells as well
+/// \return whether writing succeeded, which the state of the stream shows as well
 template <class TriangleMesh, class VertexUVMap, class VertexParameterizedMap>
 bool write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, VertexParameterizedMap vpmap)
 {
@@ -154,16 +154,16 @@ bool write_OBJ(std::ostream& os, const TriangleMesh& mesh, VertexUVMap uvmap, Ve
 
 /// \ingroup PkgHierarchicalParameterizationIO
 ///
-/// writes a mesh with a place for every corner, as `atlas_parameterization()` makes it, as Wavefront OBJ: `v` lines and
-/// faces in the order of `vertices(mesh)` and `faces(mesh)`. Only the texture coordinates are cut: corners of a vertex
-/// that have the same place share a `vt` line, and a vertex on a seam has several.
+/// writes a mesh with uv coordinates for every corner, as `atlas_parameterization()` makes it, as Wavefront OBJ: `v`
+/// lines and faces in the order of `vertices(mesh)` and `faces(mesh)`. Only the texture coordinates are cut: corners of
+/// a vertex that have the same uv coordinates share a `vt` line, and a vertex on a seam has several.
 ///
 /// \param os the stream
-/// \param mesh a model of `FaceListGraph` with an internal vertex point map
-/// \param uvmap a readable property map from halfedges to points of the plane: the place of the corner to which a
-///        halfedge leads in its face. A face with a corner whose place is not finite is written without texture
-///        coordinates. Or one from vertices: then all of them have a place
-/// \return whether writing succeeded, which the state of the stream tells as well
+/// \param mesh a mesh, see \ref hp_mesh "the requirements"
+/// \param uvmap a readable property map from halfedges to points of the plane: the uv coordinates of the corner to
+///        which a halfedge leads in its face. A face with a corner whose uv coordinates are not finite is written
+///        without texture coordinates. Or one from vertices: then all of them have uv coordinates
+/// \return whether writing succeeded, which the state of the stream shows as well
 template <class TriangleMesh, class UVMap>
 bool write_OBJ(std::ostream& os, const TriangleMesh& mesh, UVMap uvmap)
 {

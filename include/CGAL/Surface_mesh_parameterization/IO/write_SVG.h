@@ -151,12 +151,12 @@ namespace IO {
 /// `(s1/s2 + s2/s1) / 2`, from nearly white (1) over orange to dark red (2 and more), with a color bar.
 ///
 /// \param os the stream
-/// \param mesh a triangle mesh, a model of `FaceListGraph` with an internal vertex point map
+/// \param mesh a mesh of triangles, see \ref hp_mesh "the requirements"
 /// \param face_range the faces to draw. A triangle that is mirrored has the color of its mirror image. What is no
-///        triangle, or has a place that is not finite, is left out
-/// \param uvmap a readable property map from vertices to points of the plane, or from halfedges: then it has the place
-///        of the corner to which a halfedge leads in its face, as `atlas_parameterization()` makes it
-/// \return whether writing succeeded, which the state of the stream tells as well
+///        triangle, or has coordinates that are not finite, is left out
+/// \param uvmap a readable property map from vertices to points of the plane, or from halfedges: then it has the uv
+///        coordinates of the corner to which a halfedge leads in its face, as `atlas_parameterization()` makes it
+/// \return whether writing succeeded, which the state of the stream shows as well
 template <class TriangleMesh, class FaceRange, class UVMap>
 bool write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face_range, UVMap uvmap)
 {
@@ -180,10 +180,10 @@ bool write_SVG(std::ostream& os, const TriangleMesh& mesh, const FaceRange& face
 
 /// \ingroup PkgHierarchicalParameterizationIO
 ///
-/// draws all faces of a mesh whose places are finite.
+/// draws all faces of a mesh whose uv coordinates are finite.
 ///
 /// \param os the stream
-/// \param mesh a triangle mesh, a model of `FaceListGraph` with an internal vertex point map
+/// \param mesh a mesh of triangles, see \ref hp_mesh "the requirements"
 /// \param uvmap as above
 /// \return as above
 template <class TriangleMesh, class UVMap>
