@@ -243,6 +243,33 @@ TEST(Newton_multigrid, keeps_the_length_of_steps_at_the_bound_of_the_angles_at_t
   EXPECT_LT(excess(uv), 1.2 * excess(best));
 }
 
+// By how much two cycles lower the model, when one cycle has been too little for the system before.
+double decrease_by_two_cycles(const Level_energy& energy, const Level::Uv& uv, std::size_t most_vertices)
+{
+  Newton_options options;
+  options.most_vertices_solved_directly = most_vertices;
+  Newton_system system(energy, options);
+  for (const std::size_t cycles : { 1, 2 }) {
+    EXPECT_TRUE(system.assemble(uv, {}));
+    EXPECT_LE(system.solve({ 0, 0, cycles }), cycles);
+  }
+  return system.predicted_decrease();
+}
+
+TEST(Newton_multigrid, gives_way_to_direct_solutions_where_cycles_do_not_suffice)
+{
+  const Finest_level f(grid(40, 40, wavy), parameters::coarsest_size(20));
+  const Level_energy_of<MIPS_energy_2> energy(f.level, Triangle_weight::ONE);
+  const Level::Uv uv = first_map(f.level);
+  const Newton_options options;
+  Newton_system exact(energy, options);
+  ASSERT_TRUE(exact.assemble(uv, {}));
+  exact.solve({ 1e-12, 0, 1000 });
+  const double decrease = exact.predicted_decrease();
+  EXPECT_NEAR(decrease_by_two_cycles(energy, uv, uv.size()), decrease, 1e-7 * decrease);
+  EXPECT_LT(decrease_by_two_cycles(energy, uv, uv.size() - 1), 0.999 * decrease);
+}
+
 // ---- what makes the Hessian indefinite, and is kept ----
 
 TEST(Corner_hessian, of_a_scale_invariant_energy_is_the_derivative_of_the_gradient_if_all_is_kept)

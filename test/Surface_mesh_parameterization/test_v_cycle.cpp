@@ -3,6 +3,7 @@
 
 // Multigrid for the systems of Newton's method: matrices of blocks, their products, the cycle and the iteration.
 
+#include "dense_matrices.h"
 #include "hierarchies.h"
 #include "level_maps.h"
 #include "test_meshes.h"
@@ -369,6 +370,26 @@ TEST(V_cycle, is_a_symmetric_positive_preconditioner)
         EXPECT_GT(inner_product(Loops(), mx, x), 0);
       }
     }
+}
+
+TEST(V_cycle, is_a_direct_solution_without_coarse_grids)
+{
+  Random random(8);
+  const Finest_level f(grid(40, 40, wavy), parameters::coarsest_size(20));
+  Block_multigrid multigrid(f.level);
+  const Random_matrix a(f.level, random);
+  const Block_vectors b = random_vectors(f.level.number_of_vertices(), random);
+  Block_vectors ax(b.size());
+  for (const bool is_direct : { false, true }) {
+    if (is_direct)
+      multigrid.drop_coarse_grids();
+    multigrid.matrix() = a.matrix;
+    multigrid.setup();
+    ASSERT_TRUE(multigrid.is_ready());
+    EXPECT_EQ(multigrid.is_direct(), is_direct);
+    multigrid.multiply(multigrid.cycle(b), ax);
+    EXPECT_EQ((dense_of(b) - dense_of(ax)).norm() < 1e-9 * dense_of(b).norm(), is_direct);
+  }
 }
 
 // The system as the method sees it.

@@ -18,7 +18,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
-
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>

@@ -81,6 +81,15 @@ public:
       grid.galerkin_product.reset();
   }
 
+  // Gives up the coarse grids: from the next setup on a cycle is a direct solution.
+  void drop_coarse_grids()
+  {
+    m_grids.erase(m_grids.begin() + 1, m_grids.end());
+    m_grids.front().prolongation.reset();
+    m_grids.front().new_rows.reset();
+    forget_pattern();
+  }
+
   void setup()
   {
     // A product of matrices takes memory for a time, about as much as these two vectors.

@@ -29,6 +29,9 @@ struct Newton_options
   std::size_t most_cycles_without_setup = 8;
   double greatest_error_without_setup = 0.03;
 
+  // The size of a level from which on a direct solution takes too much memory, where cycles do not suffice.
+  std::size_t most_vertices_solved_directly = 50000;
+
   // The Hessian: the part of what makes it indefinite that is kept, in the first step and wherever that serves.
   double indefinite_part = 0.5;             // of energies that keep triangles positive
   double indefinite_part_with_flips = 0.95;

@@ -73,6 +73,10 @@ public:
   bool assemble(const Level::Uv& uv, const Contacts& contacts)
   {
     Block_matrix& matrix = m_multigrid.matrix();
+    if (m_were_cycles_too_few && can_be_solved_directly()) {
+      m_multigrid.drop_coarse_grids();
+      m_are_grids_outdated = true;
+    }
     if (m_pattern.join(contacts)) {
       m_pattern.give_to(matrix);
       m_multigrid.forget_pattern();
@@ -106,11 +110,13 @@ public:
     std::size_t most_cycles;
   };
 
-  // Finds the moves that lead to the minimum, once for each model; returns the number of cycles.
+  // Finds the moves that lead to the minimum, once for each model; returns the number of cycles. Where they do not
+  // suffice, as for needles and where borders nearly meet, the next systems are solved directly, if the level is small.
   std::size_t solve(const Accuracy& accuracy)
   {
     const std::size_t cycles = solve_for_residual(accuracy);
     m_are_grids_weak = cycles > m_options.most_cycles_without_setup;
+    m_were_cycles_too_few = cycles >= accuracy.most_cycles;
     return cycles;
   }
 
@@ -211,6 +217,11 @@ private:
     return !m_are_grids_outdated && !m_are_grids_weak && !(m_multigrid.is_direct() && m_level.is_finest());
   }
 
+  bool can_be_solved_directly() const
+  {
+    return !m_multigrid.is_direct() && m_level.number_of_vertices() <= m_options.most_vertices_solved_directly;
+  }
+
   template <class Function>
   void for_each_vertex(const Function& f) const { m_level.loops().for_each(0, Index(m_solution.size()), f); }
 
@@ -239,6 +250,7 @@ private:
   Contact_pattern m_pattern;
   bool m_are_grids_outdated = true;       // they are of another pattern, or of another part of what is indefinite
   bool m_are_grids_weak = false;          // the last solution took many cycles
+  bool m_were_cycles_too_few = false;     // for the last solution
   double m_indefinite_part = 0;
   std::vector<Index> m_fixed;
   Block_vectors m_solution, m_residual, m_direction;      // of the linear system A x = b, in scaled variables
