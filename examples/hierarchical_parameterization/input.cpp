@@ -295,7 +295,7 @@ void read_start(const std::string& file, Input& input)
 try {
   const Polygon_soup soup = read_soup(file, read_content(file), true);
   if (soup.uv.empty())
-    throw Input_error{ "has no map with one place for each vertex, which an atlas has not, either: PLY with the vertex "
+    throw Input_error{ "has no map with uv coordinates for each vertex, nor has an atlas: PLY with the vertex "
                        "properties u and v, or OBJ with texture coordinates expected" };
   if (soup.uv.size() != input.mesh.number_of_vertices())
     throw Input_error{ "has " + std::to_string(soup.uv.size()) + " vertices instead of " +

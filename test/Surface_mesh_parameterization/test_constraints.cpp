@@ -439,7 +439,7 @@ TYPED_TEST(Held_vertices, at_no_place_are_an_error)
   m.is_held[v] = true;
   m.uvmap[v] = Kernel_point(0, std::numeric_limits<double>::infinity());
   EXPECT_EQ(m.run<TypeParam>(), ERROR_WRONG_PARAMETER);
-  EXPECT_EQ(error_message(m.summary.error), "a given place is not finite (vertex 17)");
+  EXPECT_EQ(error_message(m.summary.error), "given uv coordinates are not finite (vertex 17)");
   EXPECT_EQ(m.summary.error.place, Parameterization_error::VERTEX);
   EXPECT_EQ(m.summary.error.index, std::size_t(v));
   m.is_held[v] = false;

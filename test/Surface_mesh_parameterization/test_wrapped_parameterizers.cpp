@@ -261,7 +261,7 @@ TEST(Wrapped_borders, have_finite_places)
     const auto expect_refused = [&](auto method) {
       Wrapped_map<Surface_mesh> mapped(mesh);
       EXPECT_EQ(mapped.parameterize(method, longest_border(mesh)), ERROR_WRONG_PARAMETER);
-      EXPECT_STREQ(summary.error.cause, "the border parameterizer gave a vertex a place that is not finite");
+      EXPECT_STREQ(summary.error.cause, "the border parameterizer gave a vertex uv coordinates that are not finite");
       EXPECT_TRUE(mapped.is_untouched());
     };
     const auto np = parameters::summary(std::ref(summary));

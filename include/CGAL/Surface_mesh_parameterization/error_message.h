@@ -40,7 +40,7 @@ inline std::string error_message(const Parameterization_error& error)
       message = "a linear system could not be solved";
       break;
     case ERROR_NO_1_TO_1_MAPPING:
-      message = is_at_vertex ? "a constrained vertex could not be brought to its place without a flip"
+      message = is_at_vertex ? "a constrained vertex could not reach its uv coordinates without a flip"
                              : "no map without flips was found";
       break;
     case ERROR_WRONG_PARAMETER:

@@ -88,7 +88,7 @@ Parameterization_error add_places(const Place_constraints<TriangleMesh>& constra
     const double stiffness = 2 * std::ldexp(weight, -2 * surface.scale_exponent);
     const char* const cause = !(weight >= 0 && std::isfinite(stiffness))
                                   ? "a weight is negative, or too large, or not a number"
-                              : (is_fixed || weight > 0) && !is_finite(uv[i]) ? "a given place is not finite"
+                              : (is_fixed || weight > 0) && !is_finite(uv[i]) ? "given uv coordinates are not finite"
                                                                               : nullptr;
     if (cause)
       return { ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, position_in(vertices(mesh), v), cause };

@@ -59,7 +59,8 @@ public:
 template <class Method>
 constexpr bool places_border = is_detected<concept_checks::Place_border, Method, typename Method::Triangle_mesh>;
 
-inline constexpr const char* cause_of_bad_border = "the border parameterizer gave a vertex a place that is not finite";
+inline constexpr const char* cause_of_bad_border =
+    "the border parameterizer gave a vertex uv coordinates that are not finite";
 
 // Lets a method that has a place_border() fix vertices of the component, in the user's units.
 // Returns the method's error, or `ERROR_WRONG_PARAMETER` for a place that is not finite, and which.

@@ -30,7 +30,7 @@ void assert_names_of_charts()
                 "the named parameter 'overlap_bound' is one of the atlas, not of charts");
   static_assert(is_default_parameter<Chart_parameters, internal_np::vertex_is_constrained_t>::value &&
                     is_default_parameter<Chart_parameters, internal_np::position_weight_t>::value,
-                "the vertices of charts are not those of the mesh: none can be held or pulled by a spring");
+                "the vertices of charts are not those of the mesh: none can be constrained or pulled by a spring");
   static_assert(is_default_parameter<Chart_parameters, internal_np::initial_map_t>::value,
                 "the named parameter 'initial_map' has no effect on charts: no map is known before the surface is cut");
 }

@@ -128,7 +128,7 @@ private:
     if constexpr (Use::is_complex)      // a flat surface can turn around one pin: its system is singular
       if ((code == OK || code == ERROR_CANNOT_SOLVE_LINEAR_SYSTEM) &&
           std::count(is_placed.begin(), is_placed.end(), char(true)) < 2)
-        return this->fail(ERROR_WRONG_PARAMETER, "a map needs two vertices that are held");
+        return this->fail(ERROR_WRONG_PARAMETER, "the border parameterizer must constrain two vertices");
     if (code == ERROR_CANNOT_SOLVE_LINEAR_SYSTEM && !Use::is_complex && !is_border_finite(mesh, bhd, run.index(), uv))
       return this->fail(ERROR_WRONG_PARAMETER, cause_of_bad_border);
     const auto run_substitute = this->optional_steps().run_substitute;

@@ -214,7 +214,7 @@ public:
 
 private:
   static constexpr const char* cause_of_missing_place =
-      "the parameterizer gave a vertex no place, or one that is not finite";
+      "the parameterizer gave a vertex no uv coordinates, or some that are not finite";
 
   // The number of sides that have a length.
   static int dimension_of_box(const std::vector<Point_3>& points)
