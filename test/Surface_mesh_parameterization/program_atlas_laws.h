@@ -78,9 +78,9 @@ inline Mesh tetrahedra(long n)
 
 // ---- measures ----
 
-double area(const std::array<Point_2, 3>& t) { return 0.5 * internal::cross(t[1] - t[0], t[2] - t[0]); }
+inline double area(const std::array<Point_2, 3>& t) { return 0.5 * internal::cross(t[1] - t[0], t[2] - t[0]); }
 
-double distance(const Point& p, const Point& q) { return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]); }
+inline double distance(const Point& p, const Point& q) { return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]); }
 
 inline double area(const Mesh& m, const std::vector<long>& t)
 {
