@@ -4,6 +4,7 @@
 #ifndef PROGRAM_ATLAS_LAWS_H
 #define PROGRAM_ATLAS_LAWS_H
 
+#include "exact_kernel.h"
 #include "hostile_meshes.h"
 #include "mesh_files.h"
 #include "program_atlas_files.h"
@@ -150,7 +151,7 @@ inline void expect_one_to_one(const Mesh_of_file& m)
   for (const Mesh_of_file::Places& places : m.places) {
     ASSERT_TRUE(places) << "a face has no map";
     triangles.push_back(*places);
-    EXPECT_TRUE(internal::is_left_turn((*places)[0], (*places)[1], (*places)[2]));
+    EXPECT_TRUE(test_meshes::turns_left((*places)[0], (*places)[1], (*places)[2]));
     for (const Point_2& p : *places)
       EXPECT_TRUE(p.x() > 0 && p.x() < 1 && p.y() > 0 && p.y() < 1) << p;
   }

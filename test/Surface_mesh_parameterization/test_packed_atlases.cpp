@@ -115,7 +115,9 @@ TEST(Packing, keeps_fine_margins)
     Surface surface(with_component(single_triangle(), single_triangle(), 1, 10));
     ASSERT_TRUE(atlas_parameterization(surface.mesh, surface.uv, parameters::margin(margin)).is_ok());
     expect_one_to_one(surface);
-    EXPECT_GT(distance(surface.charts()[0][0], surface.charts()[1][0]), margin);
+    const auto charts = surface.charts();
+    ASSERT_EQ(charts.size(), 2u);
+    EXPECT_GT(distance(charts[0][0], charts[1][0]), margin);
   }
 }
 
