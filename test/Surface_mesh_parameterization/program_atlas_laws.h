@@ -11,7 +11,7 @@
 #include "program_runs.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
-#include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
 #include <gtest/gtest.h>
 
