@@ -4,19 +4,18 @@
 #ifndef ONE_TO_ONE_MAPS_H
 #define ONE_TO_ONE_MAPS_H
 
+#include "exact_kernel.h"
 #include "mapped_mesh.h"
 #include "mesh_conversions.h"
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
-#include <CGAL/Surface_mesh_parameterization/Mesh_component.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
-#include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Mapped_triangle.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -30,7 +29,6 @@ namespace one_to_one {
 using namespace test_meshes;
 using SMP::internal::Mapped_triangle;
 using SMP::internal::Triangle_2;
-using SMP::internal::has_no_flips;
 using SMP::internal::number_of_overlapping_pairs;
 
 typedef Surface_mesh   Mesh;
@@ -50,12 +48,55 @@ struct Mapped_mesh_with_border : Mapped_mesh
     return SMP::parameterize(mesh, parameterizer, bhd, uvmap);
   }
 
-  // By exact predicates, with less than a turn at each border vertex; or so is the mirror image.
+  // By CGAL's exact predicates: all triangles are positive, with one turn around each vertex inside and less than one
+  // at each border vertex; or so is the mirror image.
   bool is_locally_one_to_one() const
   {
-    Mesh_component<Mesh> component(mesh, bhd);
-    const std::vector<Point_2> places = places_of(component, uvmap);
-    return has_no_flips(One_rings(places.size(), component.surface().triangles), places);
+    for (const auto v : vertices(mesh))
+      if (!std::isfinite(uvmap[v].x()) || !std::isfinite(uvmap[v].y()))
+        return false;
+    return is_positive(1) || is_positive(-1);
+  }
+
+private:
+  Point_2 place(Mesh::Vertex_index v, int sign) const { return Point_2(sign * uvmap[v].x(), uvmap[v].y()); }
+
+  bool is_positive(int sign) const
+  {
+    const auto is_face_positive = [&](Mesh::Face_index f) {
+      const auto h = mesh.halfedge(f);
+      return turns_left(place(mesh.source(h), sign), place(mesh.target(h), sign),
+                        place(mesh.target(mesh.next(h)), sign));
+    };
+    return std::all_of(mesh.faces_begin(), mesh.faces_end(), is_face_positive) &&
+           std::all_of(mesh.vertices_begin(), mesh.vertices_end(),
+                       [&](Mesh::Vertex_index v) { return mesh.is_isolated(v) || turns_once(v, sign); });
+  }
+
+  // Whether the angles of positive triangles sum to one turn, or to less at a border vertex.
+  bool turns_once(Mesh::Vertex_index v, int sign) const
+  {
+    const Point_2 center = place(v, sign);
+    const auto direction = [&](Mesh::Vertex_index w) {
+      const Point_2 p = place(w, sign);
+      return std::atan2(p.y() - center.y(), p.x() - center.x());
+    };
+    double turns = 0;
+    bool is_gap_open = false;
+    for (const auto h : CGAL::halfedges_around_target(v, mesh)) {
+      const auto from = mesh.target(mesh.next(h)), to = mesh.source(h);
+      if (mesh.is_border(h)) {
+        is_gap_open = turns_left(center, place(from, sign), place(to, sign));
+        continue;
+      }
+      double angle = std::remainder(direction(to) - direction(from), 2 * CGAL_PI);
+      if (angle < -0.5 * CGAL_PI)      // half a turn, rounded
+        angle += 2 * CGAL_PI;
+      turns += angle / (2 * CGAL_PI);
+    }
+    if (std::abs(turns - 1) < 1e-9)
+      return !mesh.is_border(v) || is_gap_open;
+    return mesh.is_border(v) && turns < 1;
   }
 };
 

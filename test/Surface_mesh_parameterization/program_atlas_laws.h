@@ -4,13 +4,14 @@
 #ifndef PROGRAM_ATLAS_LAWS_H
 #define PROGRAM_ATLAS_LAWS_H
 
+#include "exact_kernel.h"
 #include "hostile_meshes.h"
 #include "mesh_files.h"
 #include "program_atlas_files.h"
 #include "program_runs.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
-#include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 
 #include <gtest/gtest.h>
 
@@ -78,9 +79,9 @@ inline Mesh tetrahedra(long n)
 
 // ---- measures ----
 
-double area(const std::array<Point_2, 3>& t) { return 0.5 * internal::cross(t[1] - t[0], t[2] - t[0]); }
+inline double area(const std::array<Point_2, 3>& t) { return 0.5 * internal::cross(t[1] - t[0], t[2] - t[0]); }
 
-double distance(const Point& p, const Point& q) { return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]); }
+inline double distance(const Point& p, const Point& q) { return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]); }
 
 inline double area(const Mesh& m, const std::vector<long>& t)
 {
@@ -150,7 +151,7 @@ inline void expect_one_to_one(const Mesh_of_file& m)
   for (const Mesh_of_file::Places& places : m.places) {
     ASSERT_TRUE(places) << "a face has no map";
     triangles.push_back(*places);
-    EXPECT_TRUE(internal::is_left_turn((*places)[0], (*places)[1], (*places)[2]));
+    EXPECT_TRUE(test_meshes::turns_left((*places)[0], (*places)[1], (*places)[2]));
     for (const Point_2& p : *places)
       EXPECT_TRUE(p.x() > 0 && p.x() < 1 && p.y() > 0 && p.y() < 1) << p;
   }

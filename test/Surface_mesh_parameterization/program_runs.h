@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -19,6 +20,7 @@
 #include <iterator>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 // Runs of the program on files, and what is to come of them.
@@ -67,9 +69,11 @@ class Program_folder
 {
 public:
   explicit Program_folder(const std::string& name)
-    : m_folder(fs::path(testing::TempDir()) / ("program_" + name + "_" + std::to_string(getpid())))
   {
-    fs::create_directories(m_folder);
+    std::string folder = testing::TempDir() + "program_" + name + "_XXXXXX";
+    if (!mkdtemp(&folder[0]))
+      throw std::system_error(errno, std::generic_category(), folder);
+    m_folder = folder;
   }
 
   ~Program_folder() { fs::remove_all(m_folder); }

@@ -5,6 +5,12 @@ source "$(dirname "$0")/run_as_a_user.sh"
 
 # field NAME: the first value of that name in the report.
 field() { grep -o "\"$1\":[^,}]*" report.json | head -1 | cut -d: -f2; }
+# same_map FILE FILE: two OBJ files have the same place for each vertex, but for the last digits.
+same_map() {
+  paste <(grep '^vt ' "$1") <(grep '^vt ' "$2") |
+    awk -v n="$(grep -c '^v ' "$1")" '!(NF == 6 && ($2 - $5)^2 + ($3 - $6)^2 <= 1e-12) { bad = 1 }
+                                      END { exit bad || NR != n || NR == 0 }'
+}
 is_field() { [ "$(field "$1")" = "$2" ] || fail "$1 is $(field "$1") instead of $2 after '$3'"; }
 
 # The built-in face.
@@ -17,7 +23,7 @@ is_field flips 0 face
 grep -q '</svg>' face.svg || fail "face.svg is not whole"
 [ "$(ls levels | wc -l)" -eq "$(grep -o '"energy_end"' report.json | wc -l)" ] || fail "not every level was written"
 grep -o '"iterations":[1-9][0-9]*,"cycles":[0-9]*' report.json | tr -c '0-9\n' ' ' |
-  awk '$2 < $1 { exit 1 } END { exit NR == 0 }' || fail "a Newton step took no V-cycle"
+  awk '$2 < $1 { bad = 1 } END { exit bad || NR == 0 }' || fail "a Newton step took no V-cycle"
 finest=$(ls levels | tail -1)
 [ "$(grep -c '^f ' "levels/$finest")" -eq 1999 ] || fail "the finest level is not the input"
 cmp -s <(grep '^vt ' face.obj | sort) <(grep '^vt ' "levels/$finest" | sort) || fail "the finest level has another map"
@@ -82,9 +88,7 @@ for method in uniform chordal harmonic shape-preserving; do
   [ "$(grep -o '"energy_end"' report.json | wc -l)" -gt 5 ] || fail "$method did not run level by level"
   expect 0 --method $method --flat --output flat.obj --report report.json
   is_field status '"ok"' "$method --flat"
-  # The same map but for the last digits.
-  paste <(grep '^vt ' nested.obj) <(grep '^vt ' flat.obj) |
-    awk '{ if (($2-$5)^2 + ($3-$6)^2 > 1e-12) exit 1 }' || fail "$method: flat and hierarchical maps differ"
+  same_map nested.obj flat.obj || fail "$method: flat and hierarchical maps differ"
 done
 # CGAL's parameterizers: the same map by multigrid, or by their own solver, and as they are shipped.
 for method in barycentric mean-value conformal authalic iterative-authalic lscm; do
@@ -97,8 +101,7 @@ for method in barycentric mean-value conformal authalic iterative-authalic lscm;
   is_field status '"ok"' "$method --flat"
   is_field linear_solver null "$method --flat"
   [ "$(wc -l <stdout)" -eq 1 ] || fail "$method --flat printed $(wc -l <stdout) lines instead of one"
-  paste <(grep '^vt ' multigrid.obj) <(grep '^vt ' shipped.obj) |
-    awk '{ if (($2-$5)^2 + ($3-$6)^2 > 1e-12) exit 1 }' || fail "$method: the map is not CGAL's"
+  same_map multigrid.obj shipped.obj || fail "$method: the map is not CGAL's"
 done
 [ ! -e last_solve.off ] || fail "a file of CGAL's was left"
 expect 0 --method arap --report report.json
@@ -138,8 +141,8 @@ expect 0 --weights area --tolerance 1e-3 --iterations 5 --quiet
 # One chart in the unit square.
 expect 0 --atlas --output atlas.obj --report report.json
 [ "$(field charts)" -eq 1 ] || fail "--atlas made $(field charts) charts of the face"
-awk '$1 == "vt" && !($2 >= 0 && $2 <= 1 && $3 >= 0 && $3 <= 1) { exit 1 }' atlas.obj ||
-  fail "--atlas leaves the unit square"
+awk '$1 == "vt" { ++n; bad = bad || !($2 >= 0 && $2 <= 1 && $3 >= 0 && $3 <= 1) } END { exit bad || n != 1042 }' \
+  atlas.obj || fail "--atlas leaves the unit square"
 
 # On a terminal a bar shows how far a run has come; elsewhere there is none.
 on_terminal() { script -qec "$program $*" /dev/null; }
@@ -319,4 +322,4 @@ expect 3 --output no/such/folder/face.obj
 expect 3 --output /dev/full
 
 [ "$failures" -eq 0 ] && echo "all passed"
-exit "$failures"
+exit $((failures > 0))

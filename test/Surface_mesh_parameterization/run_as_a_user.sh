@@ -1,8 +1,8 @@
 # Sourced by tests that run a program as a user would, in an empty folder that goes with them.
 set -u
-folder=$(mktemp -d)
+folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+cd "$folder" || exit 1
 failures=0
 
 fail() { echo "FAILED: $*" >&2; failures=$((failures + 1)); }

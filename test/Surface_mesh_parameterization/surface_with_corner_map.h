@@ -4,13 +4,13 @@
 #ifndef SURFACE_WITH_CORNER_MAP_H
 #define SURFACE_WITH_CORNER_MAP_H
 
+#include "exact_kernel.h"
 #include "mesh_conversions.h"
 #include "seam_meshes.h"
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh_parameterization/atlas_quality.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
-#include <CGAL/Surface_mesh_parameterization/internal/core/exact_predicates.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -101,7 +101,7 @@ inline void expect_one_to_one(const Surface& surface)
   for (const auto& chart : surface.charts())
     triangles.insert(triangles.end(), chart.begin(), chart.end());
   for (const internal::Triangle_2& t : triangles) {
-    EXPECT_TRUE(internal::is_left_turn(t[0], t[1], t[2]));
+    EXPECT_TRUE(turns_left(t[0], t[1], t[2]));
     for (const Kernel::Point_2& p : t)
       EXPECT_TRUE(p.x() > 0 && p.x() < 1 && p.y() > 0 && p.y() < 1) << p;
   }

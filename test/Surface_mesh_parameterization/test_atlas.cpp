@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mesh.h>
@@ -63,8 +64,8 @@ TEST(Chart_mesh, is_the_mesh_of_its_faces_added_one_by_one)
     const internal::Corner_mesh chart = corner_mesh_of(surface);
     internal::Chart_mesh mesh, expected;
     ASSERT_TRUE(internal::make_chart_mesh(chart, mesh));
-    for (const auto v : mesh.vertices())
-      expected.add_vertex(mesh.point(v));
+    for (const Point_3& p : chart.points)
+      expected.add_vertex(internal::times_power_of_two(p, -chart.scale_exponent));
     typedef internal::Chart_mesh::Vertex_index Vertex;
     for (std::size_t h = 0; h < chart.vertex.size(); h += 3)
       expected.add_face(Vertex(chart.vertex[h]), Vertex(chart.vertex[h + 1]), Vertex(chart.vertex[h + 2]));
@@ -77,8 +78,11 @@ TEST(Chart_mesh, is_the_mesh_of_its_faces_added_one_by_one)
       ASSERT_EQ(mesh.next(h), expected.next(h));
       ASSERT_EQ(mesh.prev(h), expected.prev(h));
     }
-    for (const auto v : mesh.vertices())
+    ASSERT_EQ(mesh.number_of_vertices(), surface.points.size());
+    for (const auto v : mesh.vertices()) {
       ASSERT_EQ(mesh.halfedge(v), expected.halfedge(v));
+      ASSERT_EQ(mesh.point(v), expected.point(v));
+    }
     for (const auto f : mesh.faces())
       ASSERT_EQ(mesh.halfedge(f), expected.halfedge(f));
   }
@@ -133,6 +137,8 @@ TEST(Atlas, has_one_scale)
     return sum;
   };
   const auto charts = surface.charts(), charts_in_space = in_space.charts();
+  ASSERT_FALSE(charts.empty());
+  ASSERT_EQ(charts.size(), charts_in_space.size());
   const double scale = area(charts[0]) / area(charts_in_space[0]);
   double area_in_space = 0, total = 0;
   for (std::size_t i = 0; i < charts.size(); ++i) {
@@ -247,11 +253,14 @@ TEST(Atlas, opens_seams_of_one_edge)
       const Atlas_summary summary =
           atlas_parameterization(surface.mesh, surface.uv,
                                  parameters::edge_is_constrained_map(surface.seams).distortion_bound(bound));
+      ASSERT_FALSE(summary.charts.empty());
       EXPECT_TRUE(summary.charts[0].summary.is_ok());
       EXPECT_GE(summary.cut.seam_edges, 1u);
       EXPECT_NE(summary.charts.back().summary.error.code, ERROR_NO_TOPOLOGICAL_DISC);
     }
-    EXPECT_EQ(surface.charts()[0].size(), sphere(9, 12).triangles.size());
+    const auto charts = surface.charts();
+    ASSERT_FALSE(charts.empty());
+    EXPECT_EQ(charts[0].size(), sphere(9, 12).triangles.size());
   }
 }
 
@@ -325,10 +334,11 @@ TEST(Atlas, has_no_flips_with_methods_for_which_they_are_errors)
   const Atlas_summary summary =
       atlas_parameterization<Mean_value_coordinates_parameterizer_3>(repaired.mesh, repaired.uv);
   ASSERT_TRUE(summary.is_ok());
+  ASSERT_FALSE(summary.charts.empty());
   EXPECT_GT(summary.charts[0].summary.flips, 0u);
   for (const auto& chart : repaired.charts())
     for (const internal::Triangle_2& t : chart)
-      EXPECT_TRUE(internal::is_left_turn(t[0], t[1], t[2]));
+      EXPECT_TRUE(turns_left(t[0], t[1], t[2]));
   const Parameterization_error error =
       atlas_parameterization<Mean_value_coordinates_parameterizer_3>(
           failed.mesh, failed.uv, parameters::default_values(), parameters::flip_policy(Flip_policy::FAIL)).error;

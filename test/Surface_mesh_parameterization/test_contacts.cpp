@@ -153,9 +153,10 @@ TEST(Turn_barrier, is_lowered_in_steps_that_close_no_gap)
 {
   constexpr double factor = 0.3, gap = 0.01, room = gap - least_gap;
   Fan fan(gap);
-  const double force = -contacts_at(fan.barrier, fan.uv).front().first;
+  ASSERT_EQ(contacts_at(fan.barrier, fan.uv).size(), 1u);
+  const double force = -contacts_at(fan.barrier, fan.uv)[0].first;
   const auto room_after_step = [&] {
-    const Contact c = contacts_at(fan.barrier, fan.uv).front();
+    const Contact c = contacts_at(fan.barrier, fan.uv).at(0);
     return room - (c.first + force) / c.second;
   };
   EXPECT_NEAR(room_after_step(), room, 1e-9);

@@ -85,6 +85,7 @@ TEST(Cut_to_disk, cuts_a_torus_along_two_short_loops)
   Surface surface(plate_with_holes(1, 8));
   const Cut_summary summary = cut_to_disk(surface.mesh, surface.seams,
                                           parameters::distortion_bound((std::numeric_limits<double>::infinity)()));
+  ASSERT_FALSE(summary.components.empty());
   EXPECT_EQ(summary.components[0].branches, 0u);
   EXPECT_GE(summary.seam_length, 4 + 4);         // around a bar of the plate, and around its hole
   EXPECT_LE(summary.seam_length, 2 * (4 + 4));
@@ -98,6 +99,7 @@ TEST(Cut_to_disk, bounds_the_distortion_by_branches)
       SCOPED_TRACE(bound);
       Surface surface(m);
       const Cut_summary cut = cut_to_disk(surface.mesh, surface.seams, parameters::distortion_bound(bound));
+      ASSERT_FALSE(cut.components.empty());
       EXPECT_LE(cut.components[0].distortion, bound);
       EXPECT_GE(cut.seam_length, last_length);
       last_length = cut.seam_length;
@@ -117,6 +119,7 @@ TEST(Cut_to_disk, bounds_the_distortion_of_surfaces_of_few_triangles)
   for (const Flat_mesh& m : { tetrahedron(), box(1, 1, 1), box(1, 1, 10), box(1, 2, 3) }) {
     Surface surface(m);
     const Cut_summary cut = cut_to_disk(surface.mesh, surface.seams, parameters::distortion_bound(bound));
+    ASSERT_FALSE(cut.components.empty());
     EXPECT_LE(cut.components[0].distortion, bound);
     EXPECT_GT(cut.components[0].branches, 0u);
   }
@@ -127,10 +130,12 @@ TEST(Cut_to_disk, cuts_disks_only_where_it_is_asked_to)
   Surface disk(grid_with_holes(20));
   EXPECT_EQ(cut_to_disk(disk.mesh, disk.seams).seam_edges, 0u);
   const Cut_summary joined = cut_to_disk(disk.mesh, disk.seams, parameters::join_borders(true));
+  ASSERT_FALSE(joined.components.empty());
   EXPECT_GT(joined.components[0].borders, 1u);
   EXPECT_GT(joined.seam_edges, 0u);
   // What was a seam is one, and divides components.
   const Cut_summary again = cut_to_disk(disk.mesh, disk.seams);
+  ASSERT_FALSE(again.components.empty());
   EXPECT_EQ(again.components[0].borders, 1u);
   EXPECT_EQ(again.seam_edges, 0u);
 }

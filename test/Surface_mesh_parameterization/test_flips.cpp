@@ -3,6 +3,7 @@
 
 // Flips of maps, found and repaired.
 
+#include "numbers_of_threads.h"
 #include "one_to_one_maps.h"
 #include "test_meshes.h"
 
@@ -22,10 +23,6 @@
 #include <CGAL/number_utils.h>
 
 #include <gtest/gtest.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
 
 #include <cmath>
 #include <cstddef>
@@ -109,11 +106,10 @@ TEST(Flip_policies, repair_the_same_for_every_number_of_threads)
   EXPECT_EQ(m.parameterize(Hierarchical_parameterizer_3<Method>(parameters::summary(std::ref(m.summary)))), OK);
   EXPECT_GT(20 * m.summary.moved_vertices, num_vertices(m.mesh));      // by hierarchies, not by patches
   const auto expected = m.uv();
-  for (const int threads : { 1, 2, 5 }) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+  numbers_of_threads::for_each_number_of_threads([&] {
     EXPECT_EQ(m.parameterize(Hierarchical_parameterizer_3<Method, CGAL::Parallel_tag>()), OK);
     EXPECT_EQ(m.uv(), expected);
-  }
+  });
 }
 #endif
 

@@ -181,4 +181,71 @@ TYPED_TEST(Held_parts_of_a_map, tell_by_few_vertices_whether_it_is_mirrored)
   }
 }
 
+// ---- methods without flips ----
+
+template <class Method>
+class Held_vertices_of_border : public testing::Test { };
+
+typedef testing::Types<MIPS_parameterizer_3<Mesh>, Symmetric_Dirichlet_parameterizer_3<Mesh>>   Flip_free_methods;
+TYPED_TEST_SUITE(Held_vertices_of_border, Flip_free_methods);
+
+// How far apart the maps of a hierarchical run and of a flat one are, with the border on a circle; relative to its box.
+template <class Method>
+double distance_from_flat_run(const Flat_mesh& surface)
+{
+  Constrained_mesh m(surface), flat(surface);
+  for (Constrained_mesh* const one : { &m, &flat }) {
+    one->place_border<Circle>(1);
+    EXPECT_EQ(one->run<Method>(one == &m, 1e-14), OK);
+    one->expect_places_are_held();
+    EXPECT_TRUE(one->summary.converged && one->is_valid());
+  }
+  return greatest_distance(m.uv(), flat.uv()) / std::sqrt(2);
+}
+
+// To the last digits, which the energies of two maps do not tell.
+TYPED_TEST(Held_vertices_of_border, fix_a_border_for_the_hierarchical_run_as_for_the_flat_one)
+{
+  for (const Flat_mesh& surface :
+       { grid(40, 30, wavy), delaunay_patch(800, 3, wavy), cap(12, 32, 0.5 * CGAL_PI) })
+    EXPECT_LT(distance_from_flat_run<TypeParam>(surface), 1e-9) << surface.triangles.size();
+}
+
+TYPED_TEST(Held_vertices_of_border, fix_a_border_for_the_hierarchical_run_on_real_meshes)
+{
+  std::size_t found = 0;
+  for (const char* name : { "face_1042.off", "lion_head.off", "camelhead.off" }) {
+    Flat_mesh real;
+    if (!read_off(name, real))
+      continue;
+    ++found;
+    EXPECT_LT(distance_from_flat_run<TypeParam>(real), 1e-9) << name;
+  }
+  if (found == 0)
+    GTEST_SKIP() << "no mesh in " << data_folder();
+}
+
+// Symmetric Dirichlet energy turns corners of the holes by up to a full turn. There the barrier leaves a little.
+TYPED_TEST(Held_vertices_of_border, fix_a_border_of_a_surface_with_holes)
+{
+  EXPECT_LT(distance_from_flat_run<TypeParam>(grid_with_holes(20)), 1e-5);
+}
+
+TYPED_TEST(Held_vertices_of_border, lead_around_a_border_that_is_far_from_convex)
+{
+  for (const std::size_t n : { 300, 3000 }) {
+    Constrained_mesh m(delaunay_patch(n, 5, flat));
+    m.place_border<Circle>(1);
+    for (const auto v : vertices(m.mesh))
+      if (m.is_held[v]) {
+        const double x = m.uvmap[v].x() - 0.5, y = m.uvmap[v].y() - 0.5,
+                     scale = 1 + 0.4 * std::cos(3 * std::atan2(y, x));
+        m.uvmap[v] = Kernel_point(scale * x, scale * y);
+      }
+    ASSERT_EQ(m.run<TypeParam>(), OK);
+    m.expect_places_are_held();
+    EXPECT_TRUE(m.summary.converged && m.is_valid());
+  }
+}
+
 } // namespace test_held_borders

@@ -68,7 +68,7 @@ TYPED_TEST(Initial_map, is_left_where_it_is_best)
     const double energy = m.summary.energy;
     EXPECT_GT(m.summary.levels.size(), 1u);
     ASSERT_EQ(run<TypeParam>(m, true), OK);
-    EXPECT_EQ(m.summary.levels.size(), 1u);
+    ASSERT_EQ(m.summary.levels.size(), 1u);
     EXPECT_LE(m.summary.levels[0].iterations, 2u);
     EXPECT_TRUE(m.summary.converged && m.is_valid());
     EXPECT_LE(m.summary.energy, energy * (1 + 1e-12));

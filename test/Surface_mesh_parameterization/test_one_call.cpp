@@ -61,7 +61,7 @@ TEST(One_call, gives_the_map_of_the_class)
 
   result = hierarchical_parameterization<Symmetric_Dirichlet_parameterizer_3>(
       by_call.mesh, by_call.uvmap, parameters::coarsest_size(10000).number_of_iterations(0));
-  EXPECT_EQ(result.levels.size(), 1u);                  // of the hierarchy
+  ASSERT_EQ(result.levels.size(), 1u);                  // of the hierarchy
   EXPECT_EQ(result.levels[0].cycles, 0u);               // of the method
   EXPECT_FALSE(result.converged);
 

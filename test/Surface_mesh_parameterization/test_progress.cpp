@@ -130,6 +130,7 @@ void expect_parts_in_order(const Record& record)
 
 void expect_places_on_levels(const Record& record, std::size_t number_of_vertices)
 {
+  ASSERT_FALSE(record.progress.empty());
   for (const Parameterization_progress& p : record.progress) {
     EXPECT_TRUE(p.number_of_levels == 0 ? p.level == 0 && p.iterations == 0 : p.level < p.number_of_levels);
     EXPECT_GT(p.vertices, 0u);
@@ -141,6 +142,7 @@ void expect_places_on_levels(const Record& record, std::size_t number_of_vertice
 
 void expect_all_iterations(const Record& record, const Parameterization_summary& summary)
 {
+  ASSERT_FALSE(record.progress.empty());
   const std::size_t end = record.progress.back().number_of_levels;
   for (std::size_t i = 0; i < summary.levels.size(); ++i) {     // the finest one only, after a start
     const std::size_t level = end - summary.levels.size() + i;

@@ -124,9 +124,10 @@ TEST(Filled_holes, join_the_sides_of_cracks)
     Corner_mesh mesh = corner_mesh_of(surface);
     const std::size_t borders = internal::borders(mesh).size();
     ASSERT_GT(borders, 3u);
-    const internal::Filled_holes filled = fill(surface, 2, mesh)[0];
-    EXPECT_EQ(filled.borders, borders);
-    EXPECT_EQ(filled.faces, 0u);
+    const auto components = fill(surface, 2, mesh);
+    ASSERT_EQ(components.size(), 1u);
+    EXPECT_EQ(components[0].borders, borders);
+    EXPECT_EQ(components[0].faces, 0u);
     expect_consistent(mesh, 1);
     const Corner_mesh expected = corner_mesh_of(whole);
     EXPECT_EQ(mesh.vertex, expected.vertex);
@@ -143,9 +144,10 @@ TEST(Filled_holes, have_an_area_above_cracks_whose_sides_do_not_meet)
   const Corner_mesh before = mesh;
   const std::size_t borders = internal::borders(mesh).size();
   ASSERT_GT(borders, 3u);
-  const internal::Filled_holes filled = fill(surface, 1, mesh)[0];
-  EXPECT_EQ(filled.borders, borders);
-  EXPECT_EQ(filled.faces, 3 * (borders - 1));
+  const auto components = fill(surface, 1, mesh);
+  ASSERT_EQ(components.size(), 1u);
+  EXPECT_EQ(components[0].borders, borders);
+  EXPECT_EQ(components[0].faces, 3 * (borders - 1));
   expect_filled(before, mesh, 1);
   for (Index f = before.number_of_faces(); f < mesh.number_of_faces(); ++f)
     EXPECT_GT(internal::area_of_face(mesh, f), 1e-4);

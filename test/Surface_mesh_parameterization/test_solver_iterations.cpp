@@ -79,12 +79,16 @@ TYPED_TEST(Iterations, are_few_and_do_not_grow)
 
 TYPED_TEST(Iterations, are_few_on_real_meshes)
 {
+  std::size_t found = 0;
   for (const std::string name : { "face_1042.off", "three_peaks.off", "lion_head.off", "camelhead.off" }) {
     Flat_mesh m;
     if (!read_off(name, m))
-      GTEST_SKIP() << "no " << name << " in " << data_folder();
+      continue;
+    ++found;
     EXPECT_LE(iterations(m, TypeParam()), 20u) << name;
   }
+  if (found == 0)
+    GTEST_SKIP() << "no mesh in " << data_folder();
 }
 
 // Half the edges are opposite to angles of up to 166 degrees: with cotangents so negative, incomplete factors of the

@@ -45,9 +45,9 @@ std::array<double, 3> random_coordinates(Random& random)
 }
 
 // Inserts an interior vertex into the star polygon with the corner W0 at `center`, an angle of `turn` there, and `fan`
-// coarse triangles.
+// coarse triangles. Counts the insertions, which need a coarse map that is valid.
 testing::AssertionResult insert_interior_vertex(Index fan, double turn, double least_radius, const Point_2& center,
-                                                Random& random)
+                                                Random& random, std::size_t& insertions)
 {
   // V is vertex 0, W0 vertex 1, Wi vertex i + 1.
   std::vector<Point_2> uv = { center, center };
@@ -58,6 +58,7 @@ testing::AssertionResult insert_interior_vertex(Index fan, double turn, double l
   for (Index i = 2; i + 1 < uv.size(); ++i)
     if (!turns_left(uv[1], uv[i], uv[i + 1]))
       return testing::AssertionSuccess() << "no coarse map";
+  ++insertions;
   const Index ring_size = fan + 2;
   std::vector<Index_triangle> triangles;
   for (Index i = 0; i < ring_size; ++i)
@@ -79,21 +80,27 @@ testing::AssertionResult insert_interior_vertex(Index fan, double turn, double l
 TEST(Vertex_inserter, finds_a_place_in_every_star_polygon_with_a_positive_fan)
 {
   Random random(20);
+  std::size_t insertions = 0;
   for (int k = 0; k < 2000; ++k)
     EXPECT_TRUE(insert_interior_vertex(1 + k % 9, random(0.2, (std::min)(1.9, 0.9 * (1 + k % 9)) * CGAL_PI), 0.3,
-                                       random_point_2(random), random));
+                                       random_point_2(random), random, insertions));
+  EXPECT_GT(insertions, 1000u);
 }
 
 TEST(Vertex_inserter, finds_a_place_beside_a_reflex_corner_and_in_thin_kernels)
 {
   Random random(21);
+  std::size_t insertions = 0;
   for (int k = 0; k < 1000; ++k) {
     const Index fan = 3 + k % 7;
-    EXPECT_TRUE(
-        insert_interior_vertex(fan, (2 - std::pow(10, random(-4, 0))) * CGAL_PI, 0.3, random_point_2(random), random));
-    EXPECT_TRUE(insert_interior_vertex(fan, std::pow(10, random(-4, 0)), 0.3, random_point_2(random), random));
-    EXPECT_TRUE(insert_interior_vertex(fan, random(0.5, 1.9) * CGAL_PI, 1e-4, random_point_2(random), random));
+    const auto insert = [&](double turn, double least_radius) {
+      return insert_interior_vertex(fan, turn, least_radius, random_point_2(random), random, insertions);
+    };
+    EXPECT_TRUE(insert((2 - std::pow(10, random(-4, 0))) * CGAL_PI, 0.3));
+    EXPECT_TRUE(insert(std::pow(10, random(-4, 0)), 0.3));
+    EXPECT_TRUE(insert(random(0.5, 1.9) * CGAL_PI, 1e-4));
   }
+  EXPECT_GT(insertions, 1500u);
 }
 
 TEST(Vertex_inserter, takes_the_stored_place_if_it_is_best)
@@ -129,7 +136,8 @@ std::vector<Point_2> coarse_border_fan(Index n, double turn, Random& random)
 }
 
 // Inserts ears on the border edges of C one after the other: `onto_center` says whether they had collapsed onto C.
-testing::AssertionResult insert_ears(Index n, double turn, bool onto_center, bool is_second_too, Random& random)
+testing::AssertionResult insert_ears(Index n, double turn, bool onto_center, bool is_second_too, Random& random,
+                                     std::size_t& insertions)
 {
   std::vector<Point_2> uv = coarse_border_fan(n, turn, random);
   std::vector<Index_triangle> triangles;
@@ -137,6 +145,7 @@ testing::AssertionResult insert_ears(Index n, double turn, bool onto_center, boo
     triangles.push_back({ 0, 1 + i, 2 + i });
   if (!is_map_valid(One_rings(uv.size(), triangles), uv))
     return testing::AssertionSuccess() << "no coarse map";
+  ++insertions;
 
   const Index first_ear = n + 2;
   triangles.push_back({ first_ear, 1, 0 });
@@ -163,17 +172,20 @@ testing::AssertionResult insert_ears(Index n, double turn, bool onto_center, boo
 TEST(Vertex_inserter, inserts_ears_beside_border_vertices_of_any_turn)
 {
   Random random(22);
+  std::size_t insertions = 0;
   for (int k = 0; k < 300; ++k)
     for (const bool is_second_too : { false, true }) {
-      EXPECT_TRUE(insert_ears(3 + k % 5, random(0.5, 1.9) * CGAL_PI, k % 2 == 0, is_second_too, random));
-      EXPECT_TRUE(
-          insert_ears(3 + k % 5, (2 - std::pow(10, random(-6, 0))) * CGAL_PI, k % 2 == 0, is_second_too, random));
+      EXPECT_TRUE(insert_ears(3 + k % 5, random(0.5, 1.9) * CGAL_PI, k % 2 == 0, is_second_too, random, insertions));
+      EXPECT_TRUE(insert_ears(3 + k % 5, (2 - std::pow(10, random(-6, 0))) * CGAL_PI, k % 2 == 0, is_second_too, random,
+                              insertions));
     }
+  EXPECT_GT(insertions, 600u);
 }
 
 // Inserts a border vertex V between the last neighbor of C and C; it takes the last `taken` triangles from C. V had
 // collapsed onto C or, if it takes one triangle only, onto the other end.
-testing::AssertionResult insert_border_vertex(Index n, double turn, Index taken, bool onto_center, Random& random)
+testing::AssertionResult insert_border_vertex(Index n, double turn, Index taken, bool onto_center, Random& random,
+                                              std::size_t& insertions)
 {
   std::vector<Point_2> uv = coarse_border_fan(n, turn, random);
   std::vector<Index_triangle> triangles;
@@ -181,6 +193,7 @@ testing::AssertionResult insert_border_vertex(Index n, double turn, Index taken,
     triangles.push_back({ 0, 1 + i, 2 + i });
   if (!is_map_valid(One_rings(uv.size(), triangles), uv))
     return testing::AssertionSuccess() << "no coarse map";
+  ++insertions;
 
   const Index v = n + 2, last = n + 1, first = last - taken;
   for (Index i = 1; i <= taken; ++i)
@@ -204,12 +217,14 @@ testing::AssertionResult insert_border_vertex(Index n, double turn, Index taken,
 TEST(Vertex_inserter, inserts_border_vertices_beside_border_vertices_of_any_turn)
 {
   Random random(23);
+  std::size_t insertions = 0;
   for (int k = 0; k < 500; ++k)
     for (const double turn : { random(0.5, 1.9), 2 - std::pow(10, random(-6, 0)) }) {
       const Index n = 3 + k % 5;
-      EXPECT_TRUE(insert_border_vertex(n, turn * CGAL_PI, 1 + Index(random.below(n - 1)), true, random));
-      EXPECT_TRUE(insert_border_vertex(n, turn * CGAL_PI, 1, false, random));
+      EXPECT_TRUE(insert_border_vertex(n, turn * CGAL_PI, 1 + Index(random.below(n - 1)), true, random, insertions));
+      EXPECT_TRUE(insert_border_vertex(n, turn * CGAL_PI, 1, false, random, insertions));
     }
+  EXPECT_GT(insertions, 1000u);
 }
 
 } // namespace test_vertex_inserter

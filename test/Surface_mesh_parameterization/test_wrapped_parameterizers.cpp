@@ -5,6 +5,7 @@
 
 #include "mapped_mesh.h"
 #include "mesh_conversions.h"
+#include "numbers_of_threads.h"
 #include "seam_meshes.h"
 #include "test_meshes.h"
 #include "wrapped_maps.h"
@@ -31,10 +32,6 @@
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
 
 #include <gtest/gtest.h>
 
@@ -94,13 +91,12 @@ TYPED_TEST(Wrapped, is_the_same_for_every_number_of_threads)
   Surface_mesh mesh = make<Surface_mesh>(grid(120, 110, wavy));
   Wrapped_map<Surface_mesh> expected(mesh);
   EXPECT_EQ(expected.parameterize(Hierarchical_parameterizer_3<TypeParam>(), longest_border(mesh)), OK);
-  for (const int threads : { 1, 2, 5 }) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+  numbers_of_threads::for_each_number_of_threads([&] {
     Wrapped_map<Surface_mesh> found(mesh);
     EXPECT_EQ(found.parameterize(Hierarchical_parameterizer_3<TypeParam, CGAL::Parallel_tag>(), longest_border(mesh)),
               OK);
     found.expect_same(expected);
-  }
+  });
 }
 #endif
 

@@ -147,6 +147,8 @@ TEST(Write_OBJ, writes_all_digits_of_doubles)
   EXPECT_EQ(file.precision(), 3);
   EXPECT_TRUE(file.flags() & std::ios::hex);
   const OBJ_lines lines(file.str());
+  ASSERT_EQ(lines.points.size(), 3u);
+  ASSERT_EQ(lines.uv.size(), 3u);
   EXPECT_EQ(lines.points[0].x(), 1. / 3);
   EXPECT_EQ(lines.points[1].x(), 12345);
   EXPECT_EQ(lines.points[2].y(), 1e-20);
