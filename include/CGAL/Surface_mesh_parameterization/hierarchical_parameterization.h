@@ -29,7 +29,7 @@ namespace internal {
 template <class T, class Mesh>
 constexpr bool is_halfedge_v = std::conjunction_v<Mesh_check<Mesh>, Halfedge_check<T, Mesh>>;
 
-// The run for an outer border; if `choose_border()` returns a null halfedge, the surface is closed.
+// The run for an outer border; if `choose_border(mesh)` is a null halfedge, the surface is closed.
 template <template <class...> class Method, class ConcurrencyTag, class TriangleMesh, class ChooseBorder,
           class VertexUVMap, class NamedParameters>
 Parameterization_summary run_method(TriangleMesh& mesh, const ChooseBorder& choose_border, VertexUVMap uvmap,
@@ -41,7 +41,7 @@ Parameterization_summary run_method(TriangleMesh& mesh, const ChooseBorder& choo
   if constexpr (Check::value) {
     const Named_parameters<std::reference_wrapper<Parameterization_summary>, internal_np::summary_t, NamedParameters>
         with_summary(std::ref(result), np);
-    const auto border = choose_border();
+    const auto border = choose_border(mesh);
     if (faces(mesh).first == faces(mesh).second)
       result.error.code = ERROR_EMPTY_MESH;
     else if (border == boost::graph_traits<Mesh>::null_halfedge())
@@ -108,7 +108,9 @@ template <template <class...> class Method = MIPS_parameterizer_3, class Concurr
 Parameterization_summary hierarchical_parameterization(TriangleMesh& mesh, VertexUVMap uvmap,
                                                        const NamedParameters& np = parameters::default_values())
 {
-  const auto longest = [&] { return internal::longest_border(mesh, [](const auto&) { return true; }).halfedge; };
+  const auto longest = [](const auto& m) {
+    return internal::longest_border(m, [](const auto&) { return true; }).halfedge;
+  };
   return internal::run_method<Method, ConcurrencyTag>(mesh, longest, uvmap, np);
 }
 
@@ -129,7 +131,7 @@ Parameterization_summary hierarchical_parameterization(TriangleMesh& mesh, Halfe
 {
   typedef typename boost::graph_traits<std::remove_const_t<TriangleMesh>>::halfedge_descriptor   halfedge_descriptor;
   return internal::run_method<Method, ConcurrencyTag>(
-      mesh, [&] { return halfedge_descriptor(bhd); }, uvmap, np);
+      mesh, [&](const TriangleMesh&) { return halfedge_descriptor(bhd); }, uvmap, np);
 }
 
 } // namespace CGAL::Surface_mesh_parameterization
