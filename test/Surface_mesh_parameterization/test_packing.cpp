@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Bitmap.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mask.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Grid_packer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/Strip.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/turn_chart.h>
 
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace test_packing {
@@ -233,6 +235,48 @@ TEST(Chart_mask, has_the_cells_of_the_triangles)
     for (const Triangle_2& t : triangles)
       perimeter += length(t[2] - t[1]);
     EXPECT_LE(area, total_area({ chart }) + 1.5 * cell * perimeter + 10 * cell * cell);
+  }
+}
+
+// Cell by cell, on a strip of several words.
+TEST(Strip, finds_the_lowest_place_and_there_the_leftmost)
+{
+  constexpr Index width = 230, height = 600, margin = 2;
+  Random random(4);
+  std::vector<Chart_mask> masks;
+  unsigned int levels = 0;
+  for (int i = 0; i < 25; ++i) {
+    const Point_2 center(1.1, 1.1);
+    masks.push_back(make_mask(rasterize(fan(center, random_star_polygon(9, center, random), random(0.3, 1)), 0.03)));
+    levels = (std::max)(levels, masks.back().number_of_levels());
+  }
+  Strip strip(width, margin, levels);
+  std::vector<std::vector<bool>> is_full(height, std::vector<bool>(width, false));
+  for (const Chart_mask& mask : masks) {
+    std::vector<std::pair<Index, Index>> cells;
+    for (Index j = 0; j < mask.height; ++j)
+      for (Index i = 0; i < mask.width; ++i)
+        if (is_taken(mask, i, j))
+          cells.emplace_back(i, j);
+    Index x = 0, y = 0;
+    const auto is_empty = [&](const auto& cell) { return !is_full[y + cell.second][x + cell.first]; };
+    while (!std::all_of(cells.begin(), cells.end(), is_empty))
+      if (++x + mask.width > width) {
+        x = 0;
+        ++y;
+      }
+    std::size_t first_row = 0;
+    const Strip::Place place = strip.find(mask, first_row, height);
+    ASSERT_EQ(place.x, x);
+    ASSERT_EQ(place.y, y);
+    strip.put(mask, place, levels);
+    for (const auto& [i, j] : cells) {
+      const Index left = x + i - (std::min)(x + i, margin), right = (std::min)(x + i + margin, width - 1),
+                  bottom = y + j - (std::min)(y + j, margin), top = y + j + margin;
+      for (Index row = bottom; row <= top; ++row)
+        for (Index column = left; column <= right; ++column)
+          is_full[row][column] = true;
+    }
   }
 }
 
