@@ -62,9 +62,7 @@ void check_corners(const Polygon_soup& soup, bool may_have_polygons, bool may_ha
     if (is_collapsed ? !may_have_collapsed_faces : polygon.size() > 3 && !may_have_polygons)
       throw Input_error{ face_text(f) + " has " + std::to_string(polygon.size()) + " corners instead of three" +
                              (is_collapsed ? "; --orient leaves such faces out"
-                              : polygon.size() > most_corners_to_triangulate
-                                  ? ""
-                                  : "; --triangulate cuts such faces into triangles"),
+                                           : "; --triangulate cuts such faces into triangles"),
                          SMP::ERROR_NON_TRIANGULAR_MESH };
     std::size_t vertex;
     if (has_vertex_twice(polygon, vertex))

@@ -29,8 +29,6 @@ struct Polygon_soup
 inline std::string face_text(std::size_t f) { return "face " + std::to_string(f); }
 inline std::string vertex_text(std::size_t v) { return "vertex " + std::to_string(v); }
 
-constexpr std::size_t most_corners_to_triangulate = 500;      // the time goes with the third power
-
 inline Polygon_soup::Point coordinates(const Kernel::Point_3& p)
 {
   return { p.x(), p.y(), p.z() };

@@ -3,10 +3,6 @@
 //
 // What is parameterized.
 
-// Polygons are triangulated without CGAL's Delaunay triangulations, which take long to compile.
-#define CGAL_HOLE_FILLING_DO_NOT_USE_DT3
-#define CGAL_HOLE_FILLING_DO_NOT_USE_CDT2
-
 #include "input.h"
 
 #include "../Surface_mesh_parameterization/face_mesh.h"
@@ -16,12 +12,11 @@
 #include "components.h"
 #include "has_suffix.h"
 #include "stitch.h"
+#include "triangulate_polygons.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/longest_border.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/utility.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,10 +26,8 @@
 #include <fstream>
 #include <iostream>
 #include <istream>
-#include <iterator>
 #include <string>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -93,61 +86,6 @@ std::string guess_suffix(const std::string& content)
   return is_solid || !is_text ? ".stl" : ".obj";
 }
 
-Kernel::Point_3 point_of(const Polygon_soup& soup, std::size_t v)
-{
-  return Kernel::Point_3(soup.points[v][0], soup.points[v][1], soup.points[v][2]);
-}
-
-// Whether the triangles have all edges of a polygon of n corners, and other edges in pairs.
-bool is_triangulation(const std::vector<CGAL::Triple<int, int, int>>& triangles, int n)
-{
-  std::vector<std::pair<int, int>> edges;
-  for (const CGAL::Triple<int, int, int>& t : triangles)
-    edges.insert(edges.end(), { { t.first, t.second }, { t.second, t.third }, { t.third, t.first } });
-  for (int i = 0; i < n; ++i)
-    edges.emplace_back((i + 1) % n, i);              // the other side of the polygon's
-  std::sort(edges.begin(), edges.end());
-  return triangles.size() == std::size_t(n - 2) && std::adjacent_find(edges.begin(), edges.end()) == edges.end()
-         && std::all_of(edges.begin(), edges.end(), [&](const std::pair<int, int>& e) {
-              return std::binary_search(edges.begin(), edges.end(), std::make_pair(e.second, e.first));
-            });
-}
-
-// Puts triangles in the places of polygons. Not by CGAL's triangulate_faces(), which writes out of bounds where a
-// corner of a face lies on another edge or corner of it.
-void triangulate(Polygon_soup& soup)
-{
-  std::vector<Polygon_soup::Polygon> result;
-  for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
-    const Polygon_soup::Polygon& polygon = soup.polygons[f];
-    if (polygon.size() == 3) {
-      result.push_back(polygon);
-      continue;
-    }
-    if (polygon.size() > most_corners_to_triangulate)
-      throw Input_error{ face_text(f) + " has more than " + std::to_string(most_corners_to_triangulate) + " corners",
-                         SMP::ERROR_NON_TRIANGULAR_MESH };
-    std::vector<Kernel::Point_3> corners;
-    for (const std::size_t v : polygon)
-      corners.push_back(point_of(soup, v));
-    std::vector<CGAL::Triple<int, int, int>> triangles;
-    CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
-        corners, std::back_inserter(triangles),
-        CGAL::parameters::use_delaunay_triangulation(false).use_2d_constrained_delaunay_triangulation(false));
-    if (!is_triangulation(triangles, int(polygon.size()))) {      // it has no area, or points that coincide
-      triangles.clear();
-      for (int i = 1; i + 1 < int(polygon.size()); ++i)
-        triangles.emplace_back(0, i, i + 1);
-    }
-    for (const CGAL::Triple<int, int, int>& t : triangles) {
-      result.emplace_back();
-      for (const int corner : { t.first, t.second, t.third })
-        result.back().push_back(polygon[std::size_t(corner)]);
-    }
-  }
-  soup.polygons = std::move(result);
-}
-
 } // namespace
 
 Mesh make_mesh(Polygon_soup soup, const Soup_options& options, std::size_t* left_out)
@@ -171,7 +109,7 @@ Mesh make_mesh(Polygon_soup soup, const Soup_options& options, std::size_t* left
   } else if (options.is_triangulated)
     check_manifold(soup);      // names the faces of the file
   if (options.is_triangulated)
-    triangulate(soup);         // two polygons may get the same diagonal
+    triangulate_polygons(soup);      // two polygons may get the same diagonal
   if (options.is_oriented)
     CGAL::Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.polygons);
   return manifold_mesh(soup);

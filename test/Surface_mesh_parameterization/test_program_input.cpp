@@ -310,6 +310,18 @@ const Row stl_files[] = {
 
 const std::vector<Point> l_shape = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 } };
 
+Mesh figure_of_eight(long n)
+{
+  return moved(star_polygon(n), [](double x, double y, double z) { return Point{ x * y, x, z }; });
+}
+
+Mesh star_with_point_twice(long n)
+{
+  Mesh m = star_polygon(n);
+  m.points[9] = m.points[3];
+  return m;
+}
+
 const Row no_surfaces[] = {
   { "three_at_an_edge.off", [] { return OFF(three_at_an_edge()); }, bad_input, no_disk, "more than two faces" },
   { "two_umbrellas.off", [] { return OFF(identified(joined(triangle(), triangle()), 0, 3)); }, bad_input, no_disk,
@@ -370,8 +382,14 @@ const Row surfaces[] = {
   { "quads.off", [] { return OFF(quads()); }, good, ok, "", "--triangulate" },
   { "polygon.off", [] { return OFF(polygon(l_shape)); }, good, ok, "", "--triangulate" },
   { "polygon_of_100_corners.off", [] { return OFF(star_polygon(100)); }, good, any, "", "--triangulate" },
-  { "polygon_of_501_corners.off", [] { return OFF(star_polygon(501)); }, bad_input, no_triangle,
-    "face 0 has more than 500 corners", "--triangulate" },
+  { "polygon_of_501_corners.off", [] { return OFF(star_polygon(501)); }, good, any, "", "--triangulate" },
+  { "polygon_of_501_corners_as_it_is.off", [] { return OFF(star_polygon(501)); }, bad_input, no_triangle,
+    "face 0 has 501 corners instead of three; --triangulate" },
+  { "eight_of_502_corners.off", [] { return OFF(figure_of_eight(502)); }, bad_input, no_triangle,
+    "face 0 has 502 corners, and edges that cross", "--triangulate" },
+  { "eight_of_50_corners.off", [] { return OFF(figure_of_eight(50)); }, good, any, "", "--triangulate" },
+  { "point_twice_among_501_corners.off", [] { return OFF(star_with_point_twice(501)); }, bad_input, no_triangle,
+    "face 0 has 501 corners, and edges that cross or touch", "--triangulate" },
   { "quad_without_area.off",
     [] {
       return OFF(polygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }));
