@@ -14,13 +14,14 @@
 #include <vector>
 
 // A negative index of a file is a huge one here; it is told as it was.
-void check_indices(const Polygon_soup& soup)
+void check_indices(const Polygon_soup& soup, std::size_t first_vertex)
 {
   for (std::size_t f = 0; f < soup.polygons.size(); ++f)
     for (const std::size_t v : soup.polygons[f])
       if (v >= soup.points.size())
-        throw Input_error{ face_text(f) + " refers to vertex " + std::to_string(static_cast<long long>(v)) +
-                           "; there are " + std::to_string(soup.points.size()) + ", counted from 0" };
+        throw Input_error{ face_text(f) + " refers to vertex " +
+                           std::to_string(static_cast<long long>(v + first_vertex)) + "; there are " +
+                           std::to_string(soup.points.size()) + ", counted from " + std::to_string(first_vertex) };
 }
 
 void check_coordinates(const Polygon_soup& soup)

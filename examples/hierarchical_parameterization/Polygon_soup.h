@@ -34,8 +34,9 @@ inline Polygon_soup::Point coordinates(const Kernel::Point_3& p)
   return { p.x(), p.y(), p.z() };
 }
 
-// Each of these throws an Input_error.
-void check_indices(const Polygon_soup& soup);
+// Each of these throws an Input_error. What it says counts from 0, but for the vertices of check_indices(): they count
+// from `first_vertex`, as in the file.
+void check_indices(const Polygon_soup& soup, std::size_t first_vertex = 0);
 void check_coordinates(const Polygon_soup& soup);
 void check_corners(const Polygon_soup& soup, bool may_have_polygons, bool may_have_collapsed_faces);
 void check_manifold(const Polygon_soup& soup);       // precondition: the indices and corners have been checked

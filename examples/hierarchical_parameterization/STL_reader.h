@@ -83,17 +83,16 @@ private:
   }
 
   // solid NAME { facet normal X Y Z outer loop vertex X Y Z vertex X Y Z vertex X Y Z endloop endfacet } endsolid NAME
+  // Some programs leave out the end.
   void read_text()
   {
-    bool is_open = true;
-    for (m_file.skip_spaces(); is_open || !m_file.is_at_end(); m_file.skip_spaces()) {
+    for (m_file.skip_spaces(); !m_file.is_at_end(); m_file.skip_spaces()) {
       const std::string_view keyword = m_file.word();
       if (is_keyword(keyword, "facet"))
         read_facet();
-      else if (is_keyword(keyword, "solid") || is_keyword(keyword, "endsolid")) {
-        is_open = is_keyword(keyword, "solid");
+      else if (is_keyword(keyword, "solid") || is_keyword(keyword, "endsolid"))
         skip_name();
-      } else
+      else
         m_file.fail("'facet' or 'endsolid' expected");
     }
   }

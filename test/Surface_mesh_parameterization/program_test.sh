@@ -190,6 +190,11 @@ for map in map.obj map.ply; do
   done
   expect 0 --method arap --start $map
 done
+# In whatever order the lines of the file are: faces, vertices, texture coordinates.
+LC_ALL=C sort -s -k 1,1 map.obj >sorted.obj
+expect 0 --start map.obj --output from_map.obj
+expect 0 --start sorted.obj --output from_sorted.obj
+cmp from_map.obj from_sorted.obj || fail "--start takes another map from sorted.obj"
 expect 0 tube.obj --method lscm --flips keep --output folded.obj
 expect 0 tube.obj --start folded.obj --report report.json
 is_field flips 0 "--start folded.obj"

@@ -172,8 +172,11 @@ const Row obj_files[] = {
   { "tabs.obj", as_is("v\t0\t0\t0\nv\t1\t0\t0\nv\t0\t1\t0\nf\t1\t2\t3\n"), good, ok },
   { "carriage_returns.obj", [] { return with_line_ends(OBJ(patch()), "\r\n"); }, good, ok },
   { "continued_lines.obj", as_is("v 0 0 \\\n0\nv 1 0 0\nv 0 1 0\nl 1 2 \\\r\n 3\nf 1 \\\n 2 \\\n3\n"), good, ok },
+  { "blanks_behind_backslashes.obj", as_is("v 0 0 \\ \t\n0\nv 1 0 0\nv 0 1 0\nf 1 \\ \r\n 2 \\\t\n3\n"), good, ok },
+  { "number_behind_a_backslash.obj", as_is("v 0 0 \\ 0\n"), bad_input, unreadable,
+    "line 1: the coordinates of vertex 0" },
   { "backslash_in_comment.obj", as_is("# C:\\\nv 0 0 0\nv 1 0 0 # here\\\nv 0 1 0\nf 1 2 3\n"), good, ok },
-  { "line_after_continued_ones.obj", as_is("v 0 0 \\\n0\nv 1 \\\n 0 0\nv 0\n"), bad_input, unreadable,
+  { "line_after_continued_ones.obj", as_is("v 0 0 \\ \n0\nv 1 \\\n 0 0\nv 0\n"), bad_input, unreadable,
     "line 5: the coordinates of vertex 2" },
   { "line_with_old_ends.obj", as_is("v 0 0 0\rv 1 0 0\rv 0\r"), bad_input, unreadable,
     "line 3: the coordinates of vertex 2" }
@@ -285,8 +288,13 @@ const Row stl_files[] = {
   { "empty.stl", as_is(""), bad_input, no_faces, "is empty" },
   { "short.stl", as_is("stl"), bad_input, unreadable, "too short" },
   { "no_faces.stl", as_is("solid nothing\nendsolid nothing\n"), bad_input, no_faces, "has no faces" },
-  { "truncated_between.stl", [] { return replaced(STL(patch()), "endsolid test\n", ""); }, bad_input, unreadable,
-    "'endsolid' expected" },
+  { "no_end.stl", [] { return replaced(STL(patch()), "endsolid test\n", ""); }, good, ok },
+  { "two_without_ends.stl",
+    [] {
+      const Mesh above = moved(triangle(), [](double x, double y, double z) { return Point{ x, y, z + 9 }; });
+      return replaced(STL(patch()), "endsolid test\n", "") + replaced(STL(above), "endsolid test\n", "");
+    },
+    good, ok },
   { "truncated.stl", [] { return cut_at(STL(patch()), 0.5); }, bad_input, unreadable, "face" },
   { "truncated_binary.stl", [] { return cut_at(binary_STL(patch()), 0.5); }, bad_input, unreadable,
     "too short for 72 triangles, and does not begin with 'solid'" },
