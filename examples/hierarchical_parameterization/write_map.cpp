@@ -14,6 +14,8 @@
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_SVG.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -21,22 +23,11 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace {
 
 const Kernel::Point_2 nowhere(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN());
-
-typedef Mesh::Property_map<Mesh::Vertex_index, bool>   Vertex_flags;
-
-// Which vertices have a place by the map of one chart.
-Vertex_flags mapped_vertices(Input& input)
-{
-  auto is_mapped = input.mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_parameterized", false).first;
-  for (const Mesh::Face_index f : input.faces)
-    for (const Mesh::Vertex_index v : input.mesh.vertices_around_face(input.mesh.halfedge(f)))
-      is_mapped[v] = true;
-  return is_mapped;
-}
 
 // The map of one chart as one of corners.
 Corner_map corner_map_of_chart(Input& input)
@@ -80,7 +71,7 @@ void write_place(PLY_writer& out, const Kernel::Point_2& place)
 }
 
 // The map of one chart as PLY: a place for every vertex.
-void write_PLY(PLY_writer& out, const Mesh& mesh, const UV_map& uvmap, const Vertex_flags& is_mapped)
+void write_PLY(PLY_writer& out, const Mesh& mesh, const UV_map& uvmap, const std::vector<bool>& is_mapped)
 {
   write_vertices(out, mesh, "", "property double u\nproperty double v\n", "", [&](Mesh::Vertex_index v) {
     write_place(out, is_mapped[v] ? uvmap[v] : nowhere);
@@ -109,14 +100,23 @@ void write_PLY(PLY_writer& out, const Mesh& mesh, const Corner_map& corner_map, 
   }
 }
 
-void write_PLY(std::ostream& os, Input& input, bool is_binary)
+void write_PLY(std::ostream& os, const Input& input, bool is_binary)
 {
   PLY_writer out(os, is_binary);
   if (input.is_atlas)
     write_PLY(out, input.mesh, input.corner_map, is_binary);
   else
-    write_PLY(out, input.mesh, input.uvmap, mapped_vertices(input));
+    write_PLY(out, input.mesh, input.uvmap, vertices_of_faces(input));
   out.flush();
+}
+
+// The map of one chart as OBJ.
+void write_OBJ(std::ostream& os, const Input& input)
+{
+  const std::vector<bool> flags = vertices_of_faces(input);
+  const auto is_mapped = boost::make_function_property_map<Mesh::Vertex_index, bool>(
+      [&](Mesh::Vertex_index v) { return bool(flags[v]); });
+  SMP::IO::write_OBJ(os, input.mesh, input.uvmap, is_mapped);
 }
 
 } // namespace
@@ -133,7 +133,7 @@ std::size_t write_mesh(Output_files& files, const std::string& name, bool is_bin
     else if (input.is_atlas)
       SMP::IO::write_OBJ(out, mesh, input.corner_map);
     else
-      SMP::IO::write_OBJ(out, mesh, input.uvmap, mapped_vertices(input));
+      write_OBJ(out, input);
   });
   return spoilt_triangles;
 }
