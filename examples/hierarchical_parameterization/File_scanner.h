@@ -75,10 +75,8 @@ public:
     if (m_at == m_end || is_line_end(*m_at))
       return false;
     const char* const begin = *m_at == '+' && m_at[1] != '-' ? m_at + 1 : m_at;
-    const auto [end, error] = std::from_chars(begin, m_end, number);
-    if (error == std::errc::result_out_of_range)
-      number = std::strtod(begin, nullptr);      // infinite, or as good as 0
-    return error != std::errc::invalid_argument && accept(end);
+    const char* const end = read_double(begin, number);
+    return end && accept(end);
   }
 
   bool read(long long& number)
@@ -140,6 +138,22 @@ public:
   }
 
 private:
+  // Returns the end of the number that begins there, null if none does. std::strtod() stops at the zero at the end of
+  // the content and, as no locale is set, reads a decimal point; but it would skip blanks and a plus sign.
+  const char* read_double(const char* begin, double& number) const
+  {
+#ifdef __cpp_lib_to_chars
+    const auto [end, error] = std::from_chars(begin, m_end, number);
+    if (error == std::errc::result_out_of_range)
+      number = std::strtod(begin, nullptr);      // infinite, or as good as 0
+    return error == std::errc::invalid_argument ? nullptr : end;
+#else      // libc++ and old versions of libstdc++ have no std::from_chars() for doubles
+    char* end;
+    number = std::strtod(begin, &end);
+    return end == begin || is_space(*begin) || *begin == '+' ? nullptr : end;
+#endif
+  }
+
   std::size_t number_of_line_ends() const
   {
     std::size_t result = 0;
