@@ -25,7 +25,7 @@ using SMP::internal::Contact;
 using SMP::internal::Contacts;
 
 template <class Barrier>
-Contacts contacts_at(const Barrier& barrier, const Level::Uv& uv)
+Contacts contacts_at(Barrier& barrier, const Level::Uv& uv)
 {
   Contacts result;
   barrier.add_contacts(uv, result);
@@ -58,7 +58,7 @@ inline double change(const Contact& c, const Block_vectors& moves)
 
 // The first derivatives are those of the barrier's energy, the second ones those of the first, by differences.
 template <class Barrier>
-void expect_derivatives_of_energy(const Barrier& barrier, const Level::Uv& uv)
+void expect_derivatives_of_energy(Barrier& barrier, const Level::Uv& uv)
 {
   constexpr double h = 1e-8;
   Random random(3);

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/Border_barrier.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/Border_edge_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/overlapping_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
@@ -18,6 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/Kernel/global_functions.h>
 
 #include <gtest/gtest.h>
@@ -26,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -198,14 +201,15 @@ struct Barrier_on_ring
 
 TEST(Border_barrier, vanishes_where_borders_are_far_apart)
 {
-  EXPECT_EQ(Barrier_on_ring(0.2).barrier(Barrier_on_ring(0.2).uv), 0);
-  EXPECT_GT(Barrier_on_ring(0.005).barrier(Barrier_on_ring(0.005).uv), 0);
+  Barrier_on_ring far(0.2), near(0.005);
+  EXPECT_EQ(far.barrier(far.uv), 0);
+  EXPECT_GT(near.barrier(near.uv), 0);
 }
 
 // A tenth of the distance costs the stiffness times log(10) more in each contact.
 TEST(Border_barrier, grows_as_the_logarithm_of_the_distance)
 {
-  const Barrier_on_ring near(1e-6), nearer(1e-7);
+  Barrier_on_ring near(1e-6), nearer(1e-7);
   const std::size_t contacts = contacts_at(near.barrier, near.uv).size();
   EXPECT_GT(contacts, 0u);
   EXPECT_NEAR(nearer.barrier(nearer.uv) - near.barrier(near.uv), 0.7 * std::log(10.) * double(contacts),
@@ -259,7 +263,7 @@ TEST(Border_barrier, knows_when_the_ends_meet)
     const Vector_2 d = Barrier_on_ring(-0.01).uv[v] - ring.uv[v];
     direction.emplace_back(d.x(), d.y());
   }
-  const double longest = ring.barrier.longest_step(ring.uv, direction);
+  const double longest = ring.barrier.longest_step(ring.uv, direction, 1);
   EXPECT_GT(longest, 0);
   EXPECT_LT(longest, 1);
   for (const double part : { 0.999, 1.001 }) {
@@ -268,6 +272,90 @@ TEST(Border_barrier, knows_when_the_ends_meet)
       moved.push_back(ring.uv[v] + part * longest * Vector_2(direction[v].x, direction[v].y));
     EXPECT_EQ(ring.barrier.keeps_apart(moved), part < 1);
   }
+  EXPECT_GT(ring.barrier.longest_step(ring.uv, direction, 0.99 * longest), 1);
+}
+
+// ---- pairs of border edges ----
+
+typedef std::set<std::pair<Index, Index>>   Pairs;
+
+// The lesser edge of each pair first.
+template <class Box, class Reach>
+Pairs pairs_found(Border_edge_pairs& pairs, const Box& box, const Reach& reach)
+{
+  Pairs result;
+  pairs.for_each(box, reach, [&](Index i, Index j) {
+    EXPECT_TRUE(result.insert(std::minmax(i, j)).second) << "twice: " << i << " " << j;
+  });
+  return result;
+}
+
+template <class Box, class Reach>
+Pairs pairs_tried(const std::vector<Border_edge>& edges, const Box& box, const Reach& reach)
+{
+  const auto box_of = [&](const Border_edge& e) {
+    const CGAL::Bbox_2 b = box(e.source) + box(e.target);
+    const double r = (std::max)(reach(e.source), reach(e.target));
+    return CGAL::Bbox_2(b.xmin() - r, b.ymin() - r, b.xmax() + r, b.ymax() + r);
+  };
+  Pairs result;
+  for (Index i = 0; i < edges.size(); ++i)
+    for (Index j = i + 1; j < edges.size(); ++j)
+      if (CGAL::do_overlap(box_of(edges[i]), box_of(edges[j])))
+        result.emplace(i, j);
+  return result;
+}
+
+struct Compared_pairs
+{
+  Barrier_on_ring ring{ 0.01 };
+  Border_edge_pairs pairs{ border_edges(ring.level.rings()) };
+  std::size_t least = std::size_t(-1), most = 0;      // that were found
+
+  // On the way from one map to another.
+  void look(const Level::Uv& from, const Level::Uv& to, double reach)
+  {
+    const auto box = [&](Index v) { return from[v].bbox() + to[v].bbox(); };
+    const auto reach_of = [&](Index v) { return reach * (1 + v % 3); };
+    const Pairs tried = pairs_tried(pairs.edges(), box, reach_of);
+    EXPECT_EQ(pairs_found(pairs, box, reach_of), tried);
+    least = (std::min)(least, tried.size());
+    most = (std::max)(most, tried.size());
+  }
+};
+
+// On a way and at maps on it and behind it, with other reaches; also where so many are near each other that they are
+// not remembered.
+TEST(Border_edge_pairs, are_those_that_a_trial_of_all_finds)
+{
+  Compared_pairs pairs;
+  const Level::Uv& start = pairs.ring.uv;
+  Random random(5);
+  for (int step = 0; step < 40; ++step) {
+    const Block_vectors moves = random_moves(start.size(), random);
+    const double length = std::exp2(random(-8, 4)), reach = 0.1 * length;
+    pairs.look(start, moved(start, length, moves), reach);
+    for (const double part : { 0., 0.3, 1., 1.2 })
+      for (const double factor : { 1., 0., 1.4, 1.7 })
+        pairs.look(moved(start, part * length, moves), moved(start, part * length, moves), factor * reach);
+  }
+  const std::size_t edges = pairs.pairs.edges().size();
+  EXPECT_LT(pairs.least, 8 * edges);
+  EXPECT_GT(pairs.most, 32 * edges);
+}
+
+// A single vertex that leaves its box, to whatever side, is noticed.
+TEST(Border_edge_pairs, follow_each_vertex)
+{
+  Compared_pairs pairs;
+  const Level::Uv& start = pairs.ring.uv;
+  for (const Border_edge& e : pairs.pairs.edges())
+    for (const Vector_2& move : { Vector_2(9, 0), Vector_2(-9, 0), Vector_2(0, 9), Vector_2(0, -9) }) {
+      Level::Uv map = start;
+      map[e.source] = map[e.source] + move;
+      pairs.look(start, start, 0.01);
+      pairs.look(map, map, 0.01);
+    }
 }
 
 } // namespace test_overlaps

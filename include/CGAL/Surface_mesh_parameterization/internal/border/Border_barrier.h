@@ -5,9 +5,9 @@
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_BORDER_BORDER_BARRIER_H
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
+#include <CGAL/Surface_mesh_parameterization/internal/border/Border_edge_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/Contact.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/border_crossings.h>
-#include <CGAL/Surface_mesh_parameterization/internal/border/box_pairs.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/logarithmic_barrier.h>
 #include <CGAL/Surface_mesh_parameterization/internal/border/time_on_one_line.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Block.h>
@@ -36,15 +36,22 @@ class Border_barrier
 public:
   // The energy is multiplied by `stiffness`.
   Border_barrier(const Level& level, double stiffness)
-    : m_part_of_edge(level.is_finest() ? 0.25 : 0.5), m_stiffness(stiffness), m_edges(border_edges(level.rings())),
+    : m_part_of_edge(level.is_finest() ? 0.25 : 0.5), m_stiffness(stiffness), m_pairs(border_edges(level.rings())),
       m_gap(level.number_of_vertices(), (std::numeric_limits<double>::infinity)())
   {
-    for (const Border_edge& e : m_edges)
+    for (const Border_edge& e : m_pairs.edges())
       m_previous.push_back(level.one_ring(e.source).back());
   }
 
   // Whether no two border edges meet, but at a vertex that they share.
-  bool keeps_apart(const Level::Uv& uv) const { return !has_crossings(m_edges, uv); }
+  bool keeps_apart(const Level::Uv& uv)
+  {
+    bool result = true;
+    m_pairs.for_each(Way{ uv }, [](Index) { return 0.; }, [&](Index i, Index j) {
+      result = result && !do_cross(edges()[i], edges()[j], uv);
+    });
+    return result;
+  }
 
   // Takes the gaps from a map; they stay until the next call.
   void set_gaps(const Level::Uv& uv)
@@ -52,18 +59,18 @@ public:
     for_each_shortest_edge(uv, [&](Index v, double length) { m_gap[v] = m_part_of_edge * length; });
   }
 
-  double operator()(const Level::Uv& uv) const
+  double operator()(const Level::Uv& uv)
   {
     double sum = 0;
-    for_each_close_pair(uv, m_gap, [&](const Close_pair& p) {
+    for_each_close_pair(uv, Half_of_gap{ m_gap }, [&](const Close_pair& p) {
       sum += barrier_energy(p.distance, gap_of(p), m_stiffness);
     });
     return sum;
   }
 
-  void add_contacts(const Level::Uv& uv, Contacts& contacts) const
+  void add_contacts(const Level::Uv& uv, Contacts& contacts)
   {
-    for_each_close_pair(uv, m_gap, [&](const Close_pair& p) {
+    for_each_close_pair(uv, Half_of_gap{ m_gap }, [&](const Close_pair& p) {
       const double gap = gap_of(p), d = p.distance;
       if (!(d < gap))
         return;
@@ -76,23 +83,21 @@ public:
     });
   }
 
-  // The least length of the step `direction`, infinite if there is none, at which a vertex meets an edge.
-  double longest_step(const Level::Uv& uv, const Block_vectors& direction) const
+  // The least length of the step `direction` at which a vertex meets an edge, infinite if that is above `limit` or 1.
+  double longest_step(const Level::Uv& uv, const Block_vectors& direction, double limit)
   {
-    const auto moved = [&](Index v) { return uv[v] + Vector_2(direction[v].x, direction[v].y); };
-    std::vector<Bbox_2> vertices, edges;
-    for (const Border_edge& e : m_edges) {
-      vertices.push_back(uv[e.source].bbox() + moved(e.source).bbox());
-      edges.push_back(uv[e.source].bbox() + moved(e.source).bbox() + uv[e.target].bbox() + moved(e.target).bbox());
-    }
     double longest = (std::numeric_limits<double>::infinity)();
-    for_each_pair_of_boxes(vertices, edges, [&](std::size_t i, std::size_t j) {
-      const Border_edge& e = m_edges[j];
-      const Index v = m_edges[i].source;
-      if (v != e.source && v != e.target)
-        longest = (std::min)(longest, time_of_meeting(uv, moved, v, e));
+    limit = (std::min)(1., limit);
+    const Way way{ uv, &direction, limit };
+    const auto look = [&](Index v, const Border_edge& e) {
+      if (v != e.source && v != e.target && CGAL::do_overlap(way(v), way(e.source) + way(e.target)))
+        longest = (std::min)(longest, time_of_meeting(uv, direction, v, e));
+    };
+    m_pairs.for_each(way, Half_of_gap{ m_gap }, [&](Index i, Index j) {
+      look(edges()[i].source, edges()[j]);
+      look(edges()[j].source, edges()[i]);
     });
-    return longest;
+    return longest <= limit ? longest : (std::numeric_limits<double>::infinity)();
   }
 
   // Sets how far each border vertex may go without help of the barrier: such that no vertex and edge come nearer than
@@ -107,7 +112,7 @@ public:
       range[v] = length;
       m_reach[v] = part_of_way * (length - m_gap[v]);
     });
-    for_each_close_pair(uv, range, [&](const Close_pair& p) {
+    for_each_close_pair(uv, [&](Index v) { return range[v]; }, [&](const Close_pair& p) {
       const double free = part_of_way * (std::max)(0., p.distance - gap_of(p));
       for (const Index v : { p.vertex, p.edge.source, p.edge.target })
         m_reach[v] = (std::min)(m_reach[v], free);
@@ -126,6 +131,34 @@ private:
     double distance;
   };
 
+  // The box of a vertex on its way.
+  struct Way
+  {
+    const Level::Uv& uv;
+    const Block_vectors* direction = nullptr;     // null for a map
+    double length = 0;
+
+    Bbox_2 operator()(Index v) const
+    {
+      const Bbox_2 start = uv[v].bbox();
+      return direction ? start + moved(uv, *direction, v, length).bbox() : start;
+    }
+  };
+
+  static Point_2 moved(const Level::Uv& uv, const Block_vectors& direction, Index v, double length)
+  {
+    return uv[v] + Vector_2(length * direction[v].x, length * direction[v].y);
+  }
+
+  const std::vector<Border_edge>& edges() const { return m_pairs.edges(); }
+
+  // What is farther apart than that of both together is farther apart than the lesser gap.
+  struct Half_of_gap
+  {
+    const std::vector<double>& gap;
+    double operator()(Index v) const { return 0.5 * gap[v]; }
+  };
+
   double gap_of(const Close_pair& p) const
   {
     return (std::min)({ m_gap[p.vertex], m_gap[p.edge.source], m_gap[p.edge.target] });
@@ -136,45 +169,47 @@ private:
   void for_each_shortest_edge(const Level::Uv& uv, const Function& f) const
   {
     std::vector<double> shortest(uv.size(), (std::numeric_limits<double>::infinity)());
-    for (const Border_edge& e : m_edges) {
+    for (const Border_edge& e : edges()) {
       const double length = std::sqrt((uv[e.target] - uv[e.source]).squared_length());
       for (const Index v : { e.source, e.target })
         shortest[v] = (std::min)(shortest[v], length);
     }
-    for (const Border_edge& e : m_edges)
+    for (const Border_edge& e : edges())
       f(e.source, shortest[e.source]);
   }
 
   // Calls f for all pairs of a border vertex and an edge that does not end there, and is not nearest at a neighbor, at
-  // least for those no farther apart than the range of the vertex and the greater one of the edge's ends together.
-  template <class Function>
-  void for_each_close_pair(const Level::Uv& uv, const std::vector<double>& range, const Function& f) const
+  // least for those no farther apart than the reach of the vertex and the greater one of the edge's ends together.
+  template <class Reach, class Function>
+  void for_each_close_pair(const Level::Uv& uv, const Reach& reach, const Function& f)
   {
-    const auto widened = [](const CGAL::Bbox_2& box, double r) {
-      return CGAL::Bbox_2(box.xmin() - r, box.ymin() - r, box.xmax() + r, box.ymax() + r);
+    const auto is_far = [&](Index v, const Border_edge& e) {
+      const double r = reach(v) + (std::max)(reach(e.source), reach(e.target));
+      const Bbox_2 box = uv[e.source].bbox() + uv[e.target].bbox();
+      const Point_2& p = uv[v];
+      return p.x() < box.xmin() - r || p.x() > box.xmax() + r || p.y() < box.ymin() - r || p.y() > box.ymax() + r;
     };
-    std::vector<Bbox_2> vertices, edges;
-    for (const auto& [v, w] : m_edges) {
-      vertices.push_back(widened(uv[v].bbox(), range[v]));
-      edges.push_back(widened(uv[v].bbox() + uv[w].bbox(), (std::max)(range[v], range[w])));
-    }
-    for_each_pair_of_boxes(vertices, edges, [&](std::size_t i, std::size_t j) {
-      const Border_edge &at_vertex = m_edges[i], &e = m_edges[j];
-      if (at_vertex.source == e.source || at_vertex.source == e.target)
+    const auto look = [&](Index i, const Border_edge& e) {
+      const auto& [v, next] = edges()[i];
+      if (v == e.source || v == e.target || is_far(v, e))
         return;
-      const Close_pair p = close_pair(uv, at_vertex.source, e);
-      const bool is_at_neighbor = (p.t == 0 && e.source == at_vertex.target) || (p.t == 1 && e.target == m_previous[i]);
+      const Close_pair p = close_pair(uv, v, e);
+      const bool is_at_neighbor = (p.t == 0 && e.source == next) || (p.t == 1 && e.target == m_previous[i]);
       if (!is_at_neighbor)
         f(p);
+    };
+    m_pairs.for_each(Way{ uv }, reach, [&](Index i, Index j) {
+      look(i, edges()[j]);
+      look(j, edges()[i]);
     });
   }
 
   // The part of the way at which V comes to lie on the edge, if both go straight on; infinite if it does not.
-  template <class Moved>
-  static double time_of_meeting(const Level::Uv& uv, const Moved& moved, Index v, const Border_edge& e)
+  static double time_of_meeting(const Level::Uv& uv, const Block_vectors& direction, Index v, const Border_edge& e)
   {
-    const Vector_2 p = uv[e.source] - uv[v], q = uv[e.target] - uv[v], dp = (moved(e.source) - moved(v)) - p,
-                   dq = (moved(e.target) - moved(v)) - q;
+    const auto end = [&](Index w) { return moved(uv, direction, w, 1); };
+    const Vector_2 p = uv[e.source] - uv[v], q = uv[e.target] - uv[v], dp = (end(e.source) - end(v)) - p,
+                   dq = (end(e.target) - end(v)) - q;
     return time_on_one_line(p, dp, q, dq, [](const Vector_2& a, const Vector_2& b) { return a * b <= 0; });
   }
 
@@ -188,7 +223,7 @@ private:
 
   double m_part_of_edge;      // is the gap; coarse levels leave room for the vertices that are still to come
   double m_stiffness;
-  std::vector<Border_edge> m_edges;       // one starts at each border vertex
+  Border_edge_pairs m_pairs;
   std::vector<Index> m_previous;          // where the edge comes from that ends where this one starts
   std::vector<double> m_gap, m_reach;     // by vertex, of those on borders
 };

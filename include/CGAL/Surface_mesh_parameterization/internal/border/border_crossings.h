@@ -20,7 +20,11 @@ struct Border_edge
   Index source, target;
 };
 
+// One starts at each border vertex, in their order.
 std::vector<Border_edge> border_edges(const One_rings& rings);
+
+// Whether two border edges meet in the plane anywhere but in a vertex that they share. Exact.
+bool do_cross(const Border_edge& e, const Border_edge& f, const std::vector<Point_2>& uv);
 
 // Calls f(i, j) for any two edges that meet in the plane, but for a vertex that they share. Exact, and near-linear
 // where few edges are near each other. Precondition: no coordinate is infinite or no number.

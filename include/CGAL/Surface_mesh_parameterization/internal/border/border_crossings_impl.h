@@ -22,8 +22,8 @@ std::vector<Border_edge> border_edges(const One_rings& rings)
   return edges;
 }
 
-// Whether two border edges meet in the plane anywhere but in a vertex that they share.
-inline bool do_cross(const Border_edge& e, const Border_edge& f, const std::vector<Point_2>& uv)
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool do_cross(const Border_edge& e, const Border_edge& f, const std::vector<Point_2>& uv)
 {
   const auto folds_back = [&](Index a, Index b, Index c) {    // the edges ab and bc
     return exact_orientation(uv[a], uv[b], uv[c]) == COLLINEAR && !are_strictly_ordered_xy(uv[a], uv[b], uv[c]);

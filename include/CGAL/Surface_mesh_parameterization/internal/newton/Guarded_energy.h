@@ -60,7 +60,7 @@ public:
     if (m_turn_barrier.stiffness() > 0)
       result = (std::min)(result, m_turn_barrier.longest_step(uv, direction));
     if (m_border_barrier)
-      result = (std::min)(result, m_border_barrier->longest_step(uv, direction));
+      result = (std::min)(result, m_border_barrier->longest_step(uv, direction, result));
     return result;
   }
 
