@@ -31,7 +31,6 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 struct Area_edge_weights_3
 {
   static constexpr bool is_symmetric = true;
-  static constexpr bool is_positive = true;
 
   typedef SMP::Level::Point_3   Point_3;
 

@@ -23,9 +23,6 @@ public:
   /// whether \f$ c_{ij} = c_{ji} \f$, up to rounding
   static constexpr bool is_symmetric;
 
-  /// whether no weight is ever negative. A model has to say so, but no computation depends on it
-  static constexpr bool is_positive;
-
   /// computes the weights of the edges of one vertex.
   ///
   /// \param v the vertex; the size of the surface is about 1

@@ -30,7 +30,6 @@ class Chordal_edge_weights_3
 {
 public:
   static constexpr bool is_symmetric = true;    ///< an edge has the same weight at both ends
-  static constexpr bool is_positive = true;     ///< no weight is negative
 
   /// \param exponent `r`
   explicit Chordal_edge_weights_3(double exponent = 1) : m_exponent(exponent) { }

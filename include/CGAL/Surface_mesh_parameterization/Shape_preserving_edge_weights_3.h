@@ -33,7 +33,6 @@ class Shape_preserving_edge_weights_3
 {
 public:
   static constexpr bool is_symmetric = false;   ///< an edge has different weights at its ends
-  static constexpr bool is_positive = true;     ///< no weight is negative
 
   /// computes the weights of the edges of one vertex, see `EdgeWeights_3`
   void operator()(const internal::Point_3& v, const std::vector<internal::Point_3>& ring, bool,

@@ -22,7 +22,6 @@ namespace CGAL::Surface_mesh_parameterization {
 struct Uniform_edge_weights_3
 {
   static constexpr bool is_symmetric = true;    ///< an edge has the same weight at both ends
-  static constexpr bool is_positive = true;     ///< no weight is negative
 
   /// computes the weights of the edges of one vertex, see `EdgeWeights_3`
   void operator()(const internal::Point_3&, const std::vector<internal::Point_3>& ring, bool,

@@ -83,7 +83,8 @@ public:
     });
   }
 
-  // The least length of the step `direction` at which a vertex meets an edge, infinite if that is above `limit` or 1.
+  // The least length of the step `direction` at which a vertex meets an edge. If that is above `limit` or 1, it may be
+  // missed: the result is greater then.
   double longest_step(const Level::Uv& uv, const Block_vectors& direction, double limit)
   {
     double longest = (std::numeric_limits<double>::infinity)();
@@ -97,7 +98,7 @@ public:
       look(edges()[i].source, edges()[j]);
       look(edges()[j].source, edges()[i]);
     });
-    return longest <= limit ? longest : (std::numeric_limits<double>::infinity)();
+    return longest;
   }
 
   // Sets how far each border vertex may go without help of the barrier: such that no vertex and edge come nearer than

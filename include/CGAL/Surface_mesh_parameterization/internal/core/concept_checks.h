@@ -37,7 +37,6 @@ template <class T> using Is_flip_free = std::bool_constant<T::is_flip_free>;
 template <class T> using Is_result_flip_free = std::bool_constant<T::is_result_flip_free>;
 template <class T> using Holds_vertices = std::bool_constant<T::holds_vertices>;
 template <class T> using Is_symmetric = std::bool_constant<T::is_symmetric>;
-template <class T> using Is_positive = std::bool_constant<T::is_positive>;
 template <class T> using Triangle_mesh_of = typename T::Triangle_mesh;
 template <class T> using Concurrency_tag_of = typename T::Concurrency_tag;
 template <class T> using Solver_traits_of = typename T::Solver_traits;
@@ -109,15 +108,14 @@ struct Edge_weights_check
 {
   static constexpr int missing = first_missing(
       { std::is_copy_constructible<EdgeWeights>::value, is_detected<Is_symmetric, EdgeWeights>,
-        is_detected<Is_positive, EdgeWeights>, is_detected<Weights_of_ring, EdgeWeights> });
+        is_detected<Weights_of_ring, EdgeWeights> });
   static constexpr bool value = missing < 0;
 
   static void tell()
   {
     static_assert(missing != 0, "EdgeWeights has no copy constructor: see EdgeWeights_3");
     static_assert(missing != 1, "EdgeWeights has no constant is_symmetric: see EdgeWeights_3");
-    static_assert(missing != 2, "EdgeWeights has no constant is_positive: see EdgeWeights_3");
-    static_assert(missing != 3, "EdgeWeights has no operator()(const Point_3&, const std::vector<Point_3>&, bool, "
+    static_assert(missing != 2, "EdgeWeights has no operator()(const Point_3&, const std::vector<Point_3>&, bool, "
                                 "std::vector<double>&): see EdgeWeights_3");
   }
 };

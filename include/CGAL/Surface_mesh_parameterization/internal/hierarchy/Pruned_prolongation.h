@@ -119,7 +119,9 @@ private:
       else
         entries[size++] = e;
     entries.resize(size);
-    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+      return a.second != b.second ? a.second > b.second : a.first < b.first;
+    });
   }
 
   static Row row_of_greatest(const Entries& entries)

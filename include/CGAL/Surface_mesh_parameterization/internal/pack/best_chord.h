@@ -134,7 +134,7 @@ inline Chord best_chord(const std::vector<Point_2>& polygon, double side_of_squa
                            boxes[begin * n + end] + boxes[end * n + begin] +
                                cost_of_length * std::sqrt((polygon[end] - polygon[begin]).squared_length()) });
     }
-  std::sort(chords.begin(), chords.end(), [](const Chord& a, const Chord& b) { return a.cost < b.cost; });
+  std::stable_sort(chords.begin(), chords.end(), [](const Chord& a, const Chord& b) { return a.cost < b.cost; });
   for (const Chord& chord : chords)
     if (is_chord(polygon, chord.begin, chord.end))
       return chord;

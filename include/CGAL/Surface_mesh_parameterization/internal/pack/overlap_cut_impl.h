@@ -87,7 +87,7 @@ private:
     constexpr int most_regions = 8;
     std::vector<Index> by_area(m_number_of_faces);
     std::iota(by_area.begin(), by_area.end(), Index(0));
-    std::sort(by_area.begin(), by_area.end(), [this](Index f, Index g) { return m_areas[f] > m_areas[g]; });
+    std::stable_sort(by_area.begin(), by_area.end(), [this](Index f, Index g) { return m_areas[f] > m_areas[g]; });
     std::vector<bool> is_seen(m_number_of_faces, false), result;
     double greatest_area = 0;
     auto next = by_area.begin();
