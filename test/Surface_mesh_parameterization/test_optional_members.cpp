@@ -224,8 +224,10 @@ struct Projecting_method : Method_base
   Error_code refine(const Level& level, Level::Uv& uv, Level_summary&)
   {
     Index fixed = 0;
-    while (!level.is_fixed(fixed))
+    while (fixed < level.number_of_vertices() && !level.is_fixed(fixed))
       ++fixed;
+    if (fixed == level.number_of_vertices())
+      return ERROR_WRONG_PARAMETER;
     for (Index v = 0; v < level.number_of_vertices(); ++v) {
       const Vector_3 from_fixed = level.point(v) - level.point(fixed);
       uv[v] = level.fixed_place(fixed) + Vector_2(from_fixed.x(), from_fixed.y());
