@@ -347,6 +347,17 @@ inline Mesh hub(long n, double amplitude)
   return m;
 }
 
+// Adds n sectors around vertex 0; vertex(i, j) lies at the beginning of sector i on ring j.
+template <class Vertex>
+void add_sectors(long n, long rings, const Vertex& vertex, Mesh& m)
+{
+  for (long i = 0; i < n; ++i) {
+    m.polygons.push_back({ 0, vertex(i, 1), vertex(i + 1, 1) });
+    for (long j = 1; j < rings; ++j)
+      m.add_quad(vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1), vertex(i + 1, j));
+  }
+}
+
 // An interior vertex with n triangles, and rings around it that go up and down five times.
 inline Mesh wheel(long n, long rings, double slope)
 {
@@ -357,12 +368,7 @@ inline Mesh wheel(long n, long rings, double slope)
       const double angle = 2 * pi * double(i) / double(n), r = double(j);
       m.add_point(r * std::cos(angle), r * std::sin(angle), slope * r * std::sin(5 * angle));
     }
-  const auto vertex = [&](long i, long j) { return 1 + (j - 1) * n + i % n; };
-  for (long i = 0; i < n; ++i) {
-    m.polygons.push_back({ 0, vertex(i, 1), vertex(i + 1, 1) });
-    for (long j = 1; j < rings; ++j)
-      m.add_quad(vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1), vertex(i + 1, j));
-  }
+  add_sectors(n, rings, [&](long i, long j) { return 1 + (j - 1) * n + i % n; }, m);
   return m;
 }
 
@@ -390,12 +396,7 @@ inline Mesh spiral_staircase(long n, long rings, double turns)
       const double angle = 2 * pi * turns * double(i) / double(n);
       m.add_point(double(j) * std::cos(angle), double(j) * std::sin(angle), 0.3 * double(i) / double(n));
     }
-  const auto vertex = [&](long i, long j) { return j == 0 ? 0 : i * rings + j; };
-  for (long i = 0; i < n; ++i) {
-    m.polygons.push_back({ 0, vertex(i, 1), vertex(i + 1, 1) });
-    for (long j = 1; j < rings; ++j)
-      m.add_quad(vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1), vertex(i + 1, j));
-  }
+  add_sectors(n, rings, [&](long i, long j) { return i * rings + j; }, m);
   return m;
 }
 

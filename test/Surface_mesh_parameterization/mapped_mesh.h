@@ -121,6 +121,20 @@ struct Mapped_mesh
     return SMP::parameterize(mesh, parameterizer, longest_border(mesh), uvmap);
   }
 
+  // Places each vertex below where it is in space.
+  void project(double scale = 1)
+  {
+    for (const auto v : vertices(mesh))
+      uvmap[v] = Kernel::Point_2(scale * mesh.point(v).x(), scale * mesh.point(v).y());
+  }
+
+  // Another map, whose numbers are floats.
+  auto add_map_of_floats()
+  {
+    const auto nowhere = untouched<Float_point_2>();
+    return mesh.add_property_map<Surface_mesh::Vertex_index, Float_point_2>("v:float_uv", nowhere).first;
+  }
+
   bool is_valid() const { return test_meshes::is_valid(mesh, longest_border(mesh), uvmap); }
   Parameterization_quality quality() const { return parameterization_quality(mesh, uvmap); }
 

@@ -32,6 +32,7 @@ using SMP::internal::One_rings;
 
 typedef CGAL::Simple_cartesian<double>         Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3>    Surface_mesh;
+typedef CGAL::Simple_cartesian<float>::Point_2 Float_point_2;      // of maps that round
 
 // What is in a map before a run.
 template <class Point = Kernel::Point_2>

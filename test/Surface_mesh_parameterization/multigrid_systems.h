@@ -14,6 +14,8 @@
 
 #include <CGAL/boost/graph/properties.h>
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -109,6 +111,15 @@ struct Solver_on_mesh
     : mesh(make<Surface_mesh>(m)), solver(mesh, longest_border(mesh), get(CGAL::vertex_index, mesh), np)
   { }
 };
+
+// Checks that a solver finds the solution of a system.
+inline void expect_solved(Multigrid_solver_traits& solver, const Known_system& system, double tolerance = 1e-8)
+{
+  Vector x;
+  double d;
+  EXPECT_TRUE(solver.linear_solver(system.matrix, system.right_side, x, d));
+  EXPECT_LT(system.error(x), tolerance);
+}
 
 } // namespace test_systems
 

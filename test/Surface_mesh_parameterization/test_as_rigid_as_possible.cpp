@@ -9,13 +9,13 @@
 #include "mesh_conversions.h"
 #include "numbers_of_threads.h"
 #include "test_meshes.h"
+#include "visitors.h"
 
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
@@ -113,8 +113,7 @@ TEST(As_rigid_as_possible, refuses_a_lambda_below_zero)
       Mesh_with_ARAP_map m(grid(20, 20, wavy));
       const auto options = parameters::lambda(lambda).initial_map(starts_from_map);
       if (starts_from_map)
-        for (const auto v : vertices(m.mesh))
-          m.uvmap[v] = Kernel::Point_2(m.mesh.point(v).x(), m.mesh.point(v).y());
+        m.project();
       const std::vector<Kernel::Point_2> before = m.uv();
       EXPECT_EQ(m.parameterize(Method(options)), ERROR_WRONG_PARAMETER);
       EXPECT_EQ(m.parameterize(Hierarchical_method(options)), ERROR_WRONG_PARAMETER);
@@ -216,13 +215,12 @@ TEST(As_rigid_as_possible, great_lambdas_are_as_good_as_infinity)
 // Rounding to the user's numbers is all that happens to a map with flips that is to be kept.
 TEST(As_rigid_as_possible, keeps_flips_in_floats)
 {
-  typedef CGAL::Simple_cartesian<float>::Point_2   Float_point;
   const auto map_in = [](auto& mapped, auto uvmap) {
     return SMP::parameterize(mapped.mesh, Hierarchical_method(parameters::flip_policy(Flip_policy::KEEP)),
                              longest_border(mapped.mesh), uvmap);
   };
   Mesh_with_ARAP_map mapped(crumpled_grid(14, 1));
-  const auto floats = mapped.mesh.add_property_map<Surface_mesh::Vertex_index, Float_point>("v:float_uv").first;
+  const auto floats = mapped.add_map_of_floats();
   ASSERT_EQ(map_in(mapped, mapped.uvmap), OK);
   ASSERT_GT(mapped.quality().flips, 0u);
   ASSERT_EQ(map_in(mapped, floats), OK);
@@ -234,15 +232,13 @@ TEST(As_rigid_as_possible, keeps_flips_in_floats)
 
 TEST(As_rigid_as_possible, is_not_written_where_floats_overflow)
 {
-  typedef CGAL::Simple_cartesian<float>::Point_2   Float_point;
   Mesh_with_ARAP_map m(affine_image(grid(8, 8, flat), 1e45, 0, 0, 1e45));
-  auto map =
-      m.mesh.add_property_map<Surface_mesh::Vertex_index, Float_point>("v:float_uv", untouched<Float_point>()).first;
+  const auto map = m.add_map_of_floats();
   const Hierarchical_method arap(parameters::flip_policy(Flip_policy::KEEP).summary(std::ref(m.summary)));
   EXPECT_EQ(SMP::parameterize(m.mesh, arap, longest_border(m.mesh), map), ERROR_WRONG_PARAMETER);
   EXPECT_NE(std::string(m.summary.error.cause).find("too large"), std::string::npos);
   for (const auto v : vertices(m.mesh))
-    EXPECT_EQ(map[v], untouched<Float_point>());
+    EXPECT_EQ(map[v], untouched<Float_point_2>());
 }
 
 // Where angles cannot be kept and a change of scale costs next to nothing, the cheapest map is a point.
@@ -431,18 +427,13 @@ TEST(As_rigid_as_possible, threads_do_not_change_the_map)
 }
 #endif
 
-// Checks that all levels are free of flips but the finest.
-struct Checking_visitor : Hierarchy_visitor_3
-{
-  bool level_parameterized(const Level& level, const Level::Uv& uv, const Level_summary&)
-  {
-    EXPECT_TRUE(level.is_finest() || SMP::internal::is_map_valid(level.rings(), uv)) << "level " << level.index();
-    return true;
-  }
-};
-
+// Without flips on all levels but the finest.
 TEST(As_rigid_as_possible, takes_every_mesh)
 {
+  const On_level visitor([](const Level& level, const Level::Uv& uv) {
+    EXPECT_TRUE(level.is_finest() || SMP::internal::is_map_valid(level.rings(), uv)) << "level " << level.index();
+    return true;
+  });
   for (const auto& [name, m] : named_meshes())
     for (const double lambda : { 0., 1000., infinity })
       for (const Optimizer optimizer : { Optimizer::NEWTON, Optimizer::SWEEPS, Optimizer::RANDOM_VERTICES }) {
@@ -452,7 +443,7 @@ TEST(As_rigid_as_possible, takes_every_mesh)
         EXPECT_EQ(mapped.parameterize(Hierarchical_method(method, parameters::coarsest_size(20)
                                                                       .flip_policy(Flip_policy::KEEP)
                                                                       .summary(std::ref(mapped.summary))
-                                                                      .visitor(Checking_visitor()))),
+                                                                      .visitor(visitor))),
                   OK);
         EXPECT_TRUE(std::isfinite(mapped.summary.energy));
         EXPECT_LE(mapped.summary.levels.back().energy_end, mapped.summary.levels.back().energy_start + 1e-15);

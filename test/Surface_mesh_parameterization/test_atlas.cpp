@@ -7,10 +7,10 @@
 #include "mesh_conversions.h"
 #include "surface_with_corner_map.h"
 #include "test_meshes.h"
+#include "visitors.h"
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
@@ -347,14 +347,6 @@ TEST(Atlas, has_no_flips_with_methods_for_which_they_are_errors)
   EXPECT_NE(error.cause, nullptr);
 }
 
-struct Stopping_visitor : Hierarchy_visitor_3
-{
-  std::size_t* calls;
-  std::size_t most_calls;
-
-  bool progressed(const Parameterization_progress&) { return ++*calls < most_calls; }
-};
-
 TEST(Atlas, is_not_made_if_a_visitor_stops_a_chart)
 {
   std::size_t all_calls = 0;
@@ -362,9 +354,7 @@ TEST(Atlas, is_not_made_if_a_visitor_stops_a_chart)
   for (const std::size_t most_calls : { unlimited, std::size_t(1), std::size_t(8) }) {
     Surface surface(with_component(sphere(9, 12), grid(4, 4, wavy)));
     std::size_t calls = 0;
-    Stopping_visitor visitor;
-    visitor.calls = &calls;
-    visitor.most_calls = most_calls;
+    const On_progress visitor([&](const Parameterization_progress&) { return ++calls < most_calls; });
     const Atlas_summary summary = atlas_parameterization(surface.mesh, surface.uv, parameters::default_values(),
                                                          parameters::visitor(visitor));
     if (most_calls == unlimited) {
@@ -433,21 +423,7 @@ TEST(Atlas, is_the_same_with_several_threads)
   expect_same_with_several_threads<LSCM_parameterizer_3>(grid(60, 60, wavy));
 }
 
-struct Throwing_visitor : Hierarchy_visitor_3
-{
-  struct Exception { };
-
-  std::atomic<int>* calls_left;
-
-  explicit Throwing_visitor(std::atomic<int>& calls_left) : calls_left(&calls_left) { }
-
-  bool level_parameterized(const Level&, const Level::Uv&, const Level_summary&)
-  {
-    if (--*calls_left == 0)
-      throw Exception();
-    return true;
-  }
-};
+struct Users_exception { };
 
 // The charts that other threads lay out meanwhile go on to their ends.
 TEST(Atlas, ends_by_an_exception_of_a_visitor_in_several_threads)
@@ -459,11 +435,14 @@ TEST(Atlas, ends_by_an_exception_of_a_visitor_in_several_threads)
   for (int calls = 3; calls < 40; calls += 4) {
     Surface surface(m);
     std::atomic<int> calls_left(calls);
+    const On_level visitor([&](const Level&, const Level::Uv&) {
+      return --calls_left == 0 ? throw Users_exception() : true;
+    });
     typedef CGAL::Parallel_tag   Tag;
     EXPECT_THROW((atlas_parameterization<Symmetric_Dirichlet_parameterizer_3, Tag>(
                      surface.mesh, surface.uv, parameters::distortion_bound(1e9),
-                     parameters::visitor(Throwing_visitor(calls_left)))),
-                 Throwing_visitor::Exception)
+                     parameters::visitor(visitor))),
+                 Users_exception)
         << calls;
   }
 }

@@ -165,7 +165,7 @@ protected:
     const Hierarchical_parameterizer_3<Method> parameterizer(Method(parameters::globally_injective(GetParam())));
     Surface_mesh mesh = make<Surface_mesh>(m);
     const auto bhd = longest_border(mesh);
-    const auto uvmap = get(CGAL::dynamic_vertex_property_t<CGAL::Simple_cartesian<float>::Point_2>(), mesh);
+    const auto uvmap = get(CGAL::dynamic_vertex_property_t<Float_point_2>(), mesh);
     const Error_code status = SMP::parameterize(mesh, parameterizer, bhd, uvmap);
     EXPECT_EQ(status == OK, is_valid(mesh, bhd, uvmap));
     return status;

@@ -98,6 +98,23 @@ TYPED_TEST(Held_border, on_a_convex_curve_is_reached)
       }
 }
 
+// Squares of lengths are close to the least and the greatest doubles, and products of areas are no doubles.
+TYPED_TEST(Held_border, is_held_at_any_scale)
+{
+  for (const double scale : { 1e-150, 1e150 })
+    for (const bool is_hierarchical : { true, false }) {
+      SCOPED_TRACE(std::to_string(std::log10(scale)) + (is_hierarchical ? "" : " flat"));
+      Constrained_mesh m(delaunay_patch(300, 3, wavy));
+      hold_on_ellipse(m, 2);
+      for (const auto v : vertices(m.mesh)) {
+        const test_meshes::Kernel::Point_3& p = m.mesh.point(v);
+        m.mesh.point(v) = test_meshes::Kernel::Point_3(scale * p.x(), scale * p.y(), scale * p.z());
+        m.uvmap[v] = Kernel_point(scale * m.uvmap[v].x(), scale * m.uvmap[v].y());
+      }
+      expect_held_places<TypeParam>(m, is_hierarchical);
+    }
+}
+
 TYPED_TEST(Held_border, on_a_convex_curve_is_reached_by_real_meshes)
 {
   Flat_mesh real;

@@ -18,7 +18,6 @@
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Kernel/global_functions.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
 #include <gtest/gtest.h>
@@ -136,10 +135,9 @@ TYPED_TEST(Held_vertices, may_be_held_far_away)
 TYPED_TEST(Held_vertices, keep_their_places_in_floats)
 {
   Mapped_mesh m(delaunay_patch(1000, 3, wavy));
-  typedef CGAL::Simple_cartesian<float>::Point_2 Float_point;
-  const auto uv = m.mesh.add_property_map<Mesh::Vertex_index, Float_point>("v:float_uv").first;
+  const auto uv = m.add_map_of_floats();
   const auto is_held = m.mesh.add_property_map<Mesh::Vertex_index, bool>("v:is_held", false).first;
-  const Float_point place(1e5f, 1e5f);
+  const Float_point_2 place(1e5f, 1e5f);
   std::size_t results = 0;
   for (Mesh::size_type i = 0; i < 1000; i += 30) {
     const Mesh::Vertex_index v(i);

@@ -6,11 +6,11 @@
 #include "mapped_mesh.h"
 #include "mesh_conversions.h"
 #include "test_meshes.h"
+#include "visitors.h"
 
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/MIPS_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
@@ -105,50 +105,36 @@ TEST(Errors, other_components_do_not_matter)
 
 // ---- visitors, options, summary ----
 
-// Stops when it has seen `levels` levels; 0: when the hierarchy is built.
-struct Stopping_visitor : Hierarchy_visitor_3
+// Checks that a visitor stops the run after so many levels.
+template <class Visitor>
+void expect_stopped(const Visitor& visitor, std::size_t levels)
 {
-  std::size_t levels;
-  explicit Stopping_visitor(std::size_t levels) : levels(levels) { }
-  bool hierarchy_built(const Collapse_hierarchy_3&) { return levels > 0; }
-  bool level_parameterized(const Level& level, const Level::Uv&, const Level_summary&)
-  {
-    return level.index() + 1 < levels;
-  }
-};
+  Mapped_mesh mapped(grid(16, 12, wavy));
+  const auto options = parameters::coarsest_size(10).summary(std::ref(mapped.summary)).visitor(visitor);
+  EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(MIPS(), options)), ERROR_STOPPED);
+  EXPECT_EQ(mapped.summary.error.code, ERROR_STOPPED);
+  EXPECT_EQ(mapped.summary.levels.size(), levels);
+  EXPECT_TRUE(mapped.is_untouched());
+}
 
 TEST(HierarchyVisitor_3, can_stop_the_run)
 {
-  for (const std::size_t levels : { 0, 1, 3 }) {
-    Mapped_mesh mapped(grid(16, 12, wavy));
-    Parameterization_summary summary;
-    EXPECT_EQ(mapped.parameterize(Hierarchical_MIPS(
-                  MIPS(), parameters::coarsest_size(10).summary(std::ref(summary)).visitor(Stopping_visitor(levels)))),
-              ERROR_STOPPED);
-    EXPECT_EQ(summary.error.code, ERROR_STOPPED);
-    EXPECT_EQ(summary.levels.size(), levels);
-    EXPECT_TRUE(mapped.is_untouched());
-  }
+  expect_stopped(On_hierarchy([](const Collapse_hierarchy_3&) { return false; }), 0);
+  for (const std::size_t levels : { 1, 3 })
+    expect_stopped(On_level([&](const Level& level, const Level::Uv&) { return level.index() + 1 < levels; }), levels);
 }
 
 // ---- exceptions of the user's ----
 
 struct Users_exception { };
 
-struct Throwing_visitor : Hierarchy_visitor_3
-{
-  bool level_parameterized(const Level& level, const Level::Uv&, const Level_summary&)
-  {
-    if (level.index() == 2)
-      throw Users_exception();
-    return true;
-  }
-};
-
 TEST(Users_exceptions, of_a_visitor_leave_the_map_untouched)
 {
   Mapped_mesh mapped(grid(16, 12, wavy));
-  const Hierarchical_MIPS parameterizer(MIPS(), parameters::coarsest_size(10).visitor(Throwing_visitor()));
+  const On_level visitor([](const Level& level, const Level::Uv&) {
+    return level.index() == 2 ? throw Users_exception() : true;
+  });
+  const Hierarchical_MIPS parameterizer(MIPS(), parameters::coarsest_size(10).visitor(visitor));
   EXPECT_THROW(mapped.parameterize(parameterizer), Users_exception);
   EXPECT_TRUE(mapped.is_untouched());
 }

@@ -228,8 +228,7 @@ TEST(Initial_map_of_a_method_of_the_users, is_scaled_where_it_is_far_from_the_ar
 {
   for (const double scale : { 1e-8, 0.4, 0.6, 1.8, 3., 1e8 }) {
     Mapped_mesh m(grid(9, 9, flat));
-    for (const auto v : vertices(m.mesh))
-      m.uvmap[v] = Kernel_point(scale * m.mesh.point(v).x(), scale * m.mesh.point(v).y());
+    m.project(scale);
     const std::vector<Kernel_point> start = m.uv();
     ASSERT_EQ(run<Idle_method>(m, true), OK);
     const bool is_near = scale > 0.5 && scale < 2;

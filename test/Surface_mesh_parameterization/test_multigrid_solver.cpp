@@ -107,10 +107,7 @@ TEST(Multigrid_solver_traits, solves_where_coarse_levels_have_no_unknown)
        { grid(1500, 2, wavy), grid(700, 3, wavy), grid_with_holes(60), with_centers(strip(800)) }) {
     Solver_on_mesh on(m, parameters::coarsest_size(5));
     const Known_system system(edge_matrix(m, Uniform_edge_weights_3()));
-    Vector x;
-    double d;
-    EXPECT_TRUE(on.solver.linear_solver(system.matrix, system.right_side, x, d));
-    EXPECT_LT(system.error(x), 1e-6);
+    expect_solved(on.solver, system, 1e-6);
     EXPECT_EQ(on.solver.summary().direct_solutions, 0u);
   }
 }
@@ -410,10 +407,7 @@ TEST(Multigrid_solver_traits, follows_the_vertex_index_map)
         }
     Multigrid_solver_traits solver(mesh, longest_border(mesh), index);
     const Known_system system(std::move(matrix));
-    Vector x;
-    double d;
-    EXPECT_TRUE(solver.linear_solver(system.matrix, system.right_side, x, d));
-    EXPECT_LT(system.error(x), 1e-8);
+    expect_solved(solver, system);
     EXPECT_EQ(solver.summary().direct_solutions, 0u);
     EXPECT_LE(solver.summary().iterations, 12u);      // which wrong places of the unknowns would not allow
   }
@@ -431,10 +425,7 @@ TEST(Multigrid_solver_traits, iterates_with_wide_stencils)
         square.add_coef(i, rows->columns[l], rows->values[k] * rows->values[l]);
   const Known_system system(std::move(square));
   Solver_on_mesh on(m);
-  Vector x;
-  double d;
-  EXPECT_TRUE(on.solver.linear_solver(system.matrix, system.right_side, x, d));
-  EXPECT_LT(system.error(x), 1e-5);
+  expect_solved(on.solver, system, 1e-5);
   EXPECT_GT(on.solver.summary().iterations, 0u);
 }
 

@@ -9,6 +9,7 @@
 #include "mapped_mesh.h"
 #include "mesh_conversions.h"
 #include "test_meshes.h"
+#include "visitors.h"
 
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
@@ -42,22 +43,16 @@ namespace np = CGAL::Surface_mesh_parameterization::parameters;
 
 typedef Hierarchical_parameterizer_3<MIPS_parameterizer_3<Surface_mesh>>   Hierarchical_MIPS;
 
-struct Counting_visitor : Hierarchy_visitor_3
-{
-  int* levels;
-  explicit Counting_visitor(int& levels) : levels(&levels) { }
-  bool level_parameterized(const Level&, const Level::Uv&, const Level_summary&) { return ++*levels; }
-};
-
 TEST(Options, have_any_order)
 {
   Mapped_mesh first(grid(24, 18, wavy)), last(grid(24, 18, wavy)), other(grid(24, 18, wavy));
   Parameterization_summary s, t;
   int levels_s = 0, levels_t = 0;
+  const auto counter = [](int& levels) { return On_level([&](const Level&, const Level::Uv&) { return ++levels; }); };
   first.parameterize(Hierarchical_MIPS(
-      np::visitor(Counting_visitor(levels_s)).random_seed(3).summary(std::ref(s)).tolerance(1e-2).coarsest_size(20)));
+      np::visitor(counter(levels_s)).random_seed(3).summary(std::ref(s)).tolerance(1e-2).coarsest_size(20)));
   last.parameterize(Hierarchical_MIPS(
-      np::coarsest_size(20).tolerance(1e-2).summary(std::ref(t)).random_seed(3).visitor(Counting_visitor(levels_t))));
+      np::coarsest_size(20).tolerance(1e-2).summary(std::ref(t)).random_seed(3).visitor(counter(levels_t))));
   EXPECT_EQ(first.uv(), last.uv());
   EXPECT_GT(s.levels.size(), 1u);
   EXPECT_EQ(s.levels.size(), t.levels.size());

@@ -5,10 +5,10 @@
 
 #include "mesh_conversions.h"
 #include "seam_meshes.h"
+#include "visitors.h"
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Orbifold_Tutte_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_progress.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
@@ -309,21 +309,14 @@ TEST(Orbifolds, refuse_cones_that_do_not_fit_the_seam)
   EXPECT_TRUE(cut.is_untouched(uv));
 }
 
-// Stops a run when this part of it is done.
-struct Stopping_visitor : Hierarchy_visitor_3
-{
-  double most_part_done;
-  explicit Stopping_visitor(double part) : most_part_done(part) { }
-  bool progressed(const Parameterization_progress& progress) { return progress.part_done < most_part_done; }
-};
-
 TEST(Orbifolds, leave_the_map_untouched_if_a_visitor_stops_the_run)
 {
   Cut_surface cut = ball(2, 3);
   for (const double part : { 0., 0.3, 1. }) {
     const Cut_surface::UV_map uv = cut.untouched_map();
     Parameterization_summary summary;
-    const auto np = parameters::summary(std::ref(summary)).visitor(Stopping_visitor(part));
+    const On_progress visitor([&](const Parameterization_progress& progress) { return progress.part_done < part; });
+    const auto np = parameters::summary(std::ref(summary)).visitor(visitor);
     EXPECT_EQ(Hierarchical(Square, Cotangent, np).parameterize(cut.mesh, cut.bhd, cut.cone_map, uv, cut.index),
               ERROR_STOPPED);
     EXPECT_EQ(summary.error.code, ERROR_STOPPED);

@@ -130,8 +130,7 @@ TEST(Overlapping_pairs, borders_tell_what_counting_does)
 TEST(Overlapping_pairs, of_a_surface_with_holes)
 {
   Mapped_mesh_with_border m(grid_with_holes(20));
-  for (const auto v : vertices(m.mesh))
-    m.uvmap[v] = Kernel::Point_2(m.mesh.point(v).x(), m.mesh.point(v).y());
+  m.project();
   EXPECT_EQ(m.quality().flips, 0u);
   EXPECT_EQ(m.quality().overlaps, 0u);
   EXPECT_EQ(pairs_by_counting(m), 0u);

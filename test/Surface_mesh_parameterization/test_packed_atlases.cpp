@@ -194,9 +194,7 @@ TEST(Packing, holds_out_with_slivers)
 void expect_one_to_one_in_floats(const Flat_mesh& m)
 {
   Surface surface(m);
-  const auto uv = surface.mesh
-                      .add_property_map<Surface_mesh::Halfedge_index, CGAL::Simple_cartesian<float>::Point_2>("h:float")
-                      .first;
+  const auto uv = surface.mesh.add_property_map<Surface_mesh::Halfedge_index, Float_point_2>("h:float_uv").first;
   ASSERT_TRUE(atlas_parameterization(surface.mesh, uv).is_ok());
   for (const auto h : surface.mesh.halfedges())
     if (!surface.mesh.is_border(h))
@@ -323,7 +321,6 @@ TEST(Packing, is_not_written_where_the_users_numbers_overflow)
 // Of such numbers, an error tells that they are too small, and not that a chart finds no room among them.
 TEST(Packing, is_told_to_overflow_floats)
 {
-  typedef CGAL::Simple_cartesian<float>::Point_2   Float_point_2;
   constexpr double size = 1e39;
   Surface surface(affine_image(grid(3, 3, flat), size, 0, 0, size));
   const Float_point_2 untouched(7, 8);
@@ -340,7 +337,6 @@ TEST(Packing, is_told_to_overflow_floats)
 // Nothing is written then, also if some charts, beside the origin, could be.
 TEST(Packing, of_several_charts_is_told_to_overflow_floats)
 {
-  typedef CGAL::Simple_cartesian<float>::Point_2   Float_point_2;
   constexpr double size = 2.2e38;
   Flat_mesh m = grid(3, 3, flat);
   for (int i = 1; i < 4; ++i)
@@ -366,7 +362,6 @@ TEST(Packing, of_several_charts_is_told_to_overflow_floats)
 // floats wide has flat triangles.
 TEST(Packing, keeps_mirrored_charts_without_flips_in_floats)
 {
-  typedef CGAL::Simple_cartesian<float>::Point_2   Float_point_2;
   const auto flat_triangles = [](double factor) {
     Surface surface(with_component(grid(1, 1, flat), grid(30, 30, flat), 3e-8, 0));
     const auto uv = surface.mesh.add_property_map<Surface_mesh::Halfedge_index, Float_point_2>("h:float_uv").first;

@@ -5,12 +5,13 @@
 
 #include "mesh_conversions.h"
 #include "test_meshes.h"
+#include "visitors.h"
 #include "wrapped_maps.h"
 
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_progress.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -201,12 +202,6 @@ TEST(Rebind_solver, opens_the_adaptor_to_a_parameterizer_of_the_user)
   EXPECT_EQ(summary.linear_solver.right_sides, 2u);
 }
 
-// Stops a run in the linear solver, of which it is told the iterations.
-struct Visitor_that_stops_the_solver : Hierarchy_visitor_3
-{
-  bool progressed(const Parameterization_progress& progress) { return progress.iterations == 0; }
-};
-
 TEST(Rebind_solver, lets_a_stop_and_failures_end_a_parameterizer_that_would_go_on)
 {
   typedef archetype::Stubborn_parameterizer<Surface_mesh, Multigrid_solver_traits>   Parameterizer;
@@ -225,7 +220,8 @@ TEST(Rebind_solver, lets_a_stop_and_failures_end_a_parameterizer_that_would_go_o
   EXPECT_EQ(run(0, told), OK);
   EXPECT_EQ(Parameterizer::tries, 1);
   EXPECT_EQ(summary.linear_solver.failures, 0u);
-  EXPECT_EQ(run(0, told.visitor(Visitor_that_stops_the_solver())), ERROR_STOPPED);
+  const auto is_before_solver = [](const Parameterization_progress& progress) { return progress.iterations == 0; };
+  EXPECT_EQ(run(0, told.visitor(On_progress(is_before_solver))), ERROR_STOPPED);
   EXPECT_EQ(Parameterizer::tries, 1);
   EXPECT_EQ(run(3, told), OK);
   EXPECT_EQ(Parameterizer::tries, 4);

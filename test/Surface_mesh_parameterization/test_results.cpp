@@ -229,12 +229,8 @@ TEST(Parameterization_quality, counts_what_is_not_positive)
 {
   const double infinity = std::numeric_limits<double>::infinity();
   Mapped_mesh mapped(grid(2, 2, flat));
-  const auto reset = [&] {
-    for (const auto v : vertices(mapped.mesh))
-      mapped.uvmap[v] = Kernel::Point_2(mapped.mesh.point(v).x(), mapped.mesh.point(v).y());
-  };
   Kernel::Point_2& corner = mapped.uvmap[Surface_mesh::Vertex_index(2)];   // of one triangle: 1, 2, 5
-  reset();
+  mapped.project();
   EXPECT_EQ(mapped.quality().flips, 0u);
   corner = Kernel::Point_2(0, 1);
   EXPECT_EQ(mapped.quality().flips, 1u);
@@ -276,8 +272,7 @@ TEST(Parameterization_quality, is_that_of_triangles_of_any_size)
       mapped.uvmap[v] = Kernel::Point_2(x + 5, y);
       return v;
     };
-    for (const auto v : vertices(mapped.mesh))
-      mapped.uvmap[v] = Kernel::Point_2(mapped.mesh.point(v).x(), mapped.mesh.point(v).y());
+    mapped.project();
     mapped.mesh.add_face(add(0, 0), add(1, 0), add(0, 1));
     const double scale = (area + 0.5) / area;       // of areas in the plane
     const Parameterization_quality q = mapped.quality();

@@ -11,7 +11,6 @@
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 #include <CGAL/Surface_mesh_parameterization/settle_flips.h>
 
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
@@ -49,8 +48,7 @@ struct Spoiled_map : Mapped_mesh_with_border
 
   Spoiled_map() : Mapped_mesh_with_border(grid(24, 20, wavy))
   {
-    for (const auto v : vertices(mesh))
-      uvmap[v] = Kernel::Point_2(mesh.point(v).x(), mesh.point(v).y());
+    project();
     good = uv();
   }
 
@@ -294,8 +292,7 @@ struct Square_with_ear : Mapped_mesh_with_border
   Square_with_ear(Index vertices_of_ear, double radius, bool is_halved)
     : Mapped_mesh_with_border(make_surface(vertices_of_ear, radius, is_halved))
   {
-    for (const auto v : vertices(mesh))
-      uvmap[v] = Kernel::Point_2(mesh.point(v).x(), mesh.point(v).y());
+    project();
     const Index first = (n + 1) * (n + 1);
     const Kernel::Point_2 a = uvmap[Mesh::Vertex_index(chord_start())], b = uvmap[Mesh::Vertex_index(chord_end())];
     for (Index i = 0; i < vertices_of_ear; ++i)
@@ -376,13 +373,12 @@ TEST(Settle_flips, repairs_a_map_of_any_size_the_same_way)
 
 TEST(Settle_flips, repairs_mirrored_maps_of_floats)
 {
-  typedef CGAL::Simple_cartesian<float>::Point_2   Float_point;
   for (const float sign : { 1.f, -1.f }) {
     Spoiled_map m;
-    auto map = m.mesh.add_property_map<Mesh::Vertex_index, Float_point>("v:float_uv").first;
+    const auto map = m.add_map_of_floats();
     for (const auto v : vertices(m.mesh))
-      map[v] = Float_point(sign * float(m.good[v].x()), float(m.good[v].y()));
-    map[Mesh::Vertex_index(262)] = Float_point(sign * 0.9f, 0.9f);
+      map[v] = Float_point_2(sign * float(m.good[v].x()), float(m.good[v].y()));
+    map[Mesh::Vertex_index(262)] = Float_point_2(sign * 0.9f, 0.9f);
     EXPECT_EQ(settle_flips(m.mesh, m.bhd, map, Flip_policy::REPAIR), OK);
     for (const auto v : vertices(m.mesh))
       m.uvmap[v] = Kernel::Point_2(map[v].x(), map[v].y());

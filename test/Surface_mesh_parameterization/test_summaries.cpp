@@ -160,8 +160,7 @@ TEST(Visitor, that_stops_a_run_is_told_no_more)
 TEST(Summary, has_the_energy_of_a_start_that_is_refused)
 {
   Mapped_mesh mapped(ramp(40, 1.3));
-  for (const auto v : vertices(mapped.mesh))
-    mapped.uvmap[v] = Kernel::Point_2(mapped.mesh.point(v).x(), mapped.mesh.point(v).y());
+  mapped.project();
   const auto options = parameters::initial_map(true).globally_injective(true).summary(std::ref(mapped.summary));
   ASSERT_EQ(mapped.parameterize(Hierarchical_parameterizer_3<Symmetric_Dirichlet>(options)), OK);
   EXPECT_GE(mapped.summary.levels.front().energy_start, 4);

@@ -126,24 +126,30 @@ TEST(Vertex_inserter, takes_the_stored_place_if_it_is_best)
 
 // A border vertex C, number 0, whose coarse fan turns by `turn`, with the neighbors 1, .., n + 1. Its last edge, from n
 // + 1 to 0, and its first one, from 0 to 1, lie on the border.
-std::vector<Point_2> coarse_border_fan(Index n, double turn, Random& random)
+struct Coarse_border_fan
 {
-  std::vector<Point_2> uv(1, Point_2(0, 0));
-  const std::vector<double> angles = random_angles(n + 1, turn * (n + 1) / n, CGAL_PI, random);
-  for (const double angle : angles)
-    uv.push_back(polar(random(0.5, 1), angle * turn / angles.back()));
-  return uv;
-}
+  std::vector<Point_2> uv;
+  std::vector<Index_triangle> triangles;
+
+  Coarse_border_fan(Index n, double turn, Random& random) : uv(1, Point_2(0, 0))
+  {
+    const std::vector<double> angles = random_angles(n + 1, turn * (n + 1) / n, CGAL_PI, random);
+    for (const double angle : angles)
+      uv.push_back(polar(random(0.5, 1), angle * turn / angles.back()));
+    for (Index i = 0; i < n; ++i)
+      triangles.push_back({ 0, 1 + i, 2 + i });
+  }
+
+  bool is_valid() const { return is_map_valid(One_rings(uv.size(), triangles), uv); }
+};
 
 // Inserts ears on the border edges of C one after the other: `onto_center` says whether they had collapsed onto C.
 testing::AssertionResult insert_ears(Index n, double turn, bool onto_center, bool is_second_too, Random& random,
                                      std::size_t& insertions)
 {
-  std::vector<Point_2> uv = coarse_border_fan(n, turn, random);
-  std::vector<Index_triangle> triangles;
-  for (Index i = 0; i < n; ++i)
-    triangles.push_back({ 0, 1 + i, 2 + i });
-  if (!is_map_valid(One_rings(uv.size(), triangles), uv))
+  Coarse_border_fan fan(n, turn, random);
+  auto& [uv, triangles] = fan;
+  if (!fan.is_valid())
     return testing::AssertionSuccess() << "no coarse map";
   ++insertions;
 
@@ -187,11 +193,9 @@ TEST(Vertex_inserter, inserts_ears_beside_border_vertices_of_any_turn)
 testing::AssertionResult insert_border_vertex(Index n, double turn, Index taken, bool onto_center, Random& random,
                                               std::size_t& insertions)
 {
-  std::vector<Point_2> uv = coarse_border_fan(n, turn, random);
-  std::vector<Index_triangle> triangles;
-  for (Index i = 0; i < n; ++i)
-    triangles.push_back({ 0, 1 + i, 2 + i });
-  if (!is_map_valid(One_rings(uv.size(), triangles), uv))
+  Coarse_border_fan fan(n, turn, random);
+  auto& [uv, triangles] = fan;
+  if (!fan.is_valid())
     return testing::AssertionSuccess() << "no coarse map";
   ++insertions;
 

@@ -5,6 +5,7 @@
 
 #include "mesh_conversions.h"
 #include "test_meshes.h"
+#include "visitors.h"
 #include "wrapped_maps.h"
 
 #include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
@@ -93,19 +94,6 @@ TEST(Wrapped_constructor, number_of_iterations_limits_the_iteration)
   EXPECT_EQ(summary.linear_solver.iterations, 1u);
 }
 
-// Stops a run when the hierarchy is built.
-struct Stopping_visitor : Hierarchy_visitor_3
-{
-  std::size_t* coarsest_size;
-  explicit Stopping_visitor(std::size_t& size) : coarsest_size(&size) { }
-
-  bool hierarchy_built(const Collapse_hierarchy_3& hierarchy)
-  {
-    *coarsest_size = hierarchy.number_of_vertices(0);
-    return false;
-  }
-};
-
 TEST(Wrapped_constructor, visitor_sees_the_hierarchy_and_can_stop_the_run)
 {
   Surface_mesh mesh = make<Surface_mesh>(delaunay_patch(1200, 3, wavy));
@@ -113,7 +101,11 @@ TEST(Wrapped_constructor, visitor_sees_the_hierarchy_and_can_stop_the_run)
     std::size_t seen = 0;
     Parameterization_summary summary;
     Wrapped_map<Surface_mesh> mapped(mesh);
-    const auto np = parameters::coarsest_size(coarsest_size).summary(std::ref(summary)).visitor(Stopping_visitor(seen));
+    const On_hierarchy visitor([&](const Collapse_hierarchy_3& hierarchy) {
+      seen = hierarchy.number_of_vertices(0);
+      return false;
+    });
+    const auto np = parameters::coarsest_size(coarsest_size).summary(std::ref(summary)).visitor(visitor);
     EXPECT_EQ(mapped.parameterize(Hierarchical_mean_value(np), longest_border(mesh)), ERROR_STOPPED);
     EXPECT_EQ(summary.error.code, ERROR_STOPPED);
     EXPECT_TRUE(mapped.is_untouched());

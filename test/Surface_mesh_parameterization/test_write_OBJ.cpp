@@ -91,8 +91,7 @@ TEST(Write_OBJ, writes_what_can_be_read_back)
 TEST(Write_OBJ, has_a_place_for_every_vertex_unless_it_is_told_which_have_one)
 {
   Mapped_mesh mapped(grid(4, 3, wavy));
-  for (const auto v : vertices(mapped.mesh))
-    mapped.uvmap[v] = Kernel::Point_2(mapped.mesh.point(v).x(), mapped.mesh.point(v).y());
+  mapped.project();
   std::ostringstream file, other_file;
   SMP::IO::write_OBJ(file, mapped.mesh, mapped.uvmap);
   SMP::IO::write_OBJ(other_file, mapped.mesh, mapped.uvmap,
@@ -104,8 +103,7 @@ TEST(Write_OBJ, has_a_place_for_every_vertex_unless_it_is_told_which_have_one)
 TEST(Write_OBJ, writes_files_and_tells_whether_it_could)
 {
   Mapped_mesh mapped(grid(4, 3, wavy));
-  for (const auto v : vertices(mapped.mesh))
-    mapped.uvmap[v] = Kernel::Point_2(mapped.mesh.point(v).x(), mapped.mesh.point(v).y());
+  mapped.project();
   const CGAL::Constant_property_map<Surface_mesh::Vertex_index, bool> all(true);
   const std::string name = testing::TempDir() + "write_OBJ_test_" + std::to_string(std::random_device()());
   std::ostringstream stream, drawing;
