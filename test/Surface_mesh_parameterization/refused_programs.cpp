@@ -83,7 +83,7 @@ struct Refinement : Method_base
 
 struct Weights_base
 {
-  static constexpr bool is_symmetric = true, is_positive = true;
+  static constexpr bool is_symmetric = true;
 };
 
 template <class Energy>
@@ -150,14 +150,6 @@ SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchicall
 
 namespace Weights_without_symmetry { // EdgeWeights has no constant is_symmetric
 SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv) { return run_hierarchically<With_weights<Nothing>>(m, h, uv); }
-}
-
-namespace Weights_without_sign { // EdgeWeights has no constant is_positive
-struct Unsigned_weights { static constexpr bool is_symmetric = true; };
-SMP::Error_code wrong(Mesh& m, Halfedge h, UV_map uv)
-{
-  return run_hierarchically<With_weights<Unsigned_weights>>(m, h, uv);
-}
 }
 
 namespace Weights_without_operator { // EdgeWeights has no operator()(const Point_3&, const std::vector<Point_3>&
