@@ -20,7 +20,7 @@ cd "$build"
 # new.
 exec env ASAN_OPTIONS=allocator_may_return_null=1 RANDOM_SURFACES="${RANDOM_SURFACES:-100}" \
   ctest --output-on-failure --timeout 600 -j2 -E \
-'^(include_layers|(bare_)?(install|consumer)(_without_TBB|_with_other_CGAL)?|documentation)$|^example|^Threads\.|'\
+'^(include_layers|refused_programs|(bare_)?(install|consumer)(_without_TBB|_with_other_CGAL)?|documentation)$|^example|^Threads\.|'\
 'threads_do_not_change_the_map|for_every_number_of_threads|same_with_several_threads|same_map_in_threads|'\
 'threads_round_as_their_caller|takes_work_in_proportion|are_few_and_do_not_grow|iterations_do_not_grow_with_the_mesh|'\
 'energy_is_not_above_that_of_CGAL|^Data_folder/|fix_a_border_for_the_hierarchical_run|'\
