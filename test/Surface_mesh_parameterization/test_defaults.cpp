@@ -79,7 +79,7 @@ template <class Method>
 class Default_of_energies : public testing::Test { };
 
 typedef testing::Types<MIPS, Symmetric_Dirichlet, ARAP>   Energies;
-TYPED_TEST_SUITE(Default_of_energies, Energies);
+TYPED_TEST_SUITE(Default_of_energies, Energies, );
 
 // Newton's method converges so fast that values of the same order lead to the same map; sweeps tell them apart.
 TYPED_TEST(Default_of_energies, accuracy)
@@ -198,7 +198,7 @@ template <class Method>
 class Default_of_hierarchies : public testing::Test { };
 
 typedef testing::Types<MIPS, ARAP, Harmonic, Barycentric, Mean_value>   All_methods;
-TYPED_TEST_SUITE(Default_of_hierarchies, All_methods);
+TYPED_TEST_SUITE(Default_of_hierarchies, All_methods, );
 
 TYPED_TEST(Default_of_hierarchies, levels)
 {

@@ -107,7 +107,8 @@ public:
   /// the number of vertices of the next coarser level, or 0 on the coarsest one: the vertices from this rank on are new
   std::size_t first_new_vertex() const { return m_index == 0 ? 0 : hierarchy().number_of_vertices(m_index - 1); }
 
-  /// the point of `v` in space, the same on every level: that of the mesh, moved and scaled as by `Mesh_component`
+  /// the point of `v` in space, the same on every level: that of the hierarchy's surface, in a run of an adaptor the
+  /// mesh moved and scaled by `Mesh_component`
   const Point_3& point(Index v) const { return hierarchy().point(v); }
 
   /// the triangles, by rank
@@ -122,7 +123,7 @@ public:
   /// whether the uv coordinates of `v` are given
   bool is_fixed(Index v) const { return hierarchy().is_fixed(v); }
 
-  /// the given uv coordinates of `v`, scaled as the points are, but not moved.
+  /// the given uv coordinates of `v`, in units of the level: scaled as the points are, but not moved.
   /// \pre `is_fixed(v)`
   const Point_2& fixed_place(Index v) const { return hierarchy().fixed_place(v); }
 
