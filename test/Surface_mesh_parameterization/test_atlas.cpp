@@ -432,7 +432,7 @@ TEST(Atlas, ends_by_an_exception_of_a_visitor_in_several_threads)
   Flat_mesh m = part;
   for (int i = 1; i < 4; ++i)
     m = with_component(m, part, 1 + i, 20 * i);
-  for (int calls = 3; calls < 40; calls += 4) {
+  for (int calls = 3; calls < 40; calls += 9) {
     Surface surface(m);
     std::atomic<int> calls_left(calls);
     const On_level visitor([&](const Level&, const Level::Uv&) {

@@ -113,7 +113,7 @@ TYPED_TEST(Springs_of_vertices, take_the_map_along)
   const std::vector<Kernel::Point_2> places = m.uv();
   const Kernel::Vector_2 move(3e6, -2e6);
   for (const std::size_t number : { 1, 3 })
-    for (std::size_t first = 0; first < places.size(); first += 37) {
+    for (std::size_t first = 0; first < places.size(); first += 97) {
       for (const auto v : vertices(m.mesh)) {
         m.uvmap[v] = places[v] + move;
         m.weight[v] = std::size_t(v) >= first && std::size_t(v) < first + number ? 100 : 0;
