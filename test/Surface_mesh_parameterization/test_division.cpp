@@ -381,7 +381,7 @@ TEST(Division, leaves_what_fills_the_square)
 // Margins that the user wants wide are no reason to divide: more charts have more of them.
 TEST(Division, leaves_what_would_fill_the_square_with_narrow_margins)
 {
-  const Flat_mesh corner = part(grid(4, 4, flat), [](const Point_3& p) { return p.x() < 0.25 || p.y() < 0.25; });
+  const Flat_mesh corner = part(grid(6, 6, flat), [](const Point_3& p) { return p.x() < 0.16 || p.y() < 0.16; });
   Flat_mesh m = corner;
   for (Index i = 1; i < 60; ++i)
     m = with_component(m, corner);

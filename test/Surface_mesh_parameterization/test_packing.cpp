@@ -148,10 +148,35 @@ TEST(Grid_packer, turns_charts_into_all_directions)
     charts.push_back({ { Point_2(0, 0), Point_2(size, 0), Point_2(0, size) }, { { 0, 1, 2 } } });
   }
   const std::vector<Vector_2> four = evenly_spaced_directions(4);
-  const Grid_packer packer(charts, std::vector<std::vector<Vector_2>>(charts.size(), four), 0.05, 1);
+  Grid_packer packer(charts, std::vector<std::vector<Vector_2>>(charts.size(), four), 0.05, 1);
   const std::vector<std::size_t> directions = packer.pack({ packer.order_by_size(), 500 }).directions;
   for (std::size_t d = 0; d < four.size(); ++d)
     EXPECT_GE(std::count(directions.begin(), directions.end(), d), 10) << d;
+}
+
+TEST(Grid_packer, puts_charts_at_given_places_where_they_are_free)
+{
+  Random random(5);
+  std::vector<Flat_chart> charts;
+  for (int i = 0; i < 20; ++i)
+    charts.push_back(fan(Point_2(1, 1), random_star_polygon(9, Point_2(1, 1), random), random(0.3, 1)));
+  const std::vector<Vector_2> one = evenly_spaced_directions(1);
+  Grid_packer packer(charts, std::vector<std::vector<Vector_2>>(charts.size(), one), 0.05, 1);
+  Grid_packer::Plan plan{ packer.order_by_size(), 150 };
+  const Grid_packer::Result packed = packer.pack(plan);
+  const auto expect_same = [&](const Grid_packer::Result& other) {
+    EXPECT_EQ(other.side, packed.side);
+    for (std::size_t i = 0; i < charts.size(); ++i)
+      EXPECT_TRUE(other.places[i].x == packed.places[i].x && other.places[i].y == packed.places[i].y) << i;
+  };
+  Grid_packer::Plan backwards = plan;
+  std::reverse(backwards.order.begin(), backwards.order.end());
+  for (const std::size_t chart : backwards.order)
+    backwards.places.push_back(packed.places[chart]);
+  expect_same(packer.pack(backwards));
+
+  plan.places.assign(charts.size(), packed.places[plan.order[0]]);
+  expect_same(packer.pack(plan));
 }
 
 TEST(Pack_charts, keeps_wide_margins)
@@ -238,10 +263,10 @@ TEST(Chart_mask, has_the_cells_of_the_triangles)
   }
 }
 
-// Cell by cell, on a strip of several words.
+// Cell by cell, on strips of several words, which begin anew where the one before has ended.
 TEST(Strip, finds_the_lowest_place_and_there_the_leftmost)
 {
-  constexpr Index width = 230, height = 600, margin = 2;
+  constexpr Index height = 900, margin = 2;
   Random random(4);
   std::vector<Chart_mask> masks;
   unsigned int levels = 0;
@@ -250,32 +275,35 @@ TEST(Strip, finds_the_lowest_place_and_there_the_leftmost)
     masks.push_back(make_mask(rasterize(fan(center, random_star_polygon(9, center, random), random(0.3, 1)), 0.03)));
     levels = (std::max)(levels, masks.back().number_of_levels());
   }
-  Strip strip(width, margin, levels);
-  std::vector<std::vector<bool>> is_full(height, std::vector<bool>(width, false));
-  for (const Chart_mask& mask : masks) {
-    std::vector<std::pair<Index, Index>> cells;
-    for (Index j = 0; j < mask.height; ++j)
-      for (Index i = 0; i < mask.width; ++i)
-        if (is_taken(mask, i, j))
-          cells.emplace_back(i, j);
-    Index x = 0, y = 0;
-    const auto is_empty = [&](const auto& cell) { return !is_full[y + cell.second][x + cell.first]; };
-    while (!std::all_of(cells.begin(), cells.end(), is_empty))
-      if (++x + mask.width > width) {
-        x = 0;
-        ++y;
+  Strip strip(margin);
+  for (const Index width : { 230, 150, 300 }) {
+    strip.start(width, levels);
+    std::vector<std::vector<bool>> is_full(height, std::vector<bool>(width, false));
+    for (const Chart_mask& mask : masks) {
+      std::vector<std::pair<Index, Index>> cells;
+      for (Index j = 0; j < mask.height; ++j)
+        for (Index i = 0; i < mask.width; ++i)
+          if (is_taken(mask, i, j))
+            cells.emplace_back(i, j);
+      Index x = 0, y = 0;
+      const auto is_empty = [&](const auto& cell) { return !is_full[y + cell.second][x + cell.first]; };
+      while (!std::all_of(cells.begin(), cells.end(), is_empty))
+        if (++x + mask.width > width) {
+          x = 0;
+          ++y;
+        }
+      std::size_t first_row = 0;
+      const Strip::Place place = strip.find(mask, first_row, height);
+      ASSERT_EQ(place.x, x);
+      ASSERT_EQ(place.y, y);
+      strip.put(mask, place, levels);
+      for (const auto& [i, j] : cells) {
+        const Index left = x + i - (std::min)(x + i, margin), right = (std::min)(x + i + margin, width - 1),
+                    bottom = y + j - (std::min)(y + j, margin), top = y + j + margin;
+        for (Index row = bottom; row <= top; ++row)
+          for (Index column = left; column <= right; ++column)
+            is_full[row][column] = true;
       }
-    std::size_t first_row = 0;
-    const Strip::Place place = strip.find(mask, first_row, height);
-    ASSERT_EQ(place.x, x);
-    ASSERT_EQ(place.y, y);
-    strip.put(mask, place, levels);
-    for (const auto& [i, j] : cells) {
-      const Index left = x + i - (std::min)(x + i, margin), right = (std::min)(x + i + margin, width - 1),
-                  bottom = y + j - (std::min)(y + j, margin), top = y + j + margin;
-      for (Index row = bottom; row <= top; ++row)
-        for (Index column = left; column <= right; ++column)
-          is_full[row][column] = true;
     }
   }
 }

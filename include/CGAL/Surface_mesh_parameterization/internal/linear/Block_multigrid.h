@@ -263,6 +263,7 @@ private:
   {
     const Block_matrix& a = m_grids.back().matrix;
     std::vector<Matrix_entry> entries;
+    entries.reserve(3 * std::size_t(a.number_of_rows()) + 4 * std::size_t(a.first[a.number_of_rows()]));
     for (Index i = 0; i < a.number_of_rows(); ++i) {
       const Block d = a.diagonal_block(i);
       entries.push_back({ 2 * i, 2 * i, d.xx() + m_options.shift });

@@ -41,9 +41,18 @@ public:
   typedef std::uint64_t   Word;
 
   explicit Bitmap(std::size_t width = 0, std::size_t height = 0)
-    : m_width(width), m_words_of_row((width + 63) / 64 + 1)
+    : m_width(width), m_words_of_row(words_of_row(width))
   {
     raise(height);
+  }
+
+  // Empties it, for rows of another width. Its memory is kept.
+  void restart(std::size_t width)
+  {
+    m_width = width;
+    m_words_of_row = words_of_row(width);
+    m_height = 0;
+    m_words.clear();
   }
 
   std::size_t width() const { return m_width; }
@@ -86,6 +95,8 @@ public:
   }
 
 private:
+  static std::size_t words_of_row(std::size_t width) { return (width + 63) / 64 + 1; }
+
   std::size_t m_width, m_words_of_row, m_height = 0;
   std::vector<Word> m_words;
 };

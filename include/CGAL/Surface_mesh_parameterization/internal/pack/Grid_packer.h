@@ -12,6 +12,8 @@
 
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <tuple>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
@@ -20,14 +22,22 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 class Grid_packer
 {
 public:
+  // Which directions of a chart are tried.
+  struct Directions
+  {
+    // Whether each one is tried from where charts of about that size fitted last in it. If not, all are tried from the
+    // same row: that passes over most of them for good, and takes a third of the time.
+    bool have_own_rows = true;
+    std::size_t step = 1;                       // from one to the next
+  };
+
   // In which order charts are put, and how wide the strip is.
   struct Plan
   {
     std::vector<std::size_t> order;
     std::size_t width;
-    // Whether each direction is tried from where charts of about that size fitted last in it. If not, all of a chart's
-    // are tried from the same row: that passes over most directions for good, and takes a third of the time.
-    bool tries_each_direction = true;
+    Directions directions = Directions();
+    std::vector<Strip::Place> places = {};      // of the first charts, in their first direction, if they fit there
   };
 
   struct Result
@@ -52,11 +62,24 @@ public:
   std::size_t least_width() const;
 
   // Packs the charts of a plan; gives up when the square cannot become smaller than `most_side`.
-  Result pack(const Plan& plan, std::size_t most_side = (std::numeric_limits<std::size_t>::max)()) const;
+  Result pack(const Plan& plan, std::size_t most_side = (std::numeric_limits<std::size_t>::max)());
 
 private:
+  // Where charts of about a size begin to fit, about; in each direction they fit elsewhere.
+  typedef std::map<std::tuple<int, int, std::size_t>, std::size_t>   First_rows;
+
+  struct Choice
+  {
+    std::size_t direction = 0;
+    Strip::Place place;
+  };
+
+  // The lowest place for a chart in any of the directions; nowhere if none ends below `most_top`.
+  Choice find(std::size_t chart, const Directions& directions, std::size_t most_top, First_rows& first_rows);
+
   std::vector<std::vector<Chart_mask>> m_masks;         // of each chart, in its directions
   std::size_t m_margin;
+  Strip m_strip;                                        // of the last packing
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

@@ -20,7 +20,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Grid_packer::Grid_packer(const std::vector<Flat_chart>& charts, const std::vector<std::vector<Vector_2>>& directions,
                          double cell, std::size_t margin)
-  : m_masks(charts.size()), m_margin(margin)
+  : m_masks(charts.size()), m_margin(margin), m_strip(margin)
 {
   Flat_chart turned;
   for (std::size_t i = 0; i < charts.size(); ++i)
@@ -60,7 +60,24 @@ std::size_t Grid_packer::least_width() const
 inline int size_class(Index length) { return int(4 * std::log2(double(length))); }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Grid_packer::Result Grid_packer::pack(const Plan& plan, std::size_t most_side) const
+Grid_packer::Choice Grid_packer::find(std::size_t chart, const Directions& directions, std::size_t most_top,
+                                      First_rows& first_rows)
+{
+  Choice best;
+  for (std::size_t i = 0; i < m_masks[chart].size(); i += directions.step) {
+    const Chart_mask& mask = m_masks[chart][i];
+    std::size_t& first_row =
+        first_rows[{ size_class(mask.width), size_class(mask.height), directions.have_own_rows ? i : 0 }];
+    if (const Strip::Place place = m_strip.find(mask, first_row, most_top); place.top < most_top) {
+      best = { i, place };
+      most_top = place.top;
+    }
+  }
+  return best;
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+Grid_packer::Result Grid_packer::pack(const Plan& plan, std::size_t most_side)
 {
   std::vector<unsigned int> levels(plan.order.size() + 1, 1);        // of the masks from there on
   for (std::size_t i = plan.order.size(); i-- > 0;) {
@@ -72,28 +89,28 @@ Grid_packer::Result Grid_packer::pack(const Plan& plan, std::size_t most_side) c
   Result result;
   result.places.resize(m_masks.size());
   result.directions.resize(m_masks.size());
-  Strip strip(plan.width, m_margin, levels[0]);
-  // Where charts of about a size begin to fit, about; in each direction they fit elsewhere.
-  std::map<std::tuple<int, int, std::size_t>, std::size_t> first_rows;
+  m_strip.start(plan.width, levels[0]);
+  std::size_t right = 0;
+  First_rows first_rows;
   for (std::size_t i = 0; i < plan.order.size(); ++i) {
     const std::size_t chart = plan.order[i];
-    Strip::Place& best = result.places[chart];
-    best.top = most_side;
-    for (std::size_t direction = 0; direction < m_masks[chart].size(); ++direction) {
-      const Chart_mask& mask = m_masks[chart][direction];
-      std::size_t& first_row = first_rows[{ size_class(mask.width), size_class(mask.height),
-                                            plan.tries_each_direction ? direction : 0 }];
-      if (const Strip::Place place = strip.find(mask, first_row, best.top); place.top < best.top) {
-        best = place;
-        result.directions[chart] = direction;
-      }
-    }
-    if (best.top == most_side)
+    Choice choice;
+    if (i < plan.places.size() && m_strip.fits(m_masks[chart][0], plan.places[i])) {
+      choice.place = plan.places[i];
+      choice.place.top = choice.place.y + m_masks[chart][0].height;
+    } else
+      choice = find(chart, plan.directions, most_side, first_rows);
+    if (choice.place.top >= most_side)
       return {};
-    strip.put(m_masks[chart][result.directions[chart]], best, levels[i + 1]);
+    const Chart_mask& mask = m_masks[chart][choice.direction];
+    result.places[chart] = choice.place;
+    result.directions[chart] = choice.direction;
+    result.top = (std::max)(result.top, choice.place.top);
+    right = (std::max)(right, choice.place.x + mask.width);
+    if (i + 1 < plan.order.size())
+      m_strip.put(mask, choice.place, levels[i + 1]);
   }
-  result.top = strip.top();
-  result.side = (std::max)(strip.right(), strip.top()) + m_margin;
+  result.side = (std::max)(right, result.top) + m_margin;
   return result;
 }
 

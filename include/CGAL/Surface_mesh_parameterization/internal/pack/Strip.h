@@ -25,16 +25,18 @@ public:
     std::size_t x = 0, y = 0, top = (std::numeric_limits<std::size_t>::max)();       // nowhere
   };
 
-  // Between charts so many cells stay empty. Masks have `number_of_levels` at most.
-  Strip(std::size_t width, std::size_t margin, std::size_t number_of_levels);
+  // Between charts so many cells stay empty.
+  explicit Strip(std::size_t margin) : m_margin(margin) { }
 
-  // The cells that are used are below and to the left of these.
-  std::size_t top() const { return m_top; }
-  std::size_t right() const { return m_right; }
+  // Becomes an empty one for masks that have `number_of_levels` at most. Its memory is kept: fresh pages take long.
+  void start(std::size_t width, std::size_t number_of_levels);
 
   // The lowest place for a mask, and there the leftmost one, at or above a row. Nowhere if the mask is too wide, or if
   // that place does not end below `most_top`. Below the row y that the caller gets there is no place.
   Place find(const Chart_mask& mask, std::size_t& y, std::size_t most_top);
+
+  // Whether a place is free for a mask.
+  bool fits(const Chart_mask& mask, const Place& place);
 
   // The masks after this one have `number_of_levels` at most, and no more than those before.
   void put(const Chart_mask& mask, const Place& place, std::size_t number_of_levels);
@@ -50,9 +52,9 @@ private:
   void update_next_level(std::size_t level, std::size_t left, std::size_t right, std::size_t bottom,
                          std::size_t top);
 
-  std::vector<Bitmap> m_taken;          // by level
+  std::vector<Bitmap> m_taken;          // by level; those above `m_number_of_levels` are not up to date
   std::vector<std::vector<Index>> m_first_words;        // by level and row: words before are full
-  std::size_t m_width, m_margin, m_right = 0, m_top = 0;
+  std::size_t m_margin, m_width = 0, m_number_of_levels = 0, m_top = 0;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

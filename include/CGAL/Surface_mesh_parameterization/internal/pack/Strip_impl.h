@@ -11,9 +11,18 @@
 namespace CGAL::Surface_mesh_parameterization::internal {
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-Strip::Strip(std::size_t width, std::size_t margin, std::size_t number_of_levels)
-  : m_taken(number_of_levels, Bitmap(width)), m_first_words(number_of_levels), m_width(width), m_margin(margin)
-{ }
+void Strip::start(std::size_t width, std::size_t number_of_levels)
+{
+  m_width = width;
+  m_number_of_levels = number_of_levels;
+  m_top = 0;
+  m_taken.resize((std::max)(m_taken.size(), number_of_levels));
+  m_first_words.resize(m_taken.size());
+  for (std::size_t level = 0; level < m_taken.size(); ++level) {
+    m_taken[level].restart(width);
+    m_first_words[level].clear();
+  }
+}
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Strip::Place Strip::find(const Chart_mask& mask, std::size_t& y, std::size_t most_top)
@@ -38,6 +47,17 @@ Strip::Place Strip::find(const Chart_mask& mask, std::size_t& y, std::size_t mos
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Strip::fits(const Chart_mask& mask, const Place& place)
+{
+  if (place.x + mask.width > m_width)
+    return false;
+  raise(place.y + mask.height);
+  return std::none_of(mask.squares.begin(), mask.squares.end(), [&](const Chart_mask::Square& s) {
+    return m_taken[s.level].at(place.x + s.x, place.y + s.y);
+  });
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 Bitmap::Word Strip::taken(const Chart_mask::Square& s, std::size_t word, std::size_t y) const
 {
   return Bitmap::shifted(m_taken[s.level].row(y + s.y) + s.x / 64 + word, s.x % 64);
@@ -57,9 +77,8 @@ CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Strip::put(const Chart_mask& mask, const Place& place, std::size_t number_of_levels)
 {
   m_top = (std::max)(m_top, place.top);
-  m_right = (std::max)(m_right, place.x + mask.width);
   raise(place.top + m_margin);
-  m_taken.resize(number_of_levels);
+  m_number_of_levels = number_of_levels;
   const auto without_margin = [&](std::size_t x) { return x > m_margin ? x - m_margin : 0; };
   for (const Chart_mask::Square& s : mask.squares) {
     const std::size_t side = std::size_t(1) << s.level, x = place.x + s.x, y = place.y + s.y;
@@ -94,9 +113,9 @@ void Strip::update_next_level(std::size_t level, std::size_t left, std::size_t r
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void Strip::raise(std::size_t height)
 {
-  const std::size_t needed = height + (std::size_t(2) << m_taken.size());
+  const std::size_t needed = height + (std::size_t(1) << m_number_of_levels) / 2;       // see update_next_level()
   if (needed > m_taken[0].height())
-    for (std::size_t level = 0; level < m_taken.size(); ++level) {
+    for (std::size_t level = 0; level < m_number_of_levels; ++level) {
       m_taken[level].raise(needed + needed / 2);
       m_first_words[level].resize(m_taken[level].height(), 0);
     }

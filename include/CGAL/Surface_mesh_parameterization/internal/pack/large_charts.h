@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <random>
 #include <utility>
 #include <vector>
@@ -22,7 +23,7 @@ namespace CGAL::Surface_mesh_parameterization::internal {
 struct Large_charts
 {
   std::vector<std::size_t> order;             // their numbers, in which they are put
-  std::vector<Vector_2> directions;           // of each in that order
+  std::vector<Vector_2> directions, places;   // of each in that order: how it is turned, and its lower left corner
   double width = 0;                           // of the strip; 0 if there is no large chart
   double side = 0;                            // of the square that holds them
 };
@@ -52,29 +53,36 @@ inline Flat_chart as_bars(const Flat_chart& chart, double cell)
 }
 
 // Orders and widths are changed at random, and kept where they make the square smaller, until that has been in vain for
-// long. One trial in four tries each direction of every chart, which takes three times as long: charts with corners fit
-// better then, while round ones need many trials more than many directions.
-inline std::pair<Grid_packer::Plan, Grid_packer::Result> search_plan(const Grid_packer& packer, std::size_t width,
+// long. Charts with corners fit best in few directions, each with rows of its own; round ones need many trials more than
+// that.
+inline std::pair<Grid_packer::Plan, Grid_packer::Result> search_plan(Grid_packer& packer, std::size_t width,
                                                                      std::size_t margin, std::size_t number_of_trials)
 {
-  Grid_packer::Plan best_plan{ packer.order_by_size(), (std::max)(packer.least_width(), width), false };
+  constexpr Grid_packer::Directions directions[] = { { false, 1 }, { true, 8 }, { true, 4 }, { true, 1 } };
+  Grid_packer::Plan best_plan{ packer.order_by_size(), (std::max)(packer.least_width(), width), directions[0] };
   Grid_packer::Result best = packer.pack(best_plan);
-  constexpr std::size_t most_vain_trials = 300, trials_with_each_direction = 4;
+  const auto try_plan = [&](Grid_packer::Plan plan) {
+    Grid_packer::Result other = packer.pack(plan, best.side - margin + 1);
+    const bool is_better = other.side < best.side;
+    if (other.side <= best.side) {
+      best = std::move(other);
+      best_plan = std::move(plan);
+    }
+    return is_better;
+  };
+  try_plan({ best_plan.order, best_plan.width, directions[1] });
+
+  const std::size_t most_vain_trials = (std::min)(std::size_t(300), 60 * packer.number_of_charts());
   std::mt19937 random(1);
   for (std::size_t trial = 0, vain_trials = 0; trial < number_of_trials && vain_trials < most_vain_trials; ++trial) {
     Grid_packer::Plan plan = best_plan;
-    plan.tries_each_direction = trial % trials_with_each_direction == trials_with_each_direction - 1;
+    plan.directions = directions[trial % std::size(directions)];
     for (std::size_t swaps = 0; swaps <= trial % 2; ++swaps) {
       const std::size_t i = random() % plan.order.size(), j = random() % plan.order.size();
       std::swap(plan.order[i], plan.order[j]);
     }
     plan.width = (std::max)(packer.least_width(), best.side - margin - random() % (best.side / 20 + 1));
-    Grid_packer::Result other = packer.pack(plan, best.side - margin + 1);
-    vain_trials = other.side < best.side ? 0 : vain_trials + 1;
-    if (other.side <= best.side) {
-      best = std::move(other);
-      best_plan = std::move(plan);
-    }
+    vain_trials = try_plan(std::move(plan)) ? 0 : vain_trials + 1;
   }
   return { std::move(best_plan), std::move(best) };
 }
@@ -83,6 +91,8 @@ inline std::pair<Grid_packer::Plan, Grid_packer::Result> search_plan(const Grid_
 inline Large_charts search_large_charts(const std::vector<Flat_chart>& charts, const std::vector<double>& areas,
                                         double side, double margin, std::size_t most_trials)
 {
+  if (most_trials == 0)
+    return {};
   constexpr double least_part = 0.005;                // of the square
   constexpr std::size_t cells = 256, most_placements = 15000, number_of_directions = 32,
                         most_triangles = 5000;        // of a chart that is turned as it is
@@ -99,13 +109,14 @@ inline Large_charts search_large_charts(const std::vector<Flat_chart>& charts, c
     return {};
 
   const std::vector<Vector_2> directions = evenly_spaced_directions(number_of_directions);
-  const Grid_packer packer(large, std::vector<std::vector<Vector_2>>(large.size(), directions), cell, margin_cells);
+  Grid_packer packer(large, std::vector<std::vector<Vector_2>>(large.size(), directions), cell, margin_cells);
   const auto [plan, packed] =
       search_plan(packer, cells, margin_cells, (std::min)(most_trials, most_placements / large.size()));
   Large_charts result;
   for (const std::size_t i : plan.order) {
     result.order.push_back(numbers[i]);
     result.directions.push_back(directions[packed.directions[i]]);
+    result.places.push_back(cell * Vector_2(double(packed.places[i].x), double(packed.places[i].y)));
   }
   result.width = double(plan.width) * cell;
   result.side = double(packed.side) * cell;

@@ -41,35 +41,38 @@ inline double guessed_side(const std::vector<Flat_chart>& charts, const std::vec
   return side;
 }
 
-// Packs strips of several widths, each the mean of width and height of the one before, or a little less; the best is
-// the one of the smallest square.
-class Width_search
+// The best of several packings, which is the one of the smallest square.
+class Packing_search
 {
 public:
-  Width_search(const Grid_packer& packer, Grid_packer::Plan plan)
-    : m_packer(packer), m_plan(std::move(plan)), m_next_width(double(m_plan.width))
-  { }
+  explicit Packing_search(Grid_packer& packer) : m_packer(packer) { }
 
   const Grid_packer::Result& best() const { return m_best; }
 
-  // Goes on until that many have been tried.
-  void try_widths(std::size_t most_widths)
+  Grid_packer::Result try_plan(const Grid_packer::Plan& plan)
+  {
+    Grid_packer::Result result = m_packer.pack(plan);
+    if (result.side < m_best.side)
+      m_best = result;
+    return result;
+  }
+
+  // Strips of several widths: each the mean of width and height of the one before, or a little less. Goes on until that
+  // many have been tried.
+  void try_widths(Grid_packer::Plan plan, std::size_t most_widths)
   {
     for (; m_number_of_widths < most_widths; ++m_number_of_widths) {
-      m_plan.width = (std::max)(m_packer.least_width(), std::size_t(m_next_width));
-      Grid_packer::Result other = m_packer.pack(m_plan);
-      m_next_width = m_number_of_widths % 2 == 0 ? std::sqrt(double(m_plan.width) * double(other.top))
-                                                 : 0.98 * double(m_plan.width);
-      if (other.side < m_best.side)
-        m_best = std::move(other);
+      plan.width = (std::max)(m_packer.least_width(), m_next_width > 0 ? std::size_t(m_next_width) : plan.width);
+      const std::size_t top = try_plan(plan).top;
+      m_next_width = m_number_of_widths % 2 == 0 ? std::sqrt(double(plan.width) * double(top))
+                                                 : 0.98 * double(plan.width);
     }
   }
 
 private:
-  const Grid_packer& m_packer;
-  Grid_packer::Plan m_plan;
+  Grid_packer& m_packer;
   Grid_packer::Result m_best;
-  double m_next_width;
+  double m_next_width = 0;
   std::size_t m_number_of_widths = 0;
 };
 
@@ -86,6 +89,15 @@ inline Grid_packer::Plan make_plan(const Grid_packer& packer, const Large_charts
   return plan;
 }
 
+// The same with the large charts where they were found: on another grid they may fall otherwise, and worse.
+inline Grid_packer::Plan with_places(Grid_packer::Plan plan, const Large_charts& large, double cell)
+{
+  plan.width = std::size_t(std::ceil(large.side / cell));
+  for (const Vector_2& place : large.places)
+    plan.places.push_back({ std::size_t(place.x() / cell + 0.5), std::size_t(place.y() / cell + 0.5) });
+  return plan;
+}
+
 struct Grid_packing
 {
   double side;          // of the square
@@ -93,8 +105,8 @@ struct Grid_packing
 };
 
 // Packs several charts. The margin is a part of the side.
-inline Grid_packing pack_on_grid(std::vector<Flat_chart>& charts, const std::vector<double>& areas,
-                                              double margin, const Pack_options& options)
+inline Grid_packing pack_on_grid(std::vector<Flat_chart>& charts, const std::vector<double>& areas, double margin,
+                                 const Pack_options& options)
 {
   const double root = std::sqrt(double(charts.size()));
   double cells = std::clamp(double(options.cells_of_chart) * root, double(options.least_cells),
@@ -116,16 +128,19 @@ inline Grid_packing pack_on_grid(std::vector<Flat_chart>& charts, const std::vec
   constexpr std::size_t widths_that_show_the_side = 2;
   for (side = (std::max)(side, large.side);;) {
     const double cell = side / cells;
-    const Grid_packer packer(charts, directions, cell, margin_cells);
-    Width_search search(packer,
-                        make_plan(packer, large, std::size_t(large.width > 0 ? large.width / cell : cells)));
-    search.try_widths(widths_that_show_the_side);
+    Grid_packer packer(charts, directions, cell, margin_cells);
+    const Grid_packer::Plan plan =
+        make_plan(packer, large, std::size_t(large.width > 0 ? large.width / cell : cells));
+    Packing_search search(packer);
+    if (!large.places.empty())
+      search.try_plan(with_places(plan, large, cell));
+    search.try_widths(plan, widths_that_show_the_side);
     const Grid_packer::Result& result = search.best();
     if (double(margin_cells) < margin * double(result.side)) {
       side *= 1.002 * margin * double(result.side) / double(margin_cells);
       continue;
     }
-    search.try_widths(number_of_widths);
+    search.try_widths(plan, number_of_widths);
     for (std::size_t i = 0; i < charts.size(); ++i)
       turn_and_move(charts[i].points, directions[i][result.directions[i]],
                     cell * Vector_2(double(result.places[i].x) + 0.5 * double(margin_cells),
