@@ -8,6 +8,7 @@
 #include "mesh_conversions.h"
 #include "test_meshes.h"
 
+#include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
@@ -45,6 +46,16 @@ Hierarchical_parameterizer_3<Method> hierarchical(const Method& method, Paramete
 {
   return Hierarchical_parameterizer_3<Method>(
       method, parameters::coarsest_size(20).flip_policy(Flip_policy::KEEP).summary(std::ref(summary)));
+}
+
+template <class EdgeWeights, class TriangleMesh = Surface_mesh>
+using Method = Edge_energy_parameterizer_3<TriangleMesh, EdgeWeights>;
+
+// Flat, with all defaults but one.
+template <class Method>
+Method keeping_flips()
+{
+  return Method({}, typename Method::Edge_weights(), parameters::flip_policy(Flip_policy::KEEP));
 }
 
 // Leaves the border where it is.

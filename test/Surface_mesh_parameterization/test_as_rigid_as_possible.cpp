@@ -3,32 +3,23 @@
 
 // The as-rigid-as-possible method, beside CGAL's.
 
-#include "generated_meshes.h"
-#include "mapped_mesh.h"
-#include "measures.h"
+#include "ARAP_maps.h"
 #include "mesh_conversions.h"
 #include "numbers_of_threads.h"
 #include "test_meshes.h"
-#include "visitors.h"
 
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/As_rigid_as_possible_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Level.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
-#include <CGAL/Surface_mesh_parameterization/Refinement_options.h>
-#include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Two_vertices_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/star/star_validity.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
-
-#include <Eigen/Core>
 
 #include <gtest/gtest.h>
 
@@ -44,62 +35,8 @@ namespace test_as_rigid_as_possible {
 
 using namespace CGAL::Surface_mesh_parameterization;
 using namespace test_meshes;
+using namespace ARAP_maps;
 namespace parameters = CGAL::parameters;
-
-typedef As_rigid_as_possible_parameterizer_3<Surface_mesh>    Method;
-typedef Hierarchical_parameterizer_3<Method>                  Hierarchical_method;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// CGAL's energy of a map as it is defined: half of the sum over the triangles of sum cot |e - L x|^2 + lambda (a^2 +
-// b^2 - 1)^2 with the best L = (a b; -b a).
-double energy_by_definition(const Flat_mesh& m, const std::vector<Kernel::Point_2>& uv, double lambda)
-{
-  double sum = 0;
-  for (const Index_triangle& t : m.triangles) {
-    const Vector_3 p = m.points[t[1]] - m.points[t[0]], q = m.points[t[2]] - m.points[t[0]];
-    const double length = std::sqrt(p.squared_length()),
-                 doubled_area = std::sqrt(CGAL::cross_product(p, q).squared_length());
-    const Eigen::Vector2d x[3] = { { 0, 0 }, { length, 0 }, { p * q / length, doubled_area / length } };
-    double cotangents[3];
-    Eigen::Vector2d in_space[3], in_plane[3], direction(0, 0);
-    for (int i = 0; i < 3; ++i) {
-      const Index a = t[(i + 1) % 3], b = t[(i + 2) % 3];
-      in_space[i] = x[(i + 2) % 3] - x[(i + 1) % 3];
-      in_plane[i] = Eigen::Vector2d(uv[b].x() - uv[a].x(), uv[b].y() - uv[a].y());
-      cotangents[i] = (m.points[a] - m.points[t[i]]) * (m.points[b] - m.points[t[i]]) / doubled_area;
-      direction += cotangents[i] * Eigen::Vector2d(in_plane[i].dot(in_space[i]),
-                                                   in_plane[i][0] * in_space[i][1] - in_plane[i][1] * in_space[i][0]);
-    }
-    direction.normalize();
-    sum += least_value([&](double s) {
-      const double a = s * direction[0], b = s * direction[1], penalty = s * s - 1;
-      double result = lambda * penalty * penalty;
-      for (int i = 0; i < 3; ++i)
-        result += cotangents[i] * (in_plane[i] - Eigen::Vector2d(a * in_space[i][0] + b * in_space[i][1],
-                                                                 -b * in_space[i][0] + a * in_space[i][1]))
-                                      .squaredNorm();
-      return result;
-    }, 0, 100);
-  }
-  return 0.5 * sum;
-}
-
-struct Mesh_with_ARAP_map : Mapped_mesh
-{
-  const Flat_mesh flat_mesh;
-
-  explicit Mesh_with_ARAP_map(const Flat_mesh& m) : Mapped_mesh(m), flat_mesh(m) { }
-
-  Error_code parameterize_hierarchically(double lambda, double tolerance = 1e-6, unsigned int seed = 0)
-  {
-    return parameterize(Hierarchical_method(
-        Method(parameters::lambda(lambda).tolerance(tolerance)),
-        parameters::coarsest_size(20).flip_policy(Flip_policy::KEEP).summary(std::ref(summary)).random_seed(seed)));
-  }
-
-  double energy(double lambda) const { return energy_by_definition(flat_mesh, uv(), lambda); }
-};
 
 std::vector<Flat_mesh> smooth_meshes()
 {
@@ -212,24 +149,6 @@ TEST(As_rigid_as_possible, great_lambdas_are_as_good_as_infinity)
   }
 }
 
-// Rounding to the user's numbers is all that happens to a map with flips that is to be kept.
-TEST(As_rigid_as_possible, keeps_flips_in_floats)
-{
-  const auto map_in = [](auto& mapped, auto uvmap) {
-    return SMP::parameterize(mapped.mesh, Hierarchical_method(parameters::flip_policy(Flip_policy::KEEP)),
-                             longest_border(mapped.mesh), uvmap);
-  };
-  Mesh_with_ARAP_map mapped(crumpled_grid(14, 1));
-  const auto floats = mapped.add_map_of_floats();
-  ASSERT_EQ(map_in(mapped, mapped.uvmap), OK);
-  ASSERT_GT(mapped.quality().flips, 0u);
-  ASSERT_EQ(map_in(mapped, floats), OK);
-  for (const auto v : vertices(mapped.mesh)) {
-    EXPECT_EQ(floats[v].x(), float(mapped.uvmap[v].x()));
-    EXPECT_EQ(floats[v].y(), float(mapped.uvmap[v].y()));
-  }
-}
-
 TEST(As_rigid_as_possible, is_not_written_where_floats_overflow)
 {
   Mesh_with_ARAP_map m(affine_image(grid(8, 8, flat), 1e45, 0, 0, 1e45));
@@ -320,99 +239,6 @@ TEST(As_rigid_as_possible, same_seed_same_bytes)
   EXPECT_NE(run(8), run(9));
 }
 
-// The map that takes the place of one that a repair would spoil is a minimum, too: another run gains nothing.
-TEST(As_rigid_as_possible, replaces_a_map_by_one_that_has_converged)
-{
-  std::size_t replaced = 0;
-  for (const Flat_mesh& m : { deep_cap(), tube(20, 12, 12), cap(20, 24, 0.97 * CGAL_PI) }) {
-    Mesh_with_ARAP_map mapped(m);
-    EXPECT_EQ(mapped.parameterize(Hierarchical_method(Method(), parameters::summary(std::ref(mapped.summary)))), OK);
-    if (!mapped.summary.is_replaced)
-      continue;
-    ++replaced;
-    const Parameterization_summary before = mapped.summary;
-    EXPECT_EQ(mapped.parameterize(Method(parameters::initial_map(true).summary(std::ref(mapped.summary)))), OK);
-    EXPECT_TRUE(mapped.summary.is_replaced);
-    EXPECT_NEAR(mapped.summary.energy, before.energy, 1e-4 * before.energy);
-    EXPECT_TRUE(before.converged);
-  }
-  EXPECT_GT(replaced, 0u);
-}
-
-// What comes of flips, by a repair or without them, is not better than the start if that was valid and had less energy.
-TEST(As_rigid_as_possible, does_not_end_above_a_valid_start)
-{
-  for (unsigned int seed = 0; seed < 20; ++seed) {
-    Random random(seed);
-    Mesh_with_ARAP_map mapped(tents(8, 4, 2, random));
-    const auto run = [&](bool is_restart) {
-      const auto options = parameters::initial_map(is_restart).summary(std::ref(mapped.summary));
-      EXPECT_EQ(mapped.parameterize(Hierarchical_method(Method(), options)), OK);
-      return mapped.summary.energy;
-    };
-    const double energy = run(false);
-    EXPECT_LE(run(true), energy * (1 + 1e-6)) << seed;
-  }
-}
-
-// After a repair, too. A map that the repair would spoil is replaced: its energy is little above that of the map with
-// flips, and never above that of the symmetric Dirichlet map.
-TEST(As_rigid_as_possible, energy_is_that_of_the_result)
-{
-  std::size_t repaired = 0, replaced = 0;
-  for (const Flat_mesh& m : { deep_cap(), tube(20, 12, 12), crumpled_grid(12, 1), cap(20, 24, 0.97 * CGAL_PI) })
-    for (const double lambda : { 1., 1000. }) {
-      Mesh_with_ARAP_map mapped(m), with_flips(m), without_flips(m);
-      EXPECT_EQ(mapped.parameterize(Hierarchical_method(
-                    Method(parameters::lambda(lambda)), parameters::summary(std::ref(mapped.summary)))),
-                OK);
-      EXPECT_EQ(mapped.quality().flips, 0u);
-      EXPECT_NEAR(mapped.summary.energy, mapped.energy(lambda), 1e-6 * mapped.summary.energy);
-      repaired += mapped.summary.moved_vertices > 0;
-      replaced += mapped.summary.is_replaced;
-      typedef Symmetric_Dirichlet_parameterizer_3<Surface_mesh>   Flip_free;
-      EXPECT_EQ(without_flips.parameterize(Hierarchical_parameterizer_3<Flip_free>()), OK);
-      EXPECT_LE(mapped.summary.energy, without_flips.energy(lambda));
-      const auto keeping_flips = parameters::lambda(lambda).flip_policy(Flip_policy::KEEP);
-      EXPECT_EQ(with_flips.parameterize(Hierarchical_method(keeping_flips)), OK);
-      EXPECT_LE(mapped.summary.energy, 1.3 * with_flips.energy(lambda));
-    }
-  EXPECT_GT(repaired, 0u);
-  EXPECT_GT(replaced, 0u);
-}
-
-// With lambda = 0 a map without flips from the start has another scale. It does not take the place of one that a repair
-// of large folds, which the method may give up, leaves near the minimum.
-TEST(As_rigid_as_possible, repairs_large_folds_where_that_costs_little)
-{
-  Random random(3);
-  const Flat_mesh surface = tents(30, 10, 3, random);
-  for (const double lambda : { 0., 1e-6 })
-    for (const bool is_hierarchical : { true, false }) {
-      Mesh_with_ARAP_map mapped(surface), with_flips(surface);
-      const auto run = [&](Mesh_with_ARAP_map& m, Flip_policy policy) {
-        const auto options = parameters::lambda(lambda).flip_policy(policy).summary(std::ref(m.summary));
-        return is_hierarchical ? m.parameterize(Hierarchical_method(options)) : m.parameterize(Method(options));
-      };
-      ASSERT_EQ(run(mapped, Flip_policy::REPAIR), OK);
-      ASSERT_EQ(run(with_flips, Flip_policy::KEEP), OK);
-      EXPECT_EQ(mapped.quality().flips, 0u);
-      EXPECT_FALSE(mapped.summary.is_replaced);
-      EXPECT_LT(mapped.summary.energy, 10 * with_flips.summary.energy);
-    }
-}
-
-// The repair moves two vertices: the tips of ears that are a fifth of the area.
-TEST(As_rigid_as_possible, compares_a_repair_that_costs_energy_with_a_map_without_flips)
-{
-  Mesh_with_ARAP_map mapped(square_with_ears(10, 1000));
-  EXPECT_EQ(mapped.parameterize(Hierarchical_method(Method(), parameters::summary(std::ref(mapped.summary)))), OK);
-  EXPECT_GT(mapped.summary.flips, 0u);
-  EXPECT_TRUE(mapped.summary.is_replaced);
-  EXPECT_EQ(mapped.quality().flips, 0u);
-  EXPECT_LT(mapped.summary.energy, 1e-3);      // the area is about 500
-}
-
 #ifdef CGAL_LINKED_WITH_TBB
 TEST(As_rigid_as_possible, threads_do_not_change_the_map)
 {
@@ -426,31 +252,6 @@ TEST(As_rigid_as_possible, threads_do_not_change_the_map)
   });
 }
 #endif
-
-// Without flips on all levels but the finest.
-TEST(As_rigid_as_possible, takes_every_mesh)
-{
-  const On_level visitor([](const Level& level, const Level::Uv& uv) {
-    EXPECT_TRUE(level.is_finest() || SMP::internal::is_map_valid(level.rings(), uv)) << "level " << level.index();
-    return true;
-  });
-  for (const auto& [name, m] : named_meshes())
-    for (const double lambda : { 0., 1000., infinity })
-      for (const Optimizer optimizer : { Optimizer::NEWTON, Optimizer::SWEEPS, Optimizer::RANDOM_VERTICES }) {
-        SCOPED_TRACE(name + ", lambda " + std::to_string(lambda) + ", optimizer " + std::to_string(int(optimizer)));
-        Mesh_with_ARAP_map mapped(m);
-        const Method method(parameters::lambda(lambda).optimizer(optimizer).number_of_iterations(20));
-        EXPECT_EQ(mapped.parameterize(Hierarchical_method(method, parameters::coarsest_size(20)
-                                                                      .flip_policy(Flip_policy::KEEP)
-                                                                      .summary(std::ref(mapped.summary))
-                                                                      .visitor(visitor))),
-                  OK);
-        EXPECT_TRUE(std::isfinite(mapped.summary.energy));
-        EXPECT_LE(mapped.summary.levels.back().energy_end, mapped.summary.levels.back().energy_start + 1e-15);
-        for (const Kernel::Point_2& p : mapped.uv())
-          EXPECT_TRUE(std::isfinite(p.x()) && std::isfinite(p.y()));
-      }
-}
 
 // ---- in the place of CGAL's ----
 

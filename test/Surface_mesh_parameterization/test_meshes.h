@@ -326,6 +326,13 @@ inline Flat_mesh disk_with_hole()
   return m;
 }
 
+// A square frame: halfway between two of its sides the way leads along the hole, whichever way that is.
+inline Flat_mesh frame(Index n, double width)
+{
+  const auto is_inside = [width](double x) { return x > width && x < 1 - width; };
+  return part(grid(n, n, flat), [&](const Point_3& p) { return !is_inside(p.x()) || !is_inside(p.y()); });
+}
+
 // Random points in a disk, Delaunay-triangulated: irregular, with slivers at the border.
 template <class Height>
 Flat_mesh delaunay_patch(std::size_t n, unsigned int seed, Height height)
