@@ -72,7 +72,7 @@ public:
 private:
   Grid_packer& m_packer;
   Grid_packer::Result m_best;
-  double m_next_width = 0;
+  double m_next_width = 0;              // 0 for that of the plan
   std::size_t m_number_of_widths = 0;
 };
 
