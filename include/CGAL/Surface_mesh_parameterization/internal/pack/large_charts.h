@@ -53,8 +53,8 @@ inline Flat_chart as_bars(const Flat_chart& chart, double cell)
 }
 
 // Orders and widths are changed at random, and kept where they make the square smaller, until that has been in vain for
-// long. Charts with corners fit best in few directions, each with rows of its own; round ones need many trials more than
-// that.
+// long. Charts with corners fit best in few directions, each with rows of its own; round ones are in need of many
+// trials rather than that.
 inline std::pair<Grid_packer::Plan, Grid_packer::Result> search_plan(Grid_packer& packer, std::size_t width,
                                                                      std::size_t margin, std::size_t number_of_trials)
 {
