@@ -50,7 +50,7 @@ public:
 
   void run()
   {
-    if (find_used_part(hasty_options()) >= m_options.least_used_part)
+    if (find_used_part(m_pack_options.hasty()) >= m_options.least_used_part)
       return;
     double used_part = find_used_part(m_pack_options);
     if (used_part >= m_options.least_used_part || would_fill_square_by_default())
@@ -85,17 +85,6 @@ private:
     for (const Divided_part& part : m_parts)
       charts.push_back(chart_of(part.mesh, part.uv));
     return pack_charts(charts, options).used_part;
-  }
-
-  // For a packing that takes next to no time: what it fills a better one fills, too.
-  Pack_options hasty_options() const
-  {
-    Pack_options result = m_pack_options;
-    result.least_cells = 256;
-    result.cells_of_chart = 32;
-    result.most_widths = 2;
-    result.most_trials = 0;
-    return result;
   }
 
   // Whether it is only margins wider than the default that leave the square empty: more charts have more of them.

@@ -25,6 +25,17 @@ struct Pack_options
   std::size_t most_widths = 8, most_placements = 5000;     // of strips that are tried, and of charts in all of them
   std::size_t most_trials = 1000;                          // of orders of large charts
 
+  // The same for a packing that takes next to no time, and seldom fills more than the one with these options.
+  Pack_options hasty() const
+  {
+    Pack_options result = *this;
+    result.cells_of_chart = 32;
+    result.least_cells = 256;
+    result.most_widths = 2;
+    result.most_trials = 0;
+    return result;
+  }
+
   bool is_valid() const { return margin >= 0 && margin <= greatest_margin; }
 };
 

@@ -49,12 +49,14 @@ public:
 
   const Grid_packer::Result& best() const { return m_best; }
 
-  Grid_packer::Result try_plan(const Grid_packer::Plan& plan)
+  // Returns the height of the strip.
+  std::size_t try_plan(const Grid_packer::Plan& plan)
   {
     Grid_packer::Result result = m_packer.pack(plan);
+    const std::size_t top = result.top;
     if (result.side < m_best.side)
-      m_best = result;
-    return result;
+      m_best = std::move(result);
+    return top;
   }
 
   // Strips of several widths: each the mean of width and height of the one before, or a little less. Goes on until that
@@ -63,7 +65,7 @@ public:
   {
     for (; m_number_of_widths < most_widths; ++m_number_of_widths) {
       plan.width = (std::max)(m_packer.least_width(), m_next_width > 0 ? std::size_t(m_next_width) : plan.width);
-      const std::size_t top = try_plan(plan).top;
+      const std::size_t top = try_plan(plan);
       m_next_width = m_number_of_widths % 2 == 0 ? std::sqrt(double(plan.width) * double(top))
                                                  : 0.98 * double(plan.width);
     }
