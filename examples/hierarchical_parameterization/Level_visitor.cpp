@@ -5,6 +5,7 @@
 
 #include "Level_visitor.h"
 
+#include "printed.h"
 #include "write_file.h"
 
 #include <CGAL/Surface_mesh_parameterization/Level.h>
@@ -68,12 +69,12 @@ std::string level_file(const std::string& folder, std::size_t level)
 }
 
 Level_visitor::Level_visitor(const Input& input, const Method_options& options, const std::string& quantity)
-  : m_options(options), m_mesh(input.mesh)
+  : m_options(options), m_mesh(input.mesh), m_quantity(quantity)
 {
   if (!options.levels.empty())
     m_vertices = SMP::Mesh_component<Mesh>(input.mesh, input.border).vertices_of_component();
   if (!options.quiet && isatty(STDERR_FILENO))
-    m_bar = std::make_shared<Progress_bar>(quantity);
+    m_bar = std::make_shared<Progress_bar>();
 }
 
 bool Level_visitor::hierarchy_built(const SMP::Collapse_hierarchy_3& hierarchy)
@@ -94,7 +95,13 @@ bool Level_visitor::level_parameterized(const SMP::Level& level, const SMP::Leve
 
 bool Level_visitor::progressed(const SMP::Parameterization_progress& progress)
 {
-  if (m_bar)
-    m_bar->show(progress, progress.level < m_triangles.size() ? m_triangles[progress.level] : 0);
+  if (m_bar) {
+    std::string text;
+    if (progress.number_of_levels > 0 && progress.level < m_triangles.size())
+      text = "level " + std::to_string(progress.level + 1) + '/' + std::to_string(progress.number_of_levels) + ", " +
+             std::to_string(m_triangles[progress.level]) + " triangles, " + m_quantity +
+             printed(" %.6g", progress.energy);
+    m_bar->show(progress.part_done, text);
+  }
   return true;
 }

@@ -11,6 +11,7 @@
 #include "methods.h"
 
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_progress.h>
 
 #include <cstddef>
 #include <memory>
@@ -34,6 +35,7 @@ public:
 private:
   const Method_options& m_options;
   const Mesh& m_mesh;
+  std::string m_quantity;
   std::vector<Mesh::Vertex_index>
       m_vertices;      // of the component, as the hierarchy numbers them; if levels are written
   std::vector<std::size_t> m_triangles;               // of the levels

@@ -5,9 +5,12 @@
 
 #include "Progress_bar.h"
 
+#include "printed.h"
+
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 namespace {
@@ -16,22 +19,14 @@ std::string bar(double part_done)
 {
   constexpr std::size_t length = 12;
   const std::size_t done = std::size_t(double(length) * part_done);
-  return '[' + std::string(done, '=') + std::string(length - done, ' ') + ']';
-}
-
-// As printf() would write the number.
-std::string text(const char* format, double number)
-{
-  char result[32];
-  std::snprintf(result, sizeof result, format, number);
-  return result;
+  return '[' + std::string(done, '=') + std::string(length - done, ' ') + ']' + printed("%4.0f%%", 100 * part_done);
 }
 
 // What is left is told from what is done, if that is enough for it.
 std::string time_left(double seconds, double part_done)
 {
   constexpr double enough = 0.05;
-  return enough < part_done && part_done < 1 ? text(", %.0f s left", seconds * (1 - part_done) / part_done) : "";
+  return enough < part_done && part_done < 1 ? printed(", %.0f s left", seconds * (1 - part_done) / part_done) : "";
 }
 
 } // namespace
@@ -42,22 +37,18 @@ Progress_bar::~Progress_bar()
     std::fputc('\n', stderr);
 }
 
-void Progress_bar::show(const SMP::Parameterization_progress& progress, std::size_t triangles)
+void Progress_bar::show(std::optional<double> part_done, const std::string& text)
 {
   constexpr std::chrono::milliseconds shortest_pause(100);
   constexpr std::size_t width = 79;     // of most terminals, less the place of the cursor
   const Clock::time_point now = Clock::now();
-  if (m_is_shown && progress.part_done < 1 && now - m_last_time < shortest_pause)
+  if (m_is_shown && !(part_done >= 1) && now - m_last_time < shortest_pause)
     return;
   m_last_time = now;
   m_is_shown = true;
 
   const double seconds = std::chrono::duration<double>(now - m_start).count();
-  std::string line = bar(progress.part_done) + text("%4.0f%%", 100 * progress.part_done);
-  if (progress.number_of_levels > 0)
-    line += " level " + std::to_string(progress.level + 1) + '/' + std::to_string(progress.number_of_levels) + ", " +
-            std::to_string(triangles) + " triangles, " + m_quantity + text(" %.6g", progress.energy);
-  line += time_left(seconds, progress.part_done);
+  std::string line = part_done ? bar(*part_done) + ' ' + text + time_left(seconds, *part_done) : text;
   line.resize(width, ' ');      // over what was there before
   std::fprintf(stderr, "\r%s", line.c_str());
 }

@@ -6,10 +6,12 @@
 #ifndef RUN_ATLAS_H
 #define RUN_ATLAS_H
 
-#include "Chart_visitor.h"
+#include "Atlas_visitor.h"
 #include "methods.h"
 
 #include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
+
+#include <functional>
 
 #include <unistd.h>
 
@@ -18,14 +20,14 @@ template <template <class...> class Method, class ConcurrencyTag, class NamedPar
 SMP::Atlas_summary run_atlas(const Atlas_mesh& atlas, const Method_options& options,
                              const NamedParameters& np)
 {
-  const Chart_visitor visitor(atlas.mesh.number_of_faces(), !options.quiet && isatty(STDERR_FILENO));
+  Atlas_visitor visitor(!options.quiet && isatty(STDERR_FILENO));
   return SMP::atlas_parameterization<Method, ConcurrencyTag>(
       atlas.mesh, atlas.corner_map,
       SMP::parameters::least_used_part(options.least_used_part).edge_is_constrained_map(atlas.seams)
           .distortion_bound(options.distortion_bound).overlap_bound(options.overlap_bound)
-          .hole_bound(options.hole_bound).margin(options.margin),
+          .hole_bound(options.hole_bound).margin(options.margin).visitor(std::ref(visitor)),
       np.tolerance(options.tolerance).number_of_iterations(options.iterations).fill_holes(options.fills_holes)
-          .random_seed(options.seed).visitor(visitor));
+          .random_seed(options.seed));
 }
 
 #endif // RUN_ATLAS_H

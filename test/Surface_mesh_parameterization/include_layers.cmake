@@ -5,9 +5,9 @@ cmake_minimum_required(VERSION 3.18...3.25)
 
 # From the lowest to the highest: a folder of internal/, and the public headers that stand beside it.
 set(layers
-  "core: parameters Option_defaults Parameterization_summary Parameterization_progress error_message Flip_policy
-         Triangle_weight Refinement_options Triangulated_surface_3 Distortion_derivatives_2 Rebind_solver concepts
-         MIPS_energy_2 Symmetric_Dirichlet_energy_2 As_rigid_as_possible_energy_2 Uniform_edge_weights_3
+  "core: parameters Option_defaults Parameterization_summary Parameterization_progress Atlas_progress error_message
+         Flip_policy Triangle_weight Refinement_options Triangulated_surface_3 Distortion_derivatives_2 Rebind_solver
+         concepts MIPS_energy_2 Symmetric_Dirichlet_energy_2 As_rigid_as_possible_energy_2 Uniform_edge_weights_3
          Chordal_edge_weights_3"
   "star: Harmonic_edge_weights_3 Mean_value_edge_weights_3 Shape_preserving_edge_weights_3"
   "mesh: Mesh_component IO/write_OBJ IO/write_SVG"

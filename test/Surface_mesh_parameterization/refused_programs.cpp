@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/Distortion_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_OBJ.h>
 #include <CGAL/Surface_mesh_parameterization/IO/write_SVG.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
@@ -20,6 +21,7 @@
 #include <CGAL/Surface_mesh_parameterization/Orbifold_Tutte_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Uniform_edge_weights_3.h>
 #include <CGAL/Surface_mesh_parameterization/atlas_parameterization.h>
+#include <CGAL/Surface_mesh_parameterization/cut_to_disk.h>
 #include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/parameterization_quality.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -435,6 +437,22 @@ auto wrong(Mesh& m, Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv
            SMP::Parameterization_summary& summary)
 {
   return SMP::atlas_parameterization(m, uv, np::default_values(), np::summary(std::ref(summary)));
+}
+}
+
+namespace Visitor_of_charts_for_atlas { // the atlas's visitor has no progressed(const Atlas_progress&)
+struct Visitor : SMP::Hierarchy_visitor_3 { };
+auto wrong(Mesh& m, Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2> uv)
+{
+  return SMP::atlas_parameterization(m, uv, np::visitor(Visitor()));
+}
+}
+
+namespace Visitor_of_charts_for_cut { // the atlas's visitor has no progressed(const Atlas_progress&)
+struct Visitor : SMP::Hierarchy_visitor_3 { };
+auto wrong(Mesh& m, Mesh::Property_map<Mesh::Edge_index, bool> is_seam)
+{
+  return SMP::cut_to_disk(m, is_seam, np::visitor(Visitor()));
 }
 }
 

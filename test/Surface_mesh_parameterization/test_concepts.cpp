@@ -173,6 +173,10 @@ static_assert(!is_edge_weights_v<Nothing> && !is_edge_weights_v<MIPS_energy_2>);
 
 static_assert(is_hierarchy_visitor_v<Hierarchy_visitor_3> && !is_hierarchy_visitor_v<Nothing>);
 
+struct Atlas_visitor { bool progressed(const Atlas_progress&); };
+static_assert(is_atlas_visitor_v<Atlas_visitor>);
+static_assert(!is_atlas_visitor_v<Hierarchy_visitor_3> && !is_atlas_visitor_v<Nothing>);
+
 static_assert(is_solver_traits_v<Eigen_traits> && is_solver_traits_v<Multigrid_solver_traits>);
 static_assert(!is_solver_traits_v<Nothing> && !is_solver_traits_v<CGAL::Default>);
 

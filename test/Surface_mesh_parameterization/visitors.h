@@ -4,6 +4,7 @@
 #ifndef VISITORS_H
 #define VISITORS_H
 
+#include <CGAL/Surface_mesh_parameterization/Atlas_progress.h>
 #include <CGAL/Surface_mesh_parameterization/Collapse_hierarchy_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
 #include <CGAL/Surface_mesh_parameterization/Level.h>
@@ -43,6 +44,15 @@ struct On_progress : SMP::Hierarchy_visitor_3
   Function may_go_on;
   explicit On_progress(Function f) : may_go_on(f) { }
   bool progressed(const SMP::Parameterization_progress& progress) { return may_go_on(progress); }
+};
+
+// for each step of an atlas
+template <class Function>
+struct On_atlas_progress
+{
+  Function may_go_on;
+  explicit On_atlas_progress(Function f) : may_go_on(f) { }
+  bool progressed(const SMP::Atlas_progress& progress) { return may_go_on(progress); }
 };
 
 } // namespace test_meshes

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Atlas_progress.h>
 #include <CGAL/Surface_mesh_parameterization/Atlas_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
@@ -13,9 +14,11 @@
 #include <CGAL/Surface_mesh_parameterization/cut_to_disk.h>
 #include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_watch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/atlas_listener.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/atlas_steps.h>
@@ -140,19 +143,24 @@ Atlas read_atlas(const TriangleMesh& mesh, EdgeSeamMap seams, const Atlas_option
 ///       and levels of charts are those of the closed ones. Charts that are one as long as holes are closed are packed
 ///       as one, and may touch.}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told how far the atlas has come, and can stop it}
+///     \cgalParamType{a model of `AtlasVisitor`, or `std::ref` of one}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \param np_of_charts the named parameters of `hierarchical_parameterization()` for every chart, except `summary`,
 ///        `overlap_bound`, `vertex_is_constrained_map`, `position_weight_map` and `initial_map`. The default of
 ///        `flip_policy` is `REPAIR` for all methods. A `visitor` is called for one chart after the other, and for the
 ///        parts of a chart that is divided; with `CGAL::Parallel_tag` for several at the same time, in their threads.
-///        If it stops one, no other one begins, and there is no atlas. It is not called while the surface is cut and
-///        while charts are packed
+///        If it stops one, no other one begins, and there is no atlas. Where all steps of the atlas are to be followed,
+///        it is `np` that has a `visitor`
 ///
 /// \return what was done, with the first error:
 /// - `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, or `ERROR_WRONG_PARAMETER` where a number is out of its bounds, a
 ///   point is not finite, or `unit_square` is `false` and a coordinate would be infinite: nothing is written
-/// - `ERROR_STOPPED`, by the visitor: nothing is written
+/// - `ERROR_STOPPED`, by a visitor: nothing is written
 /// - any other one is that of the first chart without a map, see `Atlas_summary::charts`: the maps of the others are
 ///   written
 template <template <class...> class Method = Symmetric_Dirichlet_parameterizer_3, class ConcurrencyTag = Sequential_tag,
@@ -171,7 +179,9 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
     CGAL::Real_timer timer;
     timer.start();
     const internal::Loops loops = internal::Loops::of<ConcurrencyTag>();
-    const internal::Atlas_options options = internal::atlas_options_of(np);
+    internal::Run_watch watch(internal::atlas_listener_of(np));
+    internal::Atlas_options options = internal::atlas_options_of(np);
+    options.cut.watch = options.pack.watch = &watch;
     if (const char* fault = internal::first_fault(
             { options.fault(), internal::fault_of_charts<Method<internal::Chart_mesh>>(np_of_charts) })) {
       result.error = { ERROR_WRONG_PARAMETER, Parameterization_error::NOWHERE, 0, fault };
@@ -182,17 +192,22 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
       return result;
     result.seconds_cut = timer.time();
 
-    std::vector<bool> has_map = internal::parameterize_charts<Method, ConcurrencyTag>(
-        atlas, np_of_charts, options.cut, options.overlap_bound, result);
+    watch.begin(Atlas_progress::PARAMETERIZE, double(atlas.mesh.number_of_faces()));
+    std::vector<bool> has_map =
+        internal::parameterize_charts<Method, ConcurrencyTag, internal::has_visitor<NamedParameters>>(
+            atlas, np_of_charts, options.cut, options.overlap_bound, result);
     result.seconds_parameterize = timer.time() - result.seconds_cut;
 
     if (result.error.code != ERROR_STOPPED) {
+      watch.begin(Atlas_progress::PACK, 1);
       if (options.least_used_part > 0)
         internal::divide_charts_and_tell(atlas, has_map, options.pack, options.least_used_part, result);
       typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
       internal::pack(atlas, has_map, options.pack, internal::rounding_to<User_point_2>(atlas.scale_exponent),
                      result);
-      if (const Error_code code = internal::write_corners(mesh, atlas, has_map, uvmap); code != OK)
+      if (watch.is_stopped())
+        result.error = { ERROR_STOPPED, Parameterization_error::NOWHERE, 0 };
+      else if (const Error_code code = internal::write_corners(mesh, atlas, has_map, uvmap); code != OK)
         result.error = { code, Parameterization_error::NOWHERE, 0, internal::cause_of_overflow };
     }
     result.cut.seam_edges += atlas.seam.edges;

@@ -47,6 +47,10 @@ constexpr bool is_edge_weights_v = internal::Edge_weights_check<Weights>::value;
 template <class Visitor>
 constexpr bool is_hierarchy_visitor_v = internal::Visitor_check<Visitor>::value;
 
+/// whether `Visitor` is a model of `AtlasVisitor`
+template <class Visitor>
+constexpr bool is_atlas_visitor_v = internal::Atlas_visitor_check<Visitor>::value;
+
 /// whether `Traits` has the types and the `linear_solver(A, B, X, D)` of CGAL's `SparseLinearAlgebraTraits_d`
 template <class Traits>
 constexpr bool is_solver_traits_v = internal::concept_checks::is_solver<Traits>;
@@ -74,6 +78,7 @@ constexpr bool is_rebindable_parameterizer_v =
 /// \cond SKIP_IN_MANUAL
 template <class Energy> concept DistortionEnergy_2 = is_distortion_energy_v<Energy>;
 template <class Weights> concept EdgeWeights_3 = is_edge_weights_v<Weights>;
+template <class Visitor> concept AtlasVisitor = is_atlas_visitor_v<Visitor>;
 template <class Visitor> concept HierarchyVisitor_3 = is_hierarchy_visitor_v<Visitor>;
 template <class Parameterizer> concept Parameterizer_3 = is_parameterizer_v<Parameterizer>;
 template <class Parameterizer> concept RefinableParameterizer_3 = is_refinable_parameterizer_v<Parameterizer>;

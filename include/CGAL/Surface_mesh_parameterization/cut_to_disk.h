@@ -6,9 +6,12 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/Atlas_progress.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_watch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/atlas_listener.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/fill_small_holes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/read_corner_mesh.h>
@@ -47,7 +50,7 @@ struct Cut_summary
 
 namespace internal {
 
-// A mesh whose small holes were closed, and that was cut.
+// A mesh whose small holes were closed, and that was cut, unless there was an error.
 struct Cut_corners
 {
   Corner_mesh mesh;
@@ -75,7 +78,13 @@ Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_
   std::vector<Filled_holes> filled;
   if (hole_bound > 0 && !options.joins_borders)
     filled = fill_small_holes(corners, result.is_at_hole, hole_bound);
-  for (const Component_cut& c : cut_mesh(corners, options, loops))
+  options.watch->begin(Atlas_progress::CUT, double(corners.number_of_faces()));
+  const std::vector<Component_cut> components = cut_mesh(corners, options, loops);
+  if (options.watch->is_stopped()) {
+    summary.error = { ERROR_STOPPED, Parameterization_error::NOWHERE, 0 };
+    return result;
+  }
+  for (const Component_cut& c : components)
     summary.components.push_back({ c.faces, c.genus, c.borders, c.branches, c.distortion });
   for (std::size_t i = 0; i < filled.size(); ++i) {
     summary.components[i].faces -= filled[i].faces;
@@ -146,10 +155,16 @@ Cut_corners read_and_cut(const TriangleMesh& mesh, EdgeSeamMap seams, const Cut_
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`: every border that needs no cut stays as it is}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is told how much is cut, for each component and each branch, and can stop that}
+///     \cgalParamType{a model of `AtlasVisitor`, or `std::ref` of one}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return what was done. Its error is `ERROR_EMPTY_MESH`, `ERROR_NON_TRIANGULAR_MESH`, or `ERROR_WRONG_PARAMETER` if a
-///         coordinate is not finite, or `distortion_bound` is less than 4 or no number; then no edge became a seam
+///         coordinate is not finite, or `distortion_bound` is less than 4 or no number, or `ERROR_STOPPED` by the
+///         visitor; then no edge became a seam
 template <class TriangleMesh, class EdgeSeamMap, class NamedParameters = parameters::Default_named_parameters>
 Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeSeamMap seams,
                         const NamedParameters& np = parameters::default_values())
@@ -159,8 +174,10 @@ Cut_summary cut_to_disk(const TriangleMesh& mesh, EdgeSeamMap seams,
                            internal::Seam_map_check<EdgeSeamMap, TriangleMesh, true>>   Check;
   if constexpr (Check::value) {
     internal::assert_names<internal::Cut_names>(np);
-    const internal::Cut_corners cut =
-        internal::read_and_cut(mesh, seams, internal::cut_options_of(np), 0, internal::Loops(), summary);
+    internal::Run_watch watch(internal::atlas_listener_of(np));
+    internal::Cut_options options = internal::cut_options_of(np);
+    options.watch = &watch;
+    const internal::Cut_corners cut = internal::read_and_cut(mesh, seams, options, 0, internal::Loops(), summary);
     if (summary.is_ok())
       internal::for_each_corner(mesh, [&](auto h, internal::Index i) {
         if (cut.is_seam[i])

@@ -25,6 +25,7 @@ class Collapse_hierarchy_3;
 class Level;
 struct Level_summary;
 struct Parameterization_progress;
+struct Atlas_progress;
 
 namespace internal {
 
@@ -55,6 +56,8 @@ using Level_parameterized = decltype(std::declval<T&>().level_parameterized(
     std::declval<const Level&>(), std::declval<const std::vector<Point_2>&>(), std::declval<const Level_summary&>()));
 template <class T>
 using Progressed = decltype(std::declval<T&>().progressed(std::declval<const Parameterization_progress&>()));
+template <class T>
+using Atlas_progressed = decltype(std::declval<T&>().progressed(std::declval<const Atlas_progress&>()));
 template <class T>
 using Parameterize_coarsest = decltype(std::declval<T&>().parameterize_coarsest(
     std::declval<const Level&>(), std::declval<std::vector<Point_2>&>()));
@@ -140,6 +143,16 @@ struct Visitor_check
   }
 };
 
+template <class Visitor>
+struct Atlas_visitor_check : std::bool_constant<is_detected_as<bool, Atlas_progressed, Visitor>>
+{
+  static void tell()
+  {
+    static_assert(Atlas_visitor_check::value,
+                  "the atlas's visitor has no progressed(const Atlas_progress&) that returns a bool: see AtlasVisitor");
+  }
+};
+
 template <class SolverTraits>
 constexpr bool is_solver = is_detected_as<bool, Linear_solver_call, SolverTraits>;
 
@@ -183,6 +196,7 @@ struct Method_check
 } // namespace concept_checks
 
 using concept_checks::Border_parameterizer_check;
+using concept_checks::Atlas_visitor_check;
 using concept_checks::Edge_weights_check;
 using concept_checks::Energy_check;
 using concept_checks::Method_check;

@@ -11,6 +11,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+class Run_watch;
+
 struct Cut_options
 {
   double distortion_bound = Option_defaults::distortion_bound;      // of the mean symmetric Dirichlet energy
@@ -22,6 +24,7 @@ struct Cut_options
   double least_gain = 0.01;                 // of a branch, of the distortion above its minimum
   unsigned int most_failures = 8;           // branches that gain less, before a search ends
   std::size_t sample_size = 2000;           // vertices of the coarse level on which extremities are found
+  Run_watch* watch = nullptr;               // asks whether the cut may go on; null if nobody does
 
   bool is_valid() const { return distortion_bound >= Symmetric_Dirichlet_energy_2::minimum; }
 };

@@ -10,6 +10,7 @@
 #include <CGAL/Surface_mesh_parameterization/Symmetric_Dirichlet_energy_2.h>
 #include <CGAL/Surface_mesh_parameterization/Triangle_weight.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_watch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Cut_options.h>
@@ -187,7 +188,8 @@ private:
     State best = m_state;
     std::size_t best_size = extremities.size();
     while (m_state.distortion > m_options.distortion_bound && extremities.size() < m_options.most_branches &&
-           (std::max)(failures, branches_in_vain) < m_options.most_failures && seam_length() < longest_seam) {
+           (std::max)(failures, branches_in_vain) < m_options.most_failures && seam_length() < longest_seam &&
+           goes_on(m_options.watch)) {
       const Index tip = candidate(priority);
       if (tip == no_index)
         break;

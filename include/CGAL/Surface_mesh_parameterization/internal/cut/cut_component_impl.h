@@ -175,7 +175,7 @@ Component_cut cut_component(Corner_mesh& mesh, const Cut_options& options)
   result.faces = mesh.number_of_faces();
   result.genus = genus(mesh);
   result.borders = borders(mesh).size();
-  std::vector<Index> seam = handle_cut(mesh);
+  std::vector<Index> seam = handle_cut(mesh, options.watch);
   if (seam.empty() && result.borders == 0)
     seam = long_path(mesh);
   const bool was_disk = seam.empty();

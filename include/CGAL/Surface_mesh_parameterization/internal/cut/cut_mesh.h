@@ -16,7 +16,7 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
-typedef Names<internal_np::distortion_bound_t, internal_np::join_borders_t>   Cut_names;
+typedef Names<internal_np::distortion_bound_t, internal_np::join_borders_t, internal_np::visitor_t>   Cut_names;
 
 // The named parameters of cut_to_disk().
 template <class NamedParameters>
@@ -36,6 +36,7 @@ Cut_options cut_options_of(const NamedParameters& np)
 
 // Severs a mesh, so that every component becomes a disk, possibly with holes, and splits its vertices. Returns what was
 // done with each, in the order of connected_components(). Several components are cut side by side if the loops do so.
+// Once the options' watch stops that, the rest is not cut.
 std::vector<Component_cut> cut_mesh(Corner_mesh& mesh, const Cut_options& options, const Loops& loops);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal

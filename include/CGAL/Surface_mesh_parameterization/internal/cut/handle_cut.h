@@ -12,11 +12,15 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+class Run_watch;
+
 // One halfedge of each edge along which a connected mesh has to be cut to become a disk with holes, or a sphere if it
 // is closed and has no handle: none if there is no handle. The cut goes through few borders and is short: the shortest
 // system of loops from one place, of several that are tried (Erickson and Whittlesey, Greedy optimal homotopy and
 // homology generators, 2005), less the ways to it that need no cut.
-std::vector<Index> handle_cut(const Corner_mesh& mesh);
+//
+// Once a watch stops that, no other place is tried.
+std::vector<Index> handle_cut(const Corner_mesh& mesh, Run_watch* watch);
 
 } // namespace CGAL::Surface_mesh_parameterization::internal
 

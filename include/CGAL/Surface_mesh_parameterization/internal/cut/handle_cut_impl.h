@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/core/Compressed_lists.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Disjoint_sets.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_watch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Shortest_paths.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/handle_cut.h>
 
@@ -95,7 +96,7 @@ inline std::vector<Index> system_of_loops(const Corner_mesh& mesh, const Shortes
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-std::vector<Index> handle_cut(const Corner_mesh& mesh)
+std::vector<Index> handle_cut(const Corner_mesh& mesh, Run_watch* watch)
 {
   constexpr int most_roots = 4;
   if (genus(mesh) == 0)
@@ -103,7 +104,7 @@ std::vector<Index> handle_cut(const Corner_mesh& mesh)
   std::vector<Index> best;
   double least_length = (std::numeric_limits<double>::infinity)();
   Index root = 0;      // then what is farthest from the last root
-  for (int i = 0; i < most_roots; ++i) {
+  for (int i = 0; i < most_roots && (i == 0 || goes_on(watch)); ++i) {
     Shortest_paths paths(mesh);
     paths.add_sources({ root });
     std::vector<Index> loops = system_of_loops(mesh, paths);

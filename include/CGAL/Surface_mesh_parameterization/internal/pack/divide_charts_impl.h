@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_DIVIDE_CHARTS_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_DIVIDE_CHARTS_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_watch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_part.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/best_chord.h>
@@ -141,7 +142,7 @@ private:
     const std::size_t old_divisions = m_divisions;
     const double full = (std::min)(m_options.least_part_of_boxes * m_options.least_used_part,
                                    m_options.greatest_part_of_boxes);
-    while (m_divisions < m_options.most_divisions && divide())
+    while (m_divisions < m_options.most_divisions && goes_on(m_pack_options.watch) && divide())
       if (part_of_boxes() >= full)
         break;
     return m_divisions > old_divisions;

@@ -4,10 +4,12 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_LARGE_CHARTS_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_LARGE_CHARTS_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_watch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Chart_mask.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Flat_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Grid_packer.h>
+#include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/turn_chart.h>
 
 #include <algorithm>
@@ -56,7 +58,8 @@ inline Flat_chart as_bars(const Flat_chart& chart, double cell)
 // long. Charts with corners fit best in few directions, each with rows of its own; round ones are in need of many
 // trials rather than that.
 inline std::pair<Grid_packer::Plan, Grid_packer::Result> search_plan(Grid_packer& packer, std::size_t width,
-                                                                     std::size_t margin, std::size_t number_of_trials)
+                                                                     std::size_t margin, std::size_t number_of_trials,
+                                                                     Run_watch* watch)
 {
   constexpr Grid_packer::Directions directions[] = { { false, 1 }, { true, 8 }, { true, 4 }, { true, 1 } };
   Grid_packer::Plan best_plan{ packer.order_by_size(), (std::max)(packer.least_width(), width), directions[0] };
@@ -74,7 +77,8 @@ inline std::pair<Grid_packer::Plan, Grid_packer::Result> search_plan(Grid_packer
 
   const std::size_t most_vain_trials = (std::min)(std::size_t(300), 60 * packer.number_of_charts());
   std::mt19937 random(1);
-  for (std::size_t trial = 0, vain_trials = 0; trial < number_of_trials && vain_trials < most_vain_trials; ++trial) {
+  for (std::size_t trial = 0, vain_trials = 0;
+       trial < number_of_trials && vain_trials < most_vain_trials && goes_on(watch); ++trial) {
     Grid_packer::Plan plan = best_plan;
     plan.directions = directions[trial % std::size(directions)];
     for (std::size_t swaps = 0; swaps <= trial % 2; ++swaps) {
@@ -89,9 +93,9 @@ inline std::pair<Grid_packer::Plan, Grid_packer::Result> search_plan(Grid_packer
 
 // Searches on a coarse grid; the charts are about to lie in a square of this side. The margin is a part of it.
 inline Large_charts search_large_charts(const std::vector<Flat_chart>& charts, const std::vector<double>& areas,
-                                        double side, double margin, std::size_t most_trials)
+                                        double side, double margin, const Pack_options& options)
 {
-  if (most_trials == 0)
+  if (options.most_trials == 0)
     return {};
   constexpr double least_part = 0.005;                // of the square
   constexpr std::size_t cells = 256, most_placements = 15000, number_of_directions = 32,
@@ -111,7 +115,8 @@ inline Large_charts search_large_charts(const std::vector<Flat_chart>& charts, c
   const std::vector<Vector_2> directions = evenly_spaced_directions(number_of_directions);
   Grid_packer packer(large, std::vector<std::vector<Vector_2>>(large.size(), directions), cell, margin_cells);
   const auto [plan, packed] =
-      search_plan(packer, cells, margin_cells, (std::min)(most_trials, most_placements / large.size()));
+      search_plan(packer, cells, margin_cells, (std::min)(options.most_trials, most_placements / large.size()),
+                  options.watch);
   Large_charts result;
   for (const std::size_t i : plan.order) {
     result.order.push_back(numbers[i]);

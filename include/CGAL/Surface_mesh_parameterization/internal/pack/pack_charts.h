@@ -13,6 +13,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
+class Run_watch;
+
 struct Pack_options
 {
   static constexpr double greatest_margin = 0.1, greatest_margin_of_chart = 0.25;
@@ -24,6 +26,7 @@ struct Pack_options
   std::size_t least_cells = 1024, most_cells = 6400;       // on a side of the square
   std::size_t most_widths = 8, most_placements = 5000;     // of strips that are tried, and of charts in all of them
   std::size_t most_trials = 1000;                          // of orders of large charts
+  Run_watch* watch = nullptr;            // asks whether to go on trying; null if nobody does
 
   // The same for a packing that takes next to no time, and seldom fills more than the one with these options.
   Pack_options hasty() const

@@ -4,6 +4,7 @@
 #ifndef CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PACK_CHARTS_IMPL_H
 #define CGAL_SURFACE_MESH_PARAMETERIZATION_INTERNAL_PACK_PACK_CHARTS_IMPL_H
 
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_watch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Grid_packer.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/large_charts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/pack_charts.h>
@@ -45,7 +46,7 @@ inline double guessed_side(const std::vector<Flat_chart>& charts, const std::vec
 class Packing_search
 {
 public:
-  explicit Packing_search(Grid_packer& packer) : m_packer(packer) { }
+  Packing_search(Grid_packer& packer, Run_watch* watch) : m_packer(packer), m_watch(watch) { }
 
   const Grid_packer::Result& best() const { return m_best; }
 
@@ -60,10 +61,10 @@ public:
   }
 
   // Strips of several widths: each the mean of width and height of the one before, or a little less. Goes on until that
-  // many have been tried.
+  // many have been tried, or one, if the watch stops it.
   void try_widths(Grid_packer::Plan plan, std::size_t most_widths)
   {
-    for (; m_number_of_widths < most_widths; ++m_number_of_widths) {
+    for (; m_number_of_widths < most_widths && (m_number_of_widths == 0 || goes_on(m_watch)); ++m_number_of_widths) {
       plan.width = (std::max)(m_packer.least_width(), m_next_width > 0 ? std::size_t(m_next_width) : plan.width);
       const std::size_t top = try_plan(plan);
       m_next_width = m_number_of_widths % 2 == 0 ? std::sqrt(double(plan.width) * double(top))
@@ -73,6 +74,7 @@ public:
 
 private:
   Grid_packer& m_packer;
+  Run_watch* m_watch;
   Grid_packer::Result m_best;
   double m_next_width = 0;              // 0 for that of the plan
   std::size_t m_number_of_widths = 0;
@@ -121,7 +123,7 @@ inline Grid_packing pack_on_grid(std::vector<Flat_chart>& charts, const std::vec
     cells = double(margin_cells) / margin;
 
   double side = guessed_side(charts, areas, margin);
-  const Large_charts large = search_large_charts(charts, areas, side, margin, options.most_trials);
+  const Large_charts large = search_large_charts(charts, areas, side, margin, options);
   std::vector<std::vector<Vector_2>> directions(charts.size(), evenly_spaced_directions(4));
   for (std::size_t i = 0; i < large.order.size(); ++i)
     directions[large.order[i]] = { large.directions[i] };
@@ -133,7 +135,7 @@ inline Grid_packing pack_on_grid(std::vector<Flat_chart>& charts, const std::vec
     Grid_packer packer(charts, directions, cell, margin_cells);
     const Grid_packer::Plan plan =
         make_plan(packer, large, std::size_t(large.width > 0 ? large.width / cell : cells));
-    Packing_search search(packer);
+    Packing_search search(packer, options.watch);
     if (!large.places.empty())
       search.try_plan(with_places(plan, large, cell));
     search.try_widths(plan, widths_that_show_the_side);

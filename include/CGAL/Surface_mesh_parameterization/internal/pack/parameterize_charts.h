@@ -7,13 +7,17 @@
 #include <CGAL/Surface_mesh_parameterization/Atlas_summary.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Flip_policy.h>
+#include <CGAL/Surface_mesh_parameterization/Hierarchy_visitor_3.h>
+#include <CGAL/Surface_mesh_parameterization/Parameterization_progress.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
 #include <CGAL/Surface_mesh_parameterization/hierarchical_parameterization.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/Loops.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/Run_watch.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/power_of_two.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Corner_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/Cut_options.h>
+#include <CGAL/Surface_mesh_parameterization/internal/cut/atlas_listener.h>
 #include <CGAL/Surface_mesh_parameterization/internal/cut/cut_component.h>
 #include <CGAL/Surface_mesh_parameterization/internal/levels/Nested_iteration_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/pack/Atlas.h>
@@ -24,6 +28,7 @@
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
 #include <atomic>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -50,17 +55,33 @@ auto with_default(const NamedParameters& np, [[maybe_unused]] Value value)
     return np;
 }
 
+// Passes what a chart's run tells on to the watch of the atlas.
+struct Chart_watcher : Hierarchy_visitor_3
+{
+  Run_watch* watch;
+  double work, work_done = 0;               // of the run
+
+  Chart_watcher(Run_watch* watch, double work) : watch(watch), work(work) { }
+
+  bool progressed(const Parameterization_progress& progress)
+  {
+    const double before = std::exchange(work_done, work * progress.part_done);
+    return watch->goes_on(work_done - before);
+  }
+};
+
 // The options of a chart. No two triangles shall overlap, as far as the method knows how, and flips are repaired: a
 // chart without a map leaves a gap in the atlas.
-template <class Method, class NamedParameters>
-auto options_of_chart(const NamedParameters& np, double overlap_bound)
+template <class Method, bool is_watched, class NamedParameters>
+auto options_of_chart(const NamedParameters& np, double overlap_bound, const Chart_watcher& watcher)
 {
   const auto injective =
       with_default<internal_np::globally_injective_t, takes_name<Method, internal_np::globally_injective_t>>(np, true);
   const auto bounded =
       with_default<internal_np::overlap_bound_t, takes_name<Method, internal_np::overlap_bound_t>>(injective,
                                                                                                   overlap_bound);
-  return with_default<internal_np::flip_policy_t, !is_result_flip_free<Method>>(bounded, Flip_policy::REPAIR);
+  const auto watched = with_default<internal_np::visitor_t, is_watched>(bounded, watcher);
+  return with_default<internal_np::flip_policy_t, !is_result_flip_free<Method>>(watched, Flip_policy::REPAIR);
 }
 
 // What is wrong with the numbers among the options of charts, as far as the method is not the user's; null if nothing
@@ -74,8 +95,9 @@ const char* fault_of_charts(const NamedParameters& np)
     return fault_of_numbers(np);
 }
 
-// Parameterizes charts, and divides those whose maps lie over themselves by more than a bound.
-template <template <class...> class Method, class ConcurrencyTag, class NamedParameters>
+// Parameterizes charts, and divides those whose maps lie over themselves by more than a bound. The watch of the options
+// follows, also each chart's run if that is watched and has no visitor of its own.
+template <template <class...> class Method, class ConcurrencyTag, bool is_watched, class NamedParameters>
 class Chart_parameterizer
 {
 public:
@@ -106,16 +128,30 @@ public:
             cuts_in_vain += cut_distorted(p.mesh, m_cut_options) ? 0 : 1;
           waiting.push_back(std::move(p));
         }
-        if (!divided.empty())
+        if (!divided.empty()) {
+          m_cut_options.watch->add_work(work_of_run(part));
           continue;
-        if (m_keeps_apart && !is_one_to_one(part.mesh, part.uv))
+        }
+        if (m_keeps_apart && !is_one_to_one(part.mesh, part.uv)) {
+          m_cut_options.watch->add_work(work_of_run(part));
           summary = parameterize(part, 1);
+        }
       }
+      if (!m_is_stopped)
+        m_cut_options.watch->goes_on(double(part.faces.size()) - work_of_run(part));
       parts.emplace_back(std::move(part), std::move(summary));
     }
   }
 
 private:
+  // Of the work at a part, its triangles, what its run tells the watch; the rest is done when the part need not be
+  // divided.
+  static double work_of_run(const Chart_part& part)
+  {
+    constexpr double share = is_watched && !has_visitor<NamedParameters> ? 0.9 : 0;
+    return share * double(part.faces.size());
+  }
+
   // Scales the map of a chart to the area in space, and mirrors one whose triangles are all negative. Returns false if
   // that made flips, in a map that had none.
   static bool scale_chart(const Corner_mesh& chart, std::vector<Point_2>& uv)
@@ -137,14 +173,16 @@ private:
   {
     Parameterization_summary summary;
     Chart_mesh mesh;
-    if (m_is_stopped)
+    if (m_is_stopped || !m_cut_options.watch->goes_on())
       summary.error.code = ERROR_STOPPED;
     else if (!make_chart_mesh(part.mesh, mesh))
       summary.error.code = ERROR_NO_TOPOLOGICAL_DISC;
     else {
       const auto uvmap = mesh.add_property_map<Chart_mesh::Vertex_index, Point_2>("v:uv").first;
       summary = hierarchical_parameterization<Method, ConcurrencyTag>(
-          mesh, uvmap, options_of_chart<Method<Chart_mesh>>(m_np, overlap_bound));
+          mesh, uvmap,
+          options_of_chart<Method<Chart_mesh>, is_watched>(m_np, overlap_bound,
+                                                           Chart_watcher(m_cut_options.watch, work_of_run(part))));
       if (summary.is_ok()) {
         part.uv.assign(uvmap.begin(), uvmap.end());
         if (!scale_chart(part.mesh, part.uv))
@@ -164,12 +202,13 @@ private:
 
 // Parameterizes all charts, unless a visitor stops the run, and divides them where that is needed. Returns which have a
 // map.
-template <template <class...> class Method, class ConcurrencyTag, class NamedParameters>
+template <template <class...> class Method, class ConcurrencyTag, bool is_watched, class NamedParameters>
 std::vector<bool> parameterize_charts(Atlas& atlas, const NamedParameters& np, const Cut_options& cut_options,
                                       double overlap_bound, Atlas_summary& result)
 {
   atlas.scale_exponent = atlas.mesh.scale_exponent;
-  Chart_parameterizer<Method, ConcurrencyTag, NamedParameters> parameterizer(np, cut_options, overlap_bound);
+  Chart_parameterizer<Method, ConcurrencyTag, is_watched, NamedParameters> parameterizer(np, cut_options,
+                                                                                         overlap_bound);
   std::vector<Parts_with_map> parts(atlas.charts.size());
   const auto make_scratch = [&] { return std::vector<Index>(atlas.mesh.number_of_vertices(), no_index); };
   const auto parameterize = [&](Index begin, Index end, std::vector<Index>& scratch) {
