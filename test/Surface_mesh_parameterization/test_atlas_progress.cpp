@@ -22,9 +22,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <thread>
 #include <vector>
 
 namespace test_atlas_progress {
@@ -60,7 +62,8 @@ Atlas_summary run(Surface& surface, Recorder& recorder)
 
 TEST(Atlas_progress, does_not_fall_within_a_step)
 {
-  for (const Flat_mesh& m : { hard_surface(), tetrahedron(), with_component(grid(4, 4, wavy), grid(20, 20, wavy)) }) {
+  for (const Flat_mesh& m : { hard_surface(), ramp(60, 2.2), tetrahedron(),
+                              with_component(grid(4, 4, wavy), grid(20, 20, wavy)) }) {
     Surface surface(m);
     Recorder recorder;
     ASSERT_TRUE(run(surface, recorder).is_ok());
@@ -185,6 +188,7 @@ TEST(Atlas_progress, is_told_by_one_of_several_threads)
     std::atomic<int> callers(0);
     const On_atlas_progress visitor([&](const Atlas_progress& p) {
       EXPECT_EQ(++callers, 1);
+      std::this_thread::sleep_for(std::chrono::microseconds(20));      // long enough to be interrupted
       const bool goes_on = recorder.progressed(p);
       --callers;
       return goes_on;
