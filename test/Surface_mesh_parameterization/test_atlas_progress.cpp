@@ -53,14 +53,13 @@ struct Recorder
   }
 };
 
-template <class Tag = CGAL::Sequential_tag>
 Atlas_summary run(Surface& surface, Recorder& recorder)
 {
-  return atlas_parameterization<Symmetric_Dirichlet_parameterizer_3, Tag>(
-      surface.mesh, surface.uv, parameters::visitor(std::ref(recorder)).least_used_part(0.7));
+  return atlas_parameterization(surface.mesh, surface.uv,
+                                parameters::visitor(std::ref(recorder)).least_used_part(0.7));
 }
 
-// From 0 to 1 in each step.
+// What is done of a step is from 0 to 1, and does not become less.
 void expect_rising(const std::vector<Atlas_progress>& heard)
 {
   for (std::size_t i = 0; i < heard.size(); ++i) {

@@ -198,18 +198,18 @@ Atlas_summary atlas_parameterization(const TriangleMesh& mesh, HalfedgeUVMap uvm
             atlas, np_of_charts, options.cut, options.overlap_bound, result);
     result.seconds_parameterize = timer.time() - result.seconds_cut;
 
-    if (result.error.code != ERROR_STOPPED) {
+    if (!watch.is_stopped()) {
       watch.begin(Atlas_progress::PACK, 1);
       if (options.least_used_part > 0)
         internal::divide_charts_and_tell(atlas, has_map, options.pack, options.least_used_part, result);
       typedef typename boost::property_traits<HalfedgeUVMap>::value_type   User_point_2;
       internal::pack(atlas, has_map, options.pack, internal::rounding_to<User_point_2>(atlas.scale_exponent),
                      result);
-      if (watch.is_stopped())
-        result.error = { ERROR_STOPPED, Parameterization_error::NOWHERE, 0 };
-      else if (const Error_code code = internal::write_corners(mesh, atlas, has_map, uvmap); code != OK)
-        result.error = { code, Parameterization_error::NOWHERE, 0, internal::cause_of_overflow };
     }
+    if (watch.is_stopped())
+      result.error = { ERROR_STOPPED, Parameterization_error::NOWHERE, 0 };
+    else if (const Error_code code = internal::write_corners(mesh, atlas, has_map, uvmap); code != OK)
+      result.error = { code, Parameterization_error::NOWHERE, 0, internal::cause_of_overflow };
     result.cut.seam_edges += atlas.seam.edges;
     result.cut.seam_length += atlas.seam.length;
     internal::open_holes(atlas, result);

@@ -42,7 +42,7 @@ public:
   bool goes_on(double more_work_done = 0)
   {
     if (!m_listener)
-      return true;
+      return !m_is_stopped;
     const std::lock_guard<std::mutex> lock(m_mutex);
     if (m_is_stopped)
       return false;
@@ -51,6 +51,9 @@ public:
     m_is_stopped = !m_listener(m_progress);
     return !m_is_stopped;
   }
+
+  // Somebody else has stopped the run.
+  void stop() { m_is_stopped = true; }
 
   bool is_stopped() const { return m_is_stopped; }
 

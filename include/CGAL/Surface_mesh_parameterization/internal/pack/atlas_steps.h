@@ -98,7 +98,6 @@ inline std::vector<bool> take_parts(const std::vector<Parts_with_map>& parts, At
 
   atlas.uv.assign(atlas.mesh.number_of_vertices(), Point_2(0, 0));
   std::vector<bool> has_map;
-  bool is_stopped = false;
   for (std::size_t i = 0; i < atlas.charts.size(); ++i) {
     const Part_with_map& part = *part_of_chart[i];
     if (!part.uv.empty())
@@ -107,10 +106,7 @@ inline std::vector<bool> take_parts(const std::vector<Parts_with_map>& parts, At
     result.charts.push_back({ part.faces.size(), part.summary });
     if (result.is_ok())
       result.error = part.summary.error;
-    is_stopped = is_stopped || part.summary.error.code == ERROR_STOPPED;
   }
-  if (is_stopped)
-    result.error = { ERROR_STOPPED, Parameterization_error::NOWHERE, 0 };
   return has_map;
 }
 

@@ -27,7 +27,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/pack/overlap_cut.h>
 #include <CGAL/Surface_mesh_parameterization/parameters.h>
 
-#include <atomic>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -137,8 +136,7 @@ public:
           summary = parameterize(part, 1);
         }
       }
-      if (!m_is_stopped)
-        m_cut_options.watch->goes_on(double(part.faces.size()) - work_of_run(part));
+      m_cut_options.watch->goes_on(double(part.faces.size()) - work_of_run(part));
       parts.emplace_back(std::move(part), std::move(summary));
     }
   }
@@ -173,7 +171,7 @@ private:
   {
     Parameterization_summary summary;
     Chart_mesh mesh;
-    if (m_is_stopped || !m_cut_options.watch->goes_on())
+    if (!m_cut_options.watch->goes_on())
       summary.error.code = ERROR_STOPPED;
     else if (!make_chart_mesh(part.mesh, mesh))
       summary.error.code = ERROR_NO_TOPOLOGICAL_DISC;
@@ -188,7 +186,7 @@ private:
         if (!scale_chart(part.mesh, part.uv))
           summary.error = { ERROR_NO_1_TO_1_MAPPING, Parameterization_error::NOWHERE, 0, cause_of_lost_chart };
       } else if (summary.error.code == ERROR_STOPPED)
-        m_is_stopped = true;
+        m_cut_options.watch->stop();
     }
     return summary;
   }
@@ -197,7 +195,6 @@ private:
   Cut_options m_cut_options;
   double m_overlap_bound;
   bool m_keeps_apart;       // then a map that lies over itself at all is one that the method gave up
-  std::atomic<bool> m_is_stopped = false;
 };
 
 // Parameterizes all charts, unless a visitor stops the run, and divides them where that is needed. Returns which have a
