@@ -240,15 +240,18 @@ TEST(Unknown_numbering, that_the_map_does_not_show_leads_to_a_direct_solution)
 // A pinned vertex may look as if it were an unknown.
 TEST(Unknown_numbering, is_not_mistaken_for_a_given_place)
 {
-  Parameterized run, expected;
-  for (Parameterized* r : { &run, &expected }) {
+  Parameterized run, run_of_CGAL, expected;
+  for (Parameterized* r : { &run, &run_of_CGAL, &expected }) {
     put(r->mapped.uvmap, Surface_mesh::Vertex_index(42), Kernel::Point_2(SMP::internal::Mesh_unknowns::mark(7), 0.9));
     put(r->mapped.vpmap, Surface_mesh::Vertex_index(42), true);
   }
-  run.parameterize<CGAL_LSCM>();
+  run.parameterize<With<LSCM_of, As_it_is>>();
+  run_of_CGAL.parameterize<CGAL_LSCM>();
   expected.parameterize_flat<CGAL_LSCM>();
   run.mapped.expect_equal(expected.mapped, tolerance);
+  run_of_CGAL.mapped.expect_equal(expected.mapped, tolerance);
   EXPECT_EQ(run.summary.linear_solver.direct_solutions, 1u);
+  EXPECT_EQ(run_of_CGAL.summary.linear_solver.direct_solutions, 0u) << "its numbering is known";
 }
 
 } // namespace test_unknown_numbering

@@ -111,21 +111,8 @@ TYPED_TEST(Unused_elements, that_were_removed_are_not_counted_by_errors)
   EXPECT_TRUE(mapped.is_untouched());
 }
 
-template <class Parameterizer>
-constexpr bool is_method_of_CGAL = false;
-template <class... T>
-constexpr bool is_method_of_CGAL<Mean_value_coordinates_parameterizer_3<T...>> = true;
-template <class... T>
-constexpr bool is_method_of_CGAL<LSCM_parameterizer_3<T...>> = true;
-template <class Method, class Tag>
-constexpr bool is_method_of_CGAL<Hierarchical_parameterizer_3<Method, Tag>> = is_method_of_CGAL<Method>;
-
 TYPED_TEST(Unused_elements, that_are_isolated_vertices_have_no_place)
 {
-#ifndef CGAL_NO_PRECONDITIONS
-  if (is_method_of_CGAL<TypeParam>)
-    GTEST_SKIP() << "CGAL has a precondition that there are none";
-#endif
   Surface_mesh alone = make<Surface_mesh>(patch()), mesh;
   mesh.add_vertex(Kernel::Point_3(100, 0, 0));
   append(patch(), mesh);

@@ -67,6 +67,22 @@ TEST(Wrapped_LSCM, pins_the_given_vertices)
   EXPECT_EQ(get(found.uvmap, Surface_mesh::Vertex_index(42)), Kernel::Point_2(0.3, 0.9));
 }
 
+// Areas and their products would over- or underflow.
+TEST(Wrapped_LSCM, does_not_depend_on_the_unit_of_length)
+{
+  typedef Hierarchical_parameterizer_3<LSCM_by_multigrid<Surface_mesh>>   LSCM;
+  const auto map_of = [](int exponent) {
+    Flat_mesh surface = grid(24, 18, wavy);
+    for (Point_3& p : surface.points)
+      p = Point_3(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent));
+    Mapped_mesh mapped(surface);
+    EXPECT_EQ(mapped.parameterize(LSCM(parameters::flip_policy(Flip_policy::KEEP))), OK);
+    return mapped.uv();
+  };
+  EXPECT_EQ(map_of(400), map_of(0));
+  EXPECT_EQ(map_of(-400), map_of(0));
+}
+
 // Holds the ends of a part of the border.
 template <class Mesh>
 struct Ends_of_border

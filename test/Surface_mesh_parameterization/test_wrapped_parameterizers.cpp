@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Edge_energy_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Fixed_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
@@ -30,6 +31,8 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
@@ -99,6 +102,41 @@ TYPED_TEST(Wrapped, is_the_same_for_every_number_of_threads)
   });
 }
 #endif
+
+// A subclass of CGAL's with weights of its own.
+template <class Mesh, class Border = CGAL::Default, class Solver = CGAL::Default>
+struct Chordal : Fixed_border_parameterizer_3<Mesh, Border, Solver>
+{
+private:
+  typedef typename boost::graph_traits<Mesh>::vertex_descriptor   Vertex;
+
+  double compute_w_ij(const Mesh& mesh, Vertex v, CGAL::Vertex_around_target_circulator<Mesh> w) const override
+  {
+    const auto points = get(CGAL::vertex_point, mesh);
+    return 1 / CGAL::sqrt(CGAL::squared_distance(get(points, v), get(points, *w)));
+  }
+};
+
+// One that does more than solve.
+template <class Mesh, class Border = CGAL::Default, class Solver = CGAL::Default>
+struct Mirrored_chordal : Chordal<Mesh, Border, Solver>
+{
+  template <class UVMap, class IndexMap, class PlacedMap>
+  Error_code parameterize(Mesh& mesh, Halfedge<Mesh> bhd, UVMap uvmap, IndexMap vimap, PlacedMap vpmap)
+  {
+    const Error_code code = Chordal<Mesh, Border, Solver>::parameterize(mesh, bhd, uvmap, vimap, vpmap);
+    for (const auto v : vertices(mesh))
+      put(uvmap, v, Kernel::Point_2(-get(uvmap, v).x(), get(uvmap, v).y()));
+    return code;
+  }
+};
+
+TEST(Wrapped_subclass, gives_the_map_of_its_own_weights)
+{
+  Surface_mesh mesh = make<Surface_mesh>(disk_with_hole());
+  check<Chordal<Surface_mesh>>(mesh);
+  check<Mirrored_chordal<Surface_mesh>>(mesh);
+}
 
 TYPED_TEST(Wrapped, leaves_other_components_alone)
 {

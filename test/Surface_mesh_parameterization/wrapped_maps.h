@@ -48,6 +48,11 @@ struct CGAL::Surface_mesh_parameterization::internal::Solver_use<wrapped_maps::L
   static bool is_factorization_faster(std::size_t, std::size_t) { return false; }
 };
 
+template <class M, class B, class S>
+struct CGAL::Surface_mesh_parameterization::internal::Parameterizer_of_run<wrapped_maps::LSCM_by_multigrid<M, B, S>>
+  : Parameterizer_of_run<LSCM_parameterizer_3<M, B, S>>
+{ };
+
 // The maps of CGAL's parameterizers and those of their adaptors.
 namespace wrapped_maps {
 

@@ -31,8 +31,7 @@
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Discrete_authalic_parameterizer_3`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Discrete_conformal_map_parameterizer_3`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Iterative_authalic_parameterizer_3`
-/// \cgalHasModel `CGAL::Surface_mesh_parameterization::LSCM_parameterizer_3`, whose pinned vertices have no
-///   unknowns; it is called once all the same
+/// \cgalHasModel `CGAL::Surface_mesh_parameterization::LSCM_parameterizer_3`
 /// \cgalHasModel `CGAL::Surface_mesh_parameterization::Mean_value_coordinates_parameterizer_3`
 class RebindableParameterizer_3
 {

@@ -28,7 +28,8 @@ namespace CGAL::Surface_mesh_parameterization {
 /// - A model of `RebindableParameterizer_3` solves linear systems, as most of CGAL's parameterizers do. It runs once,
 ///   on the finest level, and `Multigrid_solver_traits` replaces its solver, where that is faster. The map is the same
 ///   as without this class, but for the repair of flips, and where the solver of `Parameterizer` reports success with a
-///   residual above the tolerance.
+///   residual above the tolerance. The system of `LSCM_parameterizer_3`, and of a class that inherits `parameterize()`
+///   from `Fixed_border_parameterizer_3`, is assembled by this package, with the weights of its `compute_w_ij()`.
 /// - In place of CGAL's `ARAP_parameterizer_3`, `As_rigid_as_possible_parameterizer_3` runs level by level. It
 ///   minimizes the same energy.
 /// - CGAL's `Orbifold_Tutte_parameterizer_3` runs with the multigrid solver and keeps its flips. Its `parameterize()`
@@ -52,7 +53,7 @@ namespace CGAL::Surface_mesh_parameterization {
 /// \tparam Parameterizer a model of `RefinableParameterizer_3` or of `RebindableParameterizer_3`, or one of CGAL's
 ///         classes that are named above
 /// \tparam ConcurrencyTag `CGAL::Parallel_tag` uses all threads that TBB has, and needs `CGAL::TBB_support`; the result
-///         is the same. What CGAL's classes do themselves, as to assemble a matrix, is left to one thread
+///         is the same. What a parameterizer does itself is left to one thread, but for the weights of CGAL's classes
 template <class Parameterizer, class ConcurrencyTag = Sequential_tag>
 class Hierarchical_parameterizer_3
 #ifndef DOXYGEN_RUNNING
@@ -259,8 +260,8 @@ public:
 ///
 /// parameterizes the connected component of `mesh` that contains `bhd`. It does what CGAL's `parameterize()` does, but
 /// has no preconditions of its own: a rejected input, such as a closed mesh with a null halfedge, gets an error,
-/// whether assertions are checked or not. If they are checked, CGAL's parameterizers have some about all of `mesh`: it
-/// has no isolated vertices then, and all of its faces are triangles.
+/// whether assertions are checked or not. If they are checked, `parameterize()` of `Iterative_authalic_parameterizer_3`
+/// has some about all of `mesh`: it has no isolated vertices then, and all of its faces are triangles.
 ///
 /// \param mesh a triangulated surface, which may be `const`; it is only read
 /// \param parameterizer the parameterizer; its class is documented at `Hierarchical_parameterizer_3`

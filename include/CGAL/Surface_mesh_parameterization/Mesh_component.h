@@ -13,6 +13,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/position_in.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/flat_points.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/holes.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks.h>
 
@@ -185,14 +186,11 @@ private:
 
   bool read_points(const TriangleMesh& mesh)
   {
-    const auto point_map = get(CGAL::vertex_point, mesh);
-    m_surface.points.reserve(m_vertices.size());
-    for (vertex_descriptor v : m_vertices) {
-      m_surface.points.push_back(internal::to_point_3(get(point_map, v)));
-      if (!internal::is_finite(m_surface.points.back()))
-        return fail(ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX, internal::position_in(vertices(mesh), v),
-                    "a coordinate is not a finite number");
-    }
+    m_surface.points = internal::flat_points(mesh, m_vertices);
+    for (std::size_t i = 0; i < m_vertices.size(); ++i)
+      if (!internal::is_finite(m_surface.points[i]))
+        return fail(ERROR_WRONG_PARAMETER, Parameterization_error::VERTEX,
+                    internal::position_in(vertices(mesh), m_vertices[i]), "a coordinate is not a finite number");
     return true;
   }
 

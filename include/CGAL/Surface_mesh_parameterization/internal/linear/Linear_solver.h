@@ -92,7 +92,7 @@ public:
   virtual const std::shared_ptr<const Sparse_rows<double>>& rows() const = 0;
 
   // Solves for one right side, or for two side by side if the solver was made for them; writes the solutions, of the
-  // right sides' size, if all is solved.
+  // right sides' size and maybe in their place, if all is solved.
   virtual Linear_solver_result solve(const std::vector<const double*>& right_sides,
                                      const std::vector<double*>& solutions, const Linear_solver_options& options) = 0;
 };

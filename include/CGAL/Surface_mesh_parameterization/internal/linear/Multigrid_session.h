@@ -57,12 +57,7 @@ public:
   // unknowns. The map that is made of these goes to read_marks(), and from then on it is known where they sit.
   void allow_marks() { m_marks.allow(); }
   bool has_given_marks() const { return m_marks.are_given(); }
-
-  // Returns whether each vertex has marks of its own.
-  bool read_marks(const std::vector<Point_2>& map) { return m_marks.read(map, *m_unknowns); }
-
-  // Solves the system whose solution became marks.
-  bool solve_marked(std::vector<double>& solution);
+  void read_marks(const std::vector<Point_2>& map) { m_marks.read(map, *m_unknowns); }
 
   // Sets up the solver for a matrix, unless it is the one of the last time; `tied_vertices` as for
   // make_multigrid_linear_solver(). Of unknowns that do not match the mesh, and of a matrix that does not suit
@@ -75,6 +70,12 @@ public:
 
   // Solves for one right side with the last matrix.
   bool solve(const Vector& right_side, Vector& solution);
+
+  // Solves a system whose unknowns are in the order of the hierarchy's input, for as many right sides as the solver was
+  // made for. The solutions may take their place.
+  bool solve(std::shared_ptr<const Sparse_rows<double>> rows,
+             const std::vector<const std::vector<double>*>& right_sides,
+             const std::vector<std::vector<double>*>& solutions);
 
   // Finds what was put off. Returns false if one of the solutions that nobody has been told of could not be found:
   // those that finish() or a reader asked for. The second call of a pair tells of both itself.

@@ -60,12 +60,6 @@ bool Multigrid_session::start_stage(double factor) const
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
-bool Multigrid_session::solve_marked(std::vector<double>& solution)
-{
-  return set_up(m_marks.rows(), {}) && solve({ &m_marks.right_side() }, { &solution });
-}
-
-CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 bool Multigrid_session::set_up(const Sparse_matrix& matrix, const std::vector<Index>& tied_vertices)
 {
   std::shared_ptr<const Sparse_rows<double>> rows = matrix.rows();
@@ -130,7 +124,7 @@ bool Multigrid_session::set_up_multigrid(std::shared_ptr<const Sparse_rows<doubl
   if (!unknowns_match(*m_interpolation, *rows, unknowns))
     unknowns = m_marks.unknowns();
   if (!unknowns_match(*m_interpolation, *rows, unknowns)) {
-    if (m_marks.put_aside(rows))
+    if (m_marks.put_aside(rows->number_of_rows()))
       return true;
     if (!is_of_mesh && !m_marks.are_allowed())
       return false;
@@ -178,6 +172,17 @@ bool Multigrid_session::solve(const Vector& right_side, Vector& solution)
 {
   return m_solver ? solve({ &right_side.values() }, { &solution.values() })
                   : m_marks.give(right_side.values(), solution.values());
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+bool Multigrid_session::solve(std::shared_ptr<const Sparse_rows<double>> rows,
+                              const std::vector<const std::vector<double>*>& right_sides,
+                              const std::vector<std::vector<double>*>& solutions)
+{
+  if (set_up(std::move(rows), {}))
+    return solve(right_sides, solutions);
+  ++m_summary.failures;
+  return false;
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE

@@ -26,6 +26,9 @@ struct Disk_check
 Disk_check check_disk_with_holes(const Triangulated_surface_3& surface, const std::vector<Index>& border_vertices,
                                  const Loops& loops);
 
+// The number of sides of the points' box that have a length.
+int dimension_of_box(const std::vector<Point_3>& points);
+
 // Scales the points by a power of two, to about size 1, and moves them to the center of their box.
 void normalize(Triangulated_surface_3& surface);
 

@@ -61,6 +61,15 @@ Disk_check check_disk_with_holes(const Triangulated_surface_3& surface, const st
 }
 
 CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
+int dimension_of_box(const std::vector<Point_3>& points)
+{
+  CGAL::Bbox_3 box;
+  for (const Point_3& p : points)
+    box += p.bbox();
+  return int(box.xmax() > box.xmin()) + int(box.ymax() > box.ymin()) + int(box.zmax() > box.zmin());
+}
+
+CGAL_HIERARCHICAL_PARAMETERIZATION_INLINE
 void normalize(Triangulated_surface_3& surface)
 {
   CGAL::Bbox_3 box;

@@ -23,7 +23,6 @@ struct Plain_solver_use
 {
   static constexpr bool is_shipped = false;               // with CGAL
   static constexpr bool solves_in_pairs = false;          // for u and for v, before it looks at either
-  static constexpr bool copies_solution = false;          // to the map, and does nothing else with it
   static constexpr bool has_uniform_weights = false;
   static constexpr bool always_suits_multigrid = true;    // see Multigrid_session::suits_multigrid()
   static constexpr bool is_complex = false;               // its matrix is that of a complex one, see complex_rows()
@@ -89,7 +88,6 @@ template <class M, class B, class S>
 struct Solver_use<LSCM_parameterizer_3<M, B, S>> : Plain_solver_use
 {
   static constexpr bool is_shipped = true;
-  static constexpr bool copies_solution = true;
   static constexpr double greatest_row_sum = (std::numeric_limits<double>::infinity)();
   static constexpr bool is_complex = true;
 

@@ -6,6 +6,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/core/flat_types.h>
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Constrained_session.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Component_map.h>
@@ -18,8 +19,10 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -74,7 +77,7 @@ private:
       return run.error();
     std::vector<User_point_2> uv = places_not_given<User_point_2>(run.vertices().size());
     const auto session =
-        std::make_shared<Constrained_session>(run.interpolation(), run.number_vertices_as(vimap),
+        std::make_shared<Constrained_session>(run.interpolation(), number_vertices_as(vimap, run),
                                               run.solver_options(Plain_solver_use::part_of_solution),
                                               &make_multigrid_linear_solver<1>);
     Error_code code = run.parameterize(session, uv, [&]() -> Error_code {
@@ -92,6 +95,24 @@ private:
       for (const auto v : run.vertices())
         put(uvmap, v, uv[get(run.index(), v)]);
     return code;
+  }
+
+  // Numbers the vertices anew, in the order that they have in an index map. Returns their ranks in that order.
+  template <class VertexIndexMap>
+  static std::vector<Index> number_vertices_as(const VertexIndexMap& vimap, Wrapped_run<SeamMesh>& run)
+  {
+    std::vector<Index> order(run.vertices().size());
+    std::iota(order.begin(), order.end(), Index(0));
+    std::stable_sort(order.begin(), order.end(), [&](Index i, Index j) {
+      return get(vimap, run.vertices()[i]) < get(vimap, run.vertices()[j]);
+    });
+    const std::vector<Index> ranks = run.interpolation()->ranks();
+    std::vector<Index> result;
+    for (const Index i : order) {
+      put(run.index(), run.vertices()[i], int(result.size()));
+      result.push_back(ranks[i]);
+    }
+    return result;
   }
 
   // CGAL's Cone_type, whose header defines that function.

@@ -9,9 +9,11 @@
 #include <CGAL/Surface_mesh_parameterization/internal/core/mesh_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
-#include <CGAL/Surface_mesh_parameterization/internal/mesh/Component_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/Filled_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/internal/mesh/place_border.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Conformal_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Fixed_border_system.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Map_to_make.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_parameterizer_base_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_run.h>
@@ -46,6 +48,7 @@ class Wrapped_parameterizer_3
   : public Wrapped_parameterizer_base_3<Parameterizer, ConcurrencyTag>, public Border_parameterizer_type<Parameterizer>
 {
   typedef Wrapped_parameterizer_base_3<Parameterizer, ConcurrencyTag>   Base;
+  typedef typename Base::Parameterizer_of_run                           Flat_parameterizer;
   typedef Solver_use<Parameterizer>                                     Use;
 
 public:
@@ -104,8 +107,7 @@ private:
                                   const Filled_mesh<Triangle_mesh>* copy, VertexUVMap uvmap,
                                   VertexParameterizedMap vpmap, Others&&... others)
   {
-    typedef typename boost::property_traits<VertexUVMap>::value_type    User_point_2;
-    typedef typename Wrapped_run<Triangle_mesh>::Index_map              Index_map;
+    typedef typename boost::property_traits<VertexUVMap>::value_type   User_point_2;
 
     constexpr int least_dimension = Use::is_complex ? 2 : 1;      // CGAL's border of LSCM is two vertices of a box
     Wrapped_run<Triangle_mesh> run(mesh, bhd, this->options(), least_dimension);
@@ -115,36 +117,19 @@ private:
     if (copy)
       for (vertex_descriptor& v : vertices)
         v = copy->original(v);
-    std::vector<User_point_2> uv;
-    std::vector<char> is_placed;
-    Error_code code = make_map(run, uv, sizeof...(Others) == 0, [&](const auto& parameterizer) {
-      copy_places(vertices, uvmap, vpmap, uv, is_placed);
-      // CGAL's parameterizers read the mesh only, but do not say so.
-      return parameterizer->parameterize(const_cast<Triangle_mesh&>(mesh), bhd,
-                                         Component_map<Index_map, User_point_2>{ run.index(), &uv }, run.index(),
-                                         Component_map<Index_map, char>{ run.index(), &is_placed },
-                                         std::forward<Others>(others)...);
-    });
-    if constexpr (Use::is_complex)      // a flat surface can turn around one pin: its system is singular
-      if ((code == OK || code == ERROR_CANNOT_SOLVE_LINEAR_SYSTEM) &&
-          std::count(is_placed.begin(), is_placed.end(), char(true)) < 2)
-        return this->fail(ERROR_WRONG_PARAMETER, "the border parameterizer must constrain two vertices");
-    if (code == ERROR_CANNOT_SOLVE_LINEAR_SYSTEM && !Use::is_complex && !is_border_finite(mesh, bhd, run.index(), uv))
-      return this->fail(ERROR_WRONG_PARAMETER, cause_of_bad_border);
-    const auto run_substitute = this->optional_steps().run_substitute;
-    if (code == OK) {
-      code = run.settle_flips(uv, is_placed, run_substitute != nullptr);
-      if (run_substitute && run.is_map_lost())
-        code = run.replace_map(uv, is_placed, [&](std::vector<Point_2>& places, Parameterization_summary& summary) {
-          return run_substitute(mesh, bhd, run.index(), this->options().hierarchy, places, run.progress(), summary);
-        });
-    }
+    Map_to_make<Triangle_mesh, User_point_2> map{ mesh, bhd, run.vertices(), run.index(), {}, {} };
+    Error_code code = make_map(run, map, [&] { copy_places(vertices, uvmap, vpmap, map); },
+                               std::forward<Others>(others)...);
+    if (const char* cause = cause_in_given_places(code, map))
+      return this->fail(ERROR_WRONG_PARAMETER, cause);
+    if (code == OK)
+      code = settle_flips(run, map);
     if (code == OK)
       code = run.finish();
     for (std::size_t i = 0; i < vertices.size() && code == OK; ++i)
       if (vertices[i] != Graph_traits::null_vertex()) {
-        put(uvmap, vertices[i], uv[i]);
-        put(vpmap, vertices[i], bool(is_placed[i]));
+        put(uvmap, vertices[i], map.uv[i]);
+        put(vpmap, vertices[i], bool(map.is_placed[i]));
       }
     return code;
   }
@@ -152,33 +137,25 @@ private:
   // The places that the user's maps hold already.
   template <class VertexUVMap, class VertexParameterizedMap, class Point>
   static void copy_places(const std::vector<vertex_descriptor>& vertices, VertexUVMap uvmap,
-                          VertexParameterizedMap vpmap, std::vector<Point>& uv, std::vector<char>& is_placed)
+                          VertexParameterizedMap vpmap, Map_to_make<Triangle_mesh, Point>& map)
   {
-    uv = places_not_given<Point>(vertices.size());
-    is_placed.assign(vertices.size(), false);
+    map.uv = places_not_given<Point>(vertices.size());
+    map.is_placed.assign(vertices.size(), false);
     for (std::size_t i = 0; i < vertices.size(); ++i)
       if (vertices[i] != Graph_traits::null_vertex() && get(vpmap, vertices[i])) {
-        uv[i] = get(uvmap, vertices[i]);
-        is_placed[i] = true;
+        map.uv[i] = get(uvmap, vertices[i]);
+        map.is_placed[i] = true;
       }
   }
 
-  template <class IndexMap, class Point>
-  static bool is_border_finite(const Triangle_mesh& mesh, halfedge_descriptor bhd, IndexMap index,
-                               const std::vector<Point>& uv)
+  // Makes a map by the solver that suits it; `start()` brings the map to the state before.
+  template <class Point, class Start, class... Others>
+  Error_code make_map(Wrapped_run<Triangle_mesh>& run, Map_to_make<Triangle_mesh, Point>& map, const Start& start,
+                      Others&&... others)
   {
-    const auto border = halfedges_around_face(bhd, mesh);
-    return std::all_of(border.begin(), border.end(), [&](halfedge_descriptor h) {
-      return is_finite(to_point_2(uv[get(index, target(h, mesh))]));
-    });
-  }
-
-  // Calls `run_parameterizer(pointer)` for a parameterizer with the solver that suits it. It can be called once more if
-  // that does not change the caller's further arguments.
-  template <class Point, class Function>
-  Error_code make_map(Wrapped_run<Triangle_mesh>& run, std::vector<Point>& uv, bool can_repeat,
-                      const Function& run_parameterizer)
-  {
+    constexpr bool has_border_system =
+        sizeof...(Others) == 0 && inherits_fixed_border_run<Flat_parameterizer, Map_to_make<Triangle_mesh, Point>>();
+    constexpr int right_sides = Use::solves_in_pairs || has_border_system ? 2 : 1;
     Linear_solver_options solver_options = run.solver_options(Use::part_of_solution);
     if constexpr (Use::is_complex)
       solver_options.has_grids = !Use::is_factorization_faster(run.vertices().size(), run.border_size());
@@ -187,15 +164,57 @@ private:
       return run.error();
     const auto session =
         std::make_shared<Multigrid_session>([&run] { return run.interpolation(); }, solver_options,
-                                            &make_multigrid_linear_solver<Use::solves_in_pairs ? 2 : 1>,
-                                            Use::solves_in_pairs);
-    if (can_repeat)
+                                            &make_multigrid_linear_solver<right_sides>, Use::solves_in_pairs);
+    if constexpr (sizeof...(Others) == 0)       // a call may change the caller's further arguments: no second one
       session->allow_marks();
-    const Error_code code = run.parameterize(
-        session, uv, [&] { return run_parameterizer(this->make_parameterizer()); }, Use::copies_solution);
+    const Error_code code = run.parameterize(session, map.uv, [&]() -> Error_code {
+      start();
+      const auto parameterizer = this->make_parameterizer();
+      const Loops& loops = this->options().loops();
+      if constexpr (is_conformal_system<Flat_parameterizer>)
+        return parameterizer->solve(map, run.scale_exponent(), *session, loops);
+      else if constexpr (has_border_system)
+        return Fixed_border_system_of<Flat_parameterizer>::solve(*parameterizer, map, *session,
+                                                                 Use::is_shipped ? loops : Loops());
+      else      // CGAL's parameterizers read the mesh only, but do not say so
+        return parameterizer->parameterize(const_cast<Triangle_mesh&>(map.mesh), map.bhd, map.uv_map(), map.index,
+                                           map.placed_map(), std::forward<Others>(others)...);
+    });
     if (code == OK && session->summary().setups == 0)
       return this->fail(ERROR_CANNOT_SOLVE_LINEAR_SYSTEM, "the parameterizer did not use the solver that it was given");
     return code;
+  }
+
+  // What is wrong with the places that the border parameterizer gave; null if nothing is known of that.
+  template <class Point>
+  static const char* cause_in_given_places(Error_code code, const Map_to_make<Triangle_mesh, Point>& map)
+  {
+    if constexpr (Use::is_complex) {      // a flat surface can turn around one pin: its system is singular
+      const auto pins = std::count(map.is_placed.begin(), map.is_placed.end(), char(true));
+      if ((code == OK || code == ERROR_CANNOT_SOLVE_LINEAR_SYSTEM) && pins < 2)
+        return "the border parameterizer must constrain two vertices";
+    } else if (code == ERROR_CANNOT_SOLVE_LINEAR_SYSTEM) {
+      const auto border = halfedges_around_face(map.bhd, map.mesh);
+      if (!std::all_of(border.begin(), border.end(), [&](halfedge_descriptor h) {
+            return is_finite(to_point_2(map.uv[map.number(target(h, map.mesh))]));
+          }))
+        return cause_of_bad_border;
+    }
+    return nullptr;
+  }
+
+  // Another method makes the map where there is one and a repair left little of this map.
+  template <class Point>
+  Error_code settle_flips(Wrapped_run<Triangle_mesh>& run, Map_to_make<Triangle_mesh, Point>& map)
+  {
+    const auto run_substitute = this->optional_steps().run_substitute;
+    const Error_code code = run.settle_flips(map.uv, map.is_placed, run_substitute != nullptr);
+    if (!run_substitute || !run.is_map_lost())
+      return code;
+    const auto make_map = [&](std::vector<Point_2>& places, Parameterization_summary& summary) {
+      return run_substitute(map.mesh, map.bhd, map.index, this->options().hierarchy, places, run.progress(), summary);
+    };
+    return run.replace_map(map.uv, map.is_placed, make_map);
   }
 };
 

@@ -6,10 +6,10 @@
 
 #include <CGAL/Surface_mesh_parameterization/Multigrid_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Parameterization_summary.h>
-#include <CGAL/Surface_mesh_parameterization/Rebind_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/hierarchy/Hierarchy_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Optional_steps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Own_solver.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/Parameterizer_of_run.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Solver_use.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/may_have_flips.h>
@@ -59,10 +59,10 @@ public:
   }
 
 protected:
-  typedef typename Rebind_solver<Parameterizer, Multigrid_solver_traits>::type   Parameterizer_with_multigrid;
+  typedef typename internal::Parameterizer_of_run<Parameterizer>::type   Parameterizer_of_run;
 
   // Each run makes its own parameterizer, inside the scope of its solver; and some of CGAL's cannot be copied.
-  std::unique_ptr<Parameterizer_with_multigrid> make_parameterizer() const { return m_make(); }
+  std::unique_ptr<Parameterizer_of_run> make_parameterizer() const { return m_make(); }
 
   const Wrapped_options& options() const { return m_options; }
   const Optional_steps<Parameterizer>& optional_steps() const { return m_optional_steps; }
@@ -90,9 +90,9 @@ private:
   }
 
   template <class... Arguments>
-  static std::function<std::unique_ptr<Parameterizer_with_multigrid>()> make_of(const Arguments&... arguments)
+  static std::function<std::unique_ptr<Parameterizer_of_run>()> make_of(const Arguments&... arguments)
   {
-    return [arguments...] { return std::make_unique<Parameterizer_with_multigrid>(arguments...); };
+    return [arguments...] { return std::make_unique<Parameterizer_of_run>(arguments...); };
   }
 
   template <class NamedParameters>
@@ -107,7 +107,7 @@ private:
     m_optional_steps = Optional_steps<Parameterizer>::template of<ConcurrencyTag>(np);
   }
 
-  std::function<std::unique_ptr<Parameterizer_with_multigrid>()> m_make;
+  std::function<std::unique_ptr<Parameterizer_of_run>()> m_make;
   bool m_has_arguments = false;
   Wrapped_options m_options;
   Optional_steps<Parameterizer> m_optional_steps;

@@ -17,23 +17,22 @@
 #include <CGAL/Surface_mesh_parameterization/internal/levels/flip_policy.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Linear_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/linear/Multigrid_session.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/flat_points.h>
+#include <CGAL/Surface_mesh_parameterization/internal/mesh/surface_checks.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/One_rings.h>
 #include <CGAL/Surface_mesh_parameterization/internal/star/round_map.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/Wrapped_options.h>
 #include <CGAL/Surface_mesh_parameterization/internal/wrapped/flat_map.h>
-#include <CGAL/Surface_mesh_parameterization/internal/wrapped/solve_and_copy.h>
+#include <CGAL/Surface_mesh_parameterization/internal/wrapped/parameterize_with_session.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -54,7 +53,7 @@ public:
   // is told by error().
   Wrapped_run(const TriangleMesh& mesh, halfedge_descriptor bhd, const Wrapped_options& options,
               int least_dimension = 1)
-    : m_options(options), m_progress(options.visitor.get()), m_index(get(CGAL::dynamic_vertex_property_t<int>(), mesh))
+    : m_mesh(mesh), m_options(options), m_progress(options.visitor.get()), m_index(get(CGAL::dynamic_vertex_property_t<int>(), mesh))
   {
     summary() = Parameterization_summary();
     if (options.fault) {
@@ -71,6 +70,7 @@ public:
       put(m_index, m_vertices[i], int(i));
     m_surface = std::move(component.surface());
     m_border_size = m_surface.outer_border.size();
+    m_scale_exponent = m_surface.scale_exponent;
     const int dimension = dimension_of_box(m_surface.points);
     if (dimension < least_dimension) {
       summary().error.code = ERROR_BORDER_TOO_SHORT;
@@ -87,24 +87,10 @@ public:
   const std::vector<vertex_descriptor>& vertices() const { return m_vertices; }
   const Index_map& index() const { return m_index; }
 
-  // Numbers the vertices anew, in the order that they have in an index map. Returns their ranks in that order.
-  template <class VertexIndexMap>
-  std::vector<Index> number_vertices_as(const VertexIndexMap& vimap)
-  {
-    std::vector<Index> order(m_vertices.size());
-    std::iota(order.begin(), order.end(), Index(0));
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Index i, Index j) { return get(vimap, m_vertices[i]) < get(vimap, m_vertices[j]); });
-    const std::vector<Index> ranks = m_interpolation->ranks();
-    std::vector<Index> result;
-    for (const Index i : order) {
-      put(m_index, m_vertices[i], int(result.size()));
-      result.push_back(ranks[i]);
-    }
-    return result;
-  }
-
   std::size_t border_size() const { return m_border_size; }
+
+  // Of the power of two that scales the component to about size 1.
+  int scale_exponent() const { return m_scale_exponent; }
 
   // The hierarchy, which is built by the first call; null if the visitor has stopped the run.
   const std::shared_ptr<const Hierarchy_interpolation>& interpolation()
@@ -123,14 +109,14 @@ public:
     return result;
   }
 
-  // Makes a map by `parameterize()`, see solve_and_copy().
+  // Makes a map by `parameterize()`, see parameterize_with_session().
   template <class Point, class Function>
   Error_code parameterize(const std::shared_ptr<Multigrid_session>& session, std::vector<Point>& uv,
-                          const Function& parameterize, bool copies_solution = false)
+                          const Function& parameterize)
   {
     Error_code code = ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
     try {
-      code = solve_and_copy(session, uv, parameterize, copies_solution);
+      code = parameterize_with_session(session, uv, parameterize);
     }
     catch (const Solver_gives_up&) { }
     if (m_progress.is_stopped())
@@ -154,7 +140,7 @@ public:
     Flip_settlement settlement = m_options.flips;
     settlement.may_give_up = has_other_method;
     summary().error.code = internal::settle_flips(
-        settlement, *m_rings, [this] { return std::move(m_surface); }, map, summary());
+        settlement, *m_rings, [this] { return whole_surface(); }, map, summary());
     if (error() != OK)
       fail(error());
     else if (summary().moved_vertices > 0)
@@ -216,15 +202,6 @@ private:
   static constexpr const char* cause_of_missing_place =
       "the parameterizer gave a vertex no uv coordinates, or some that are not finite";
 
-  // The number of sides that have a length.
-  static int dimension_of_box(const std::vector<Point_3>& points)
-  {
-    CGAL::Bbox_3 box;
-    for (const Point_3& p : points)
-      box += p.bbox();
-    return int(box.xmax() > box.xmin()) + int(box.ymax() > box.ymin()) + int(box.zmax() > box.zmin());
-  }
-
   template <class Point>
   Error_code close(Error_code code, const std::vector<Point>& uv)
   {
@@ -254,17 +231,27 @@ private:
       uv[i] = Point(map[i].x(), map[i].y());
   }
 
-  // Of the surface there stays what the flip policy needs.
+  // The surface, whose points may have gone to the hierarchy.
+  Triangulated_surface_3 whole_surface()
+  {
+    if (m_surface.points.empty()) {
+      m_surface.points = flat_points(m_mesh, m_vertices);
+      normalize(m_surface);
+    }
+    return std::move(m_surface);
+  }
+
+  // Of the surface there stays what the flip policy needs, less the points, which the mesh has.
   void build_hierarchy()
   {
     constexpr double part_of_hierarchy = 0.1;       // of the time, more or less
     CGAL::Real_timer timer;
     timer.start();
     Triangulated_surface_3 rest;
-    if (m_options.flips.policy == Flip_policy::REPAIR)
-      rest = m_surface;
-    else if (m_options.flips.policy == Flip_policy::FAIL)
+    if (m_options.flips.policy != Flip_policy::KEEP) {
       rest.triangles = m_surface.triangles;
+      rest.outer_border = m_surface.outer_border;
+    }
     Hierarchy_options options = m_options.hierarchy;
     options.progress = &m_progress;
     m_progress.start_stage(part_of_hierarchy);
@@ -275,6 +262,7 @@ private:
       summary().error.code = ERROR_STOPPED;
   }
 
+  const TriangleMesh& m_mesh;
   const Wrapped_options& m_options;
   Run_progress m_progress;
   CGAL::Real_timer m_timer;
@@ -284,6 +272,7 @@ private:
   std::optional<One_rings> m_rings;     // of its vertices, once flips are settled
   std::vector<std::pair<std::size_t, Point_2>> m_pins;  // vertices that the parameterizer has fixed, and their places
   std::size_t m_border_size = 0;        // vertices on the outer border
+  int m_scale_exponent = 0;
   std::shared_ptr<const Hierarchy_interpolation> m_interpolation;
   Parameterization_summary m_own_summary;
 };
