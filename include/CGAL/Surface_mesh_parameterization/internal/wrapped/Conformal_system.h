@@ -55,6 +55,10 @@ public:
       return code;
     const Index n = Index(map.vertices.size());
     std::vector<double> uv(2 * std::size_t(n));     // the right side, and the solution
+    for (std::size_t i = 0; i < n; ++i)
+      if (map.is_placed[i])
+        for (const int c : { 0, 1 })
+          uv[2 * i + c] = CGAL::to_double(map.uv[i][c]);
     auto rows = std::make_shared<const Sparse_rows<double>>(assembled(map, exponent, uv, loops));
     if (!session.solve(std::move(rows), { &uv }, { &uv }))
       return ERROR_CANNOT_SOLVE_LINEAR_SYSTEM;
@@ -79,8 +83,8 @@ private:
                                    map.placed_map());
   }
 
-  // The rows of u and v of each vertex in turn. Placed vertices have 1 on the diagonal, and go to the right side in the
-  // rows of their neighbors.
+  // The rows of u and v of each vertex in turn. Placed vertices have 1 on the diagonal, and their places on the right
+  // side, which they also change in the rows of their neighbors.
   template <class Point>
   static Sparse_rows<double> assembled(const Map_to_make<TriangleMesh, Point>& map, int exponent,
                                        std::vector<double>& right_side, const Loops& loops)
@@ -97,14 +101,10 @@ private:
     const auto fill = [&](Index i, std::array<Sparse_row, 2>& rows) {
       const std::array<Index, 2> number = { 2 * i, 2 * i + 1 };
       double diagonal = 1;
-      if (map.is_placed[i])
-        for (const int c : { 0, 1 })
-          right_side[number[c]] = CGAL::to_double(map.uv[i][c]);
-      else
+      if (!map.is_placed[i])
         diagonal = for_each_neighbor(map, points, i, [&](Index j, const Complex<double>& a) {
           if (map.is_placed[j]) {
-            const Point_2 place = to_point_2(map.uv[j]);
-            const Complex<double> b = a * Complex<double>(place.x(), place.y());
+            const Complex<double> b = a * Complex<double>(right_side[2 * j], right_side[2 * j + 1]);
             right_side[number[0]] -= b.re;
             right_side[number[1]] -= b.im;
           } else {

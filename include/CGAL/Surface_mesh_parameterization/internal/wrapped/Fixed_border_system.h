@@ -94,7 +94,8 @@ private:
       }
       rows[0].push_back({ i, diagonal });
     };
-    return assembled_rows<1>(Index(map.vertices.size()), size_of, fill, loops);
+    constexpr bool may_share = std::is_floating_point<typename Fixed_border_system::NT>::value;     // by threads
+    return assembled_rows<1>(Index(map.vertices.size()), size_of, fill, may_share ? loops : Loops());
   }
 };
 
