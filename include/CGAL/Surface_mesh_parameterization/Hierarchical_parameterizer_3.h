@@ -260,8 +260,9 @@ public:
 ///
 /// parameterizes the connected component of `mesh` that contains `bhd`. It does what CGAL's `parameterize()` does, but
 /// has no preconditions of its own: a rejected input, such as a closed mesh with a null halfedge, gets an error,
-/// whether assertions are checked or not. If they are checked, `parameterize()` of `Iterative_authalic_parameterizer_3`
-/// has some about all of `mesh`: it has no isolated vertices then, and all of its faces are triangles.
+/// whether assertions are checked or not. If they are checked, a `parameterize()` of CGAL's that is called, as that of
+/// `Iterative_authalic_parameterizer_3`, has some about all of `mesh`: it has no isolated vertices then, and all of its
+/// faces are triangles.
 ///
 /// \param mesh a triangulated surface, which may be `const`; it is only read
 /// \param parameterizer the parameterizer; its class is documented at `Hierarchical_parameterizer_3`

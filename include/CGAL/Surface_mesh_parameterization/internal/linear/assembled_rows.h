@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal {
 
@@ -25,11 +26,11 @@ Sparse_rows<double> assembled_rows(Index n, const Size& size_of, const Fill& fil
   std::vector<Index>& first = result.first;
   first.resize(components * std::size_t(n) + 1);
   loops.for_each(0, n, [&](Index v) { std::fill_n(first.begin() + 1 + components * v, components, size_of(v)); });
-  std::size_t end = 0;
+  std::size_t entries = 0;
   for (Index& size_or_end : first)
-    size_or_end = Sparse_rows<double>::checked_end(end += size_or_end);
-  result.columns.resize(end);
-  result.values.resize(end);
+    size_or_end = Sparse_rows<double>::checked_end(entries += size_or_end);
+  result.columns.resize(entries);
+  result.values.resize(entries);
 
   typedef std::array<Sparse_row, components>   Rows;
   loops.for_each_block_with_scratch(0, n, [] { return Rows(); }, [&](Index begin, Index end, Rows& rows) {
